@@ -1,0 +1,61 @@
+// A bump allocator: blocks of memory that live until the frame ends. Not safe for two threads at once; each
+// thread of a frame has its own.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <new>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace softgl {
+
+class Arena {
+public:
+  explicit Arena(size_t block_bytes = 256 * 1024) : block_bytes_(block_bytes) {}
+  Arena(const Arena&) = delete;
+  Arena& operator=(const Arena&) = delete;
+  ~Arena() { for (auto& b : blocks_) ::operator delete(b.memory, std::align_val_t(64)); }
+
+  /// `bytes` of uninitialised memory, aligned to 64 bytes. Throws std::bad_alloc.
+  void* allocate(size_t bytes) {
+    bytes = (bytes + 63) & ~size_t(63);
+    if (size_t(end_ - next_) < bytes) grow(bytes);
+    void* p = next_;
+    next_ += bytes;
+    used_ += bytes;
+    return p;
+  }
+  template <class T> T* allocate_array(size_t count) {
+    static_assert(std::is_trivially_destructible_v<T>);
+    return static_cast<T*>(allocate(count * sizeof(T)));
+  }
+  template <class T, class... A> T* make(A&&... arguments) {
+    static_assert(std::is_trivially_destructible_v<T>);
+    return new (allocate(sizeof(T))) T{std::forward<A>(arguments)...};
+  }
+  /// Forgets all allocations and keeps the blocks for the next frame.
+  void reset() { used_ = 0; current_ = 0; next_ = end_ = nullptr; }
+  size_t used() const { return used_; }
+
+private:
+  struct Block { std::byte* memory; size_t size; };
+  void grow(size_t bytes) {
+    while (current_ < blocks_.size() && blocks_[current_].size < bytes) ++current_;
+    if (current_ == blocks_.size()) {
+      const size_t size = bytes > block_bytes_ ? bytes : block_bytes_;
+      blocks_.reserve(blocks_.size() + 1);
+      blocks_.push_back({static_cast<std::byte*>(::operator new(size, std::align_val_t(64))), size});
+    }
+    next_ = blocks_[current_].memory;
+    end_ = next_ + blocks_[current_].size;
+    ++current_;
+  }
+  std::vector<Block> blocks_;
+  size_t block_bytes_, current_ = 0, used_ = 0;
+  std::byte *next_ = nullptr, *end_ = nullptr;
+};
+
+} // namespace softgl

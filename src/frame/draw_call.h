@@ -1,0 +1,52 @@
+// What a vertex source (immediate mode, arrays, lists) hands over to be drawn.
+#pragma once
+
+#include "state/state.h"
+
+namespace softgl {
+
+struct Context;
+
+enum class ComponentType : uint8_t { Float, Double, Byte, UnsignedByte, Short, UnsignedShort, Int, UnsignedInt };
+
+/// One attribute of a vertex array: element i starts at data + i * stride. Missing components are 0, 0, 0, 1.
+struct AttributeStream {
+  const unsigned char* data = nullptr; // null: the attribute is constant over the draw
+  uint32_t stride = 0;                 // bytes
+  uint8_t components = 4;              // 1..4
+  ComponentType type = ComponentType::Float;
+  bool normalized = false;             // integers map to [0,1] or [-1,1] (2.7, table 2.9)
+};
+
+/// All attributes of a draw's vertices, indexed by AttributeSlot.
+struct VertexSource {
+  AttributeStream stream[kAttributeSlots];
+  Vec4 constant[kAttributeSlots]; // the value of the slots without a stream
+};
+
+/// One primitive (what stands between Begin and End, or one DrawArrays): count elements from element `first`. An
+/// element is an index into the source, or into `indices` of the call where there are indices.
+struct PrimitiveRange {
+  GLenum mode;
+  uint32_t first, count;
+  // A primitive too large for one run is continued in the next call; the line stipple and the closing edge of a loop
+  // depend on it.
+  bool begins = true, ends = true;
+};
+
+/// A draw. All memory it points to must stay unchanged until the frame is flushed: it lies in the frame's arena, or in
+/// an object that the frame retains.
+struct DrawCall {
+  VertexSource source;
+  const PrimitiveRange* primitives = nullptr;
+  uint32_t primitive_count = 0;
+  const void* indices = nullptr;      // null: elements are vertex numbers
+  GLenum index_type = GL_UNSIGNED_INT; // GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT or GL_UNSIGNED_INT
+  uint32_t first_vertex = 0, vertex_count = 0; // every vertex used lies in [first_vertex, first_vertex + vertex_count)
+};
+
+/// Draws with the context's present state (defined in geometry/draw_record.cpp). May flush the frame when its memory
+/// is over budget, so pointers into the frame's arena are dead after the call.
+void submit(Context& context, const DrawCall& call);
+
+} // namespace softgl

@@ -1,0 +1,21 @@
+// An immutable draw: the call and pointers to snapshots of the state it needs. Nothing behind submit() sees Context.
+#pragma once
+
+#include "draw_call.h"
+#include "shaded_vertex.h"
+
+namespace softgl {
+
+struct VertexProgram;   // geometry/vertex_program.h: key, constants and stages from eye space to shaded vertices
+struct RasterConstants; // shaders/raster_constants.h: culling, offset, scissor, sizes
+struct FragmentProgram; // fragment/fragment_program.h: key, constants and stages of the fragments
+
+struct DrawRecord {
+  DrawCall call;
+  ShadedLayout layout;
+  const VertexProgram* vertex;
+  const RasterConstants* raster;
+  const FragmentProgram* fragment;
+};
+
+} // namespace softgl

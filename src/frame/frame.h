@@ -1,0 +1,46 @@
+// The work that has been asked for and not yet done: draws and clears in order, and the memory they need.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "base/arena.h"
+#include "draw_record.h"
+#include "surface.h"
+
+namespace softgl {
+
+/// A glClear in the order of the frame. Values are already in the surface's storage format.
+struct ClearRecord {
+  bool color, depth, stencil;
+  bool color_mask[4];
+  float color_value[4];
+  uint32_t depth_value, stencil_value, stencil_write_mask;
+  int32_t x0, y0, x1, y1; // window, y down, half open: scissor box and surface intersected
+};
+
+class Frame {
+public:
+  /// Memory for everything that draws of this frame point to. Freed by flush().
+  Arena& arena() { return arena_; }
+  /// Keeps an object (buffer storage, texture image, display list run) alive and unchanged until the flush.
+  void retain(std::shared_ptr<const void> object) { retained_.push_back(std::move(object)); }
+  /// Adds a draw or a clear behind all earlier ones. The record lies in arena().
+  void append(const DrawRecord* draw) { items_.push_back({draw, nullptr}); }
+  void append(const ClearRecord* clear) { items_.push_back({nullptr, clear}); }
+  bool empty() const { return items_.empty(); }
+  /// True when so much memory is in use that the owner should flush before more work is added.
+  bool over_budget() const { return arena_.used() > kBudgetBytes; }
+  /// Does all work on `surface` with all threads and forgets it; snapshots taken from State must be taken anew after
+  /// it (kDirtyAll). Same bytes for any number of threads.
+  void flush(const Surface& surface);
+
+private:
+  static constexpr size_t kBudgetBytes = 256u << 20;
+  struct Item { const DrawRecord* draw; const ClearRecord* clear; };
+  Arena arena_{1 << 20};
+  std::vector<std::shared_ptr<const void>> retained_;
+  std::vector<Item> items_;
+};
+
+} // namespace softgl

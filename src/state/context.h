@@ -1,0 +1,47 @@
+// A rendering context: State, objects, and the machinery that turns commands into pictures.
+#pragma once
+
+#include <memory>
+
+#include "frame/frame.h"
+#include "framebuffer/framebuffer.h"
+#include "lists/list_compiler.h"
+#include "state/attribute_stack.h"
+#include "state/matrix_stacks.h"
+#include "state/object_store.h"
+#include "state/state.h"
+#include "vertex/vertex_builder.h"
+
+namespace softgl {
+
+/// Why a door may not go straight to its command; 0 is the fast path, tested once per call.
+enum DoorGuard : uint32_t { kInsideBeginEnd = 1, kCompilingList = 2, kNoContext = 4 };
+
+struct Context {
+  VertexBuilder builder; // first: the hot doors touch it
+  uint32_t guard = 0;    // DoorGuard bits
+  uint32_t dirty = kDirtyAll;
+  GLenum error = GL_NO_ERROR; // sticky (2.5)
+  State state;
+  ClientState client;
+  MatrixStacks matrices;
+  AttributeStack attribute_stack;
+  std::shared_ptr<SharedObjects> shared = std::make_shared<SharedObjects>(); // textures, buffers, lists: may be shared
+  ListCompiler lists;
+  Frame frame;
+  Framebuffer framebuffer;
+};
+
+/// The calling thread's context; never null: without one it is a context whose guard is kNoContext. Initial-exec,
+/// because it is one pointer and is read by every call.
+extern thread_local Context* current_context __attribute__((tls_model("initial-exec")));
+
+/// Records `code` unless an earlier error waits to be read (2.5).
+inline void set_error(Context& c, GLenum code) {
+  if (c.error == GL_NO_ERROR) c.error = code;
+}
+
+/// Finishes everything asked for so far, so that the surface holds the picture (not yet the caller's buffer).
+void flush_rendering(Context& c);
+
+} // namespace softgl

@@ -1,0 +1,7 @@
+#pragma once
+
+namespace softgl {
+
+struct VertexBuilder {};
+
+} // namespace softgl
