@@ -1,0 +1,26 @@
+// The entry of this room: what the frame calls to turn a draw's vertices into primitives in window space.
+#pragma once
+
+#include <cstdint>
+
+#include "assembled_primitives.h"
+#include "base/arena.h"
+#include "frame/draw_record.h"
+
+namespace softgl {
+
+/// How many steps a primitive takes: points, line segments, triangles or quadrilaterals it is made of (a polygon:
+/// triangles). Work is cut into chunks at steps.
+uint32_t assembly_steps(const PrimitiveRange& range);
+
+/// Shades vertices [first, first + count) of the draw into `out`, whose own first and count describe its memory.
+/// `first` lies a multiple of 64 behind out.first. Safe from several threads for disjoint ranges.
+void shade_vertices(const DrawRecord& draw, uint32_t first, uint32_t count, const ShadedVertices& out);
+
+/// Assembles, clips and hands over steps [first_step, first_step + step_count) of a primitive, in drawing order.
+/// Vertices made by clipping are taken from `arena`; they must live until the frame is done. The last batch of a call
+/// may be partly filled.
+void assemble(const DrawRecord& draw, const ShadedVertices& vertices, const PrimitiveRange& range, uint32_t first_step,
+              uint32_t step_count, Arena& arena, PrimitiveSink& sink);
+
+} // namespace softgl
