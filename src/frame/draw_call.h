@@ -11,17 +11,17 @@ enum class ComponentType : uint8_t { Float, Double, Byte, UnsignedByte, Short, U
 
 /// One attribute of a vertex array: element i starts at data + i * stride. Missing components are 0, 0, 0, 1.
 struct AttributeStream {
-  const unsigned char* data = nullptr; // null: the attribute is constant over the draw
+  const unsigned char* data = nullptr; 
   uint32_t stride = 0;                 // bytes
   uint8_t components = 4;              // 1..4
   ComponentType type = ComponentType::Float;
   bool normalized = false;             // integers map to [0,1] or [-1,1] (2.7, table 2.9)
 };
 
-/// All attributes of a draw's vertices, indexed by AttributeSlot.
+/// The attributes that vary over a draw, indexed by AttributeSlot. Draws of the same arrays share one.
 struct VertexSource {
+  uint32_t present = 0; // bit s: stream[s] is set; the other streams are not to be read
   AttributeStream stream[kAttributeSlots];
-  Vec4 constant[kAttributeSlots]; // the value of the slots without a stream
 };
 
 /// One primitive (what stands between Begin and End, or one DrawArrays): count elements from element `first`. An
@@ -37,7 +37,9 @@ struct PrimitiveRange {
 /// A draw. All memory it points to must stay unchanged until the frame is flushed: it lies in the frame's arena, or in
 /// an object that the frame retains.
 struct DrawCall {
-  VertexSource source;
+  const VertexSource* source = nullptr;
+  const Vec4* constant = nullptr; // [kMaterial0]: the values of the slots below kMaterial0 that have no stream. A
+                                  // material slot without a stream has the value of State::current at submit().
   const PrimitiveRange* primitives = nullptr;
   uint32_t primitive_count = 0;
   const void* indices = nullptr;      // null: elements are vertex numbers

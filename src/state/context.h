@@ -15,7 +15,12 @@
 namespace softgl {
 
 /// Why a door may not go straight to its command; 0 is the fast path, tested once per call.
-enum DoorGuard : uint32_t { kInsideBeginEnd = 1, kCompilingList = 2, kNoContext = 4 };
+enum DoorGuard : uint32_t {
+  kInsideBeginEnd = 1, // in both modes: between Begin and End of the stream that is being built
+  kCompilingList = 2,
+  kNoContext = 4,
+  kRunPending = 8 // vertices wait in the builder: close_run() before a command changes or reads state
+};
 
 struct Context {
   VertexBuilder builder; // first: the hot doors touch it

@@ -299,7 +299,9 @@ enum DirtyBit : uint32_t {
   kDirtyRaster = 1u << 4,     // point, line, polygon, scissor
   kDirtyFragment = 1u << 5,   // fog, texture environment, alpha test, blend, depth, stencil, masks
   kDirtyTexture = 1u << 6,    // bindings, parameters, images
-  kDirtyAll = (1u << 7) - 1
+  kDirtyCurrent = 1u << 7,    // current attributes below kMaterial0 (cleared by vertex/)
+  kDirtyArrays = 1u << 8,     // vertex array pointers and enables, buffer contents (cleared by vertex/)
+  kDirtyAll = (1u << 9) - 1
 };
 
 } // namespace softgl
