@@ -8,7 +8,7 @@ namespace softgl {
 
 struct VertexProgram;   // geometry/vertex_program.h: key, constants and stages from eye space to shaded vertices
 struct RasterConstants; // shaders/raster_constants.h: culling, offset, scissor, sizes
-struct FragmentProgram; // fragment/fragment_program.h: key, constants and stages of the fragments
+struct FragmentProgram; // shaders/fragment_program.h: key, constants and stages of the fragments
 
 struct DrawRecord {
   DrawCall call;

@@ -1,7 +1,11 @@
 #pragma once
 
+#include "surface.h"
+
 namespace softgl {
 
-struct Framebuffer {};
+struct Framebuffer {
+  Surface surface{}; // what is drawn to
+};
 
 } // namespace softgl

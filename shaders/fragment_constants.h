@@ -1,0 +1,23 @@
+// The numbers of a fragment program: an immutable snapshot per draw.
+#pragma once
+
+#include <stdint.h>
+
+#include "fragment_block.h"
+
+namespace softgl {
+
+struct TextureUnitConstants; // texture_constants.h
+
+struct FragmentConstants {
+  float fog_color[4];
+  float fog_scale, fog_offset;     // linear: f = c * scale + offset; exp, exp2: the (scaled) density is fog_scale
+  float alpha_reference;           // clamped to [0,1]
+  int32_t alpha_reference_8;       // the same in 1/255, rounded
+  float blend_color[4];
+  uint8_t blend_color_8[4];
+  uint8_t stencil_reference, stencil_value_mask, stencil_write_mask;
+  const TextureUnitConstants* texture[kBlockTextureUnits]; // null where a unit is off
+};
+
+} // namespace softgl

@@ -1,0 +1,26 @@
+// A fragment program: key, constants and the list of stages that fill a block's final colours.
+#pragma once
+
+#include "fragment_block.h"
+#include "fragment_constants.h"
+#include "fragment_key.h"
+
+namespace softgl {
+
+struct FragmentStep {
+  FragmentStage stage;
+  int32_t unit; // texture unit, or 0
+};
+
+struct FragmentProgram {
+  static constexpr int kMaxSteps = 32;
+  FragmentKey key;
+  const FragmentConstants* constants;
+  int32_t step_count;
+  FragmentStep step[kMaxSteps];
+  bool keeps_primary; // a combiner reads GL_PRIMARY_COLOR: the block's `primary` is filled too
+
+  void add(FragmentStage stage, int32_t unit = 0) { step[step_count++] = {stage, unit}; }
+};
+
+} // namespace softgl

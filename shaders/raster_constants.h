@@ -1,0 +1,21 @@
+// What set-up and coverage need of the state: an immutable snapshot per draw.
+#pragma once
+
+#include <stdint.h>
+
+namespace softgl {
+
+struct RasterConstants {
+  int32_t x0, y0, x1, y1; // pixels that may change: surface and scissor box intersected; y down, half open
+  uint8_t cull;           // bit 0: positive areas (counter-clockwise as GL sees them) are culled, bit 1: negative ones
+  uint8_t back;           // 1: positive areas are back-facing, 0: negative ones are
+  bool flat;              // corner 2's colours without interpolation
+  bool two_sided;         // the vertices carry back colours
+  bool offset;            // polygon offset of filled polygons
+  bool point_sprite;
+  float offset_units;     // units times the resolvable step
+  float offset_factor;
+  float line_width, point_size;
+};
+
+} // namespace softgl

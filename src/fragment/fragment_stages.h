@@ -1,0 +1,11 @@
+// The stages behind texturing.
+#pragma once
+
+#include "fragment_program.h"
+
+namespace softgl {
+
+/// Adds colour sum, fog and alpha test, as program.key asks for them.
+void append_fragment_stages(FragmentProgram& program);
+
+} // namespace softgl

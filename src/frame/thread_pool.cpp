@@ -1,0 +1,170 @@
+#include "frame/thread_pool.h"
+
+#include <dlfcn.h>
+#include <pthread.h>
+#include <sched.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <cstdlib>
+#include <exception>
+#include <mutex>
+#include <new>
+#include <thread>
+#include <utility>
+
+#include "base/float_environment.h"
+
+namespace softgl {
+
+namespace {
+
+int default_workers() {
+  if (const char* text = std::getenv("SOFTGL_THREADS")) {
+    char* end = nullptr;
+    const long n = std::strtol(text, &end, 10);
+    if (end != text && n >= 0) return static_cast<int>(std::clamp(n, 1L, long(kMaxWorkers)));
+  }
+  cpu_set_t set;
+  if (sched_getaffinity(0, sizeof set, &set) == 0) return std::clamp(CPU_COUNT(&set), 1, kMaxWorkers);
+  return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMaxWorkers);
+}
+
+/// A thread that runs code of this library must not see it unmapped by dlclose.
+void stay_loaded() {
+  Dl_info info;
+  if (dladdr(reinterpret_cast<void*>(&stay_loaded), &info) && info.dli_fname)
+    dlopen(info.dli_fname, RTLD_NOW | RTLD_NOLOAD | RTLD_NODELETE);
+}
+
+} // namespace
+
+struct ThreadPool::State {
+  std::mutex owner; // held by the thread whose run() is under way
+  std::mutex mutex;
+  std::condition_variable wake, done;
+  std::atomic<int> workers{default_workers()};
+  int started = 0; // threads besides the caller; guarded by owner
+
+  // The run under way; written under mutex.
+  std::atomic<uint64_t> generation{0};
+  int wanted = 0;            // workers of this run, the caller included
+  std::atomic<int> busy{0};  // threads that have not finished it
+  Call call = nullptr;
+  void* object = nullptr;
+  size_t count = 0;
+  std::atomic<size_t> next{0};
+  std::exception_ptr failure;
+
+  void work(int worker) {
+    for (;;) {
+      const size_t i = next.fetch_add(1, std::memory_order_relaxed);
+      if (i >= count) return;
+      try {
+        call(object, i, worker);
+      } catch (...) {
+        std::lock_guard lock(mutex);
+        if (!failure) failure = std::current_exception();
+        next.store(count, std::memory_order_relaxed);
+      }
+    }
+  }
+
+  void serve(int worker) {
+    _mm_setcsr(kPixelFloatEnvironment);
+    uint64_t seen = 0;
+    for (;;) {
+      // The phases of a frame follow each other closely, so look a while before going to sleep.
+      for (int i = 0; i < 2000 && generation.load(std::memory_order_acquire) == seen; ++i) _mm_pause();
+      bool mine;
+      {
+        std::unique_lock lock(mutex);
+        wake.wait(lock, [&] { return generation.load(std::memory_order_relaxed) != seen; });
+        seen = generation.load(std::memory_order_relaxed);
+        mine = worker < wanted;
+      }
+      if (!mine) continue;
+      work(worker);
+      if (busy.fetch_sub(1, std::memory_order_acq_rel) == 1) {
+        std::lock_guard lock(mutex);
+        done.notify_one();
+      }
+    }
+  }
+
+  /// Starts threads until there are `threads`; fewer when the system gives no more.
+  int start(int threads) {
+    if (started == 0 && threads > 0) stay_loaded();
+    sigset_t all, old;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &old); // signals are the application's business
+    while (started < threads) {
+      try {
+        const int worker = started + 1;
+        std::thread([this, worker] { serve(worker); }).detach();
+        ++started;
+      } catch (...) {
+        break;
+      }
+    }
+    pthread_sigmask(SIG_SETMASK, &old, nullptr);
+    return std::min(started, threads);
+  }
+};
+
+namespace {
+alignas(ThreadPool) unsigned char pool_storage[sizeof(ThreadPool)];
+} // namespace
+
+ThreadPool::ThreadPool() : state_(new State) {
+  static ThreadPool* self;
+  self = this;
+  // The child of a fork has only the forking thread and locks in any state: it gets new ones.
+  pthread_atfork(nullptr, nullptr, [] {
+    const int workers = self->workers();
+    self->state_ = new State;
+    self->set_workers(workers);
+  });
+}
+
+ThreadPool& ThreadPool::instance() {
+  static ThreadPool* pool = new (pool_storage) ThreadPool;
+  return *pool;
+}
+
+int ThreadPool::workers() const { return state_->workers.load(std::memory_order_relaxed); }
+void ThreadPool::set_workers(int count) { state_->workers.store(std::clamp(count, 1, kMaxWorkers), std::memory_order_relaxed); }
+
+void ThreadPool::run_erased(size_t count, Call call, void* object) {
+  State& s = *state_;
+  const int wanted = static_cast<int>(std::min<size_t>(static_cast<size_t>(workers()), count));
+  std::unique_lock owner(s.owner, std::defer_lock);
+  if (wanted <= 1 || !owner.try_lock()) {
+    for (size_t i = 0; i < count; ++i) call(object, i, 0);
+    return;
+  }
+  const int others = s.start(wanted - 1);
+  {
+    std::lock_guard lock(s.mutex);
+    s.call = call;
+    s.object = object;
+    s.count = count;
+    s.next.store(0, std::memory_order_relaxed);
+    s.failure = nullptr;
+    s.wanted = others + 1;
+    s.busy.store(others, std::memory_order_relaxed);
+    s.generation.fetch_add(1, std::memory_order_release);
+  }
+  s.wake.notify_all();
+  s.work(0);
+  for (int i = 0; i < 2000 && s.busy.load(std::memory_order_acquire) != 0; ++i) _mm_pause();
+  {
+    std::unique_lock lock(s.mutex);
+    s.done.wait(lock, [&] { return s.busy.load(std::memory_order_acquire) == 0; });
+  }
+  if (s.failure) std::rethrow_exception(std::exchange(s.failure, nullptr));
+}
+
+} // namespace softgl

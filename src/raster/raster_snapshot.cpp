@@ -1,0 +1,46 @@
+#include "raster/raster_snapshot.h"
+
+#include <algorithm>
+
+#include "state/context.h"
+
+namespace softgl {
+
+const RasterConstants* make_raster_constants(const Context& context, Arena& arena) {
+  const State& s = context.state;
+  const Surface& surface = context.framebuffer.surface;
+  auto& r = *arena.make<RasterConstants>();
+  r.x0 = r.y0 = 0;
+  r.x1 = surface.width;
+  r.y1 = surface.height;
+  if (s.scissor.enabled) {
+    const int64_t x0 = s.scissor.x, y1 = int64_t(surface.height) - s.scissor.y;
+    const int64_t x1 = x0 + s.scissor.width, y0 = y1 - s.scissor.height;
+    r.x0 = static_cast<int32_t>(std::clamp<int64_t>(x0, 0, surface.width));
+    r.x1 = static_cast<int32_t>(std::clamp<int64_t>(x1, 0, surface.width));
+    r.y0 = static_cast<int32_t>(std::clamp<int64_t>(y0, 0, surface.height));
+    r.y1 = static_cast<int32_t>(std::clamp<int64_t>(y1, 0, surface.height));
+  }
+  // Positive areas are counter-clockwise in GL's y-up sense.
+  const bool positive_is_front = s.polygon.front_face == GL_CCW;
+  r.back = positive_is_front ? 0 : 1;
+  r.cull = 0;
+  if (s.polygon.cull) {
+    const bool front = s.polygon.cull_face != GL_BACK, back = s.polygon.cull_face != GL_FRONT;
+    const bool positive = positive_is_front ? front : back, negative = positive_is_front ? back : front;
+    r.cull = static_cast<uint8_t>((positive ? 1 : 0) | (negative ? 2 : 0));
+  }
+  r.flat = s.lighting.shade_model == GL_FLAT;
+  r.two_sided = s.lighting.enabled && s.lighting.two_side;
+  // OSMesa 22.3.6 offsets by units * 2 / (2^bits - 1), twice the smallest step.
+  const double step = surface.depth_format == DepthFormat::Z16 ? 1.0 / 65535 : 1.0 / 16777215;
+  r.offset_units = static_cast<float>(s.polygon.offset_units * step * 2);
+  r.offset_factor = s.polygon.offset_factor;
+  r.offset = s.polygon.offset_fill && (r.offset_units != 0.0f || r.offset_factor != 0.0f);
+  r.point_sprite = s.point.sprite;
+  r.line_width = s.line.width;
+  r.point_size = std::clamp(s.point.size, 1.0f, 255.0f);
+  return &r;
+}
+
+} // namespace softgl

@@ -1,0 +1,15 @@
+// From State to the texture stages of a fragment program.
+#pragma once
+
+#include "base/arena.h"
+#include "fragment_program.h"
+
+namespace softgl {
+
+struct Context;
+
+/// Adds the sampling and environment stages of all enabled, complete units to `program`, marks the units in
+/// program.key.texture_units and points constants.texture[unit] at their constants, which lie in `arena`.
+void append_texture_stages(const Context& context, Arena& arena, FragmentProgram& program, FragmentConstants& constants);
+
+} // namespace softgl
