@@ -2,21 +2,11 @@
 #pragma once
 
 #include "state/state.h"
+#include "vertex_attributes.h"
 
 namespace softgl {
 
 struct Context;
-
-enum class ComponentType : uint8_t { Float, Double, Byte, UnsignedByte, Short, UnsignedShort, Int, UnsignedInt };
-
-/// One attribute of a vertex array: element i starts at data + i * stride. Missing components are 0, 0, 0, 1.
-struct AttributeStream {
-  const unsigned char* data = nullptr; 
-  uint32_t stride = 0;                 // bytes
-  uint8_t components = 4;              // 1..4
-  ComponentType type = ComponentType::Float;
-  bool normalized = false;             // integers map to [0,1] or [-1,1] (2.7, table 2.9)
-};
 
 /// The attributes that vary over a draw, indexed by AttributeSlot. Draws of the same arrays share one.
 struct VertexSource {

@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 
 #include "base/gl_types.h"
+#include "vertex_attributes.h"
 
 namespace softgl {
 
@@ -21,26 +22,6 @@ constexpr int kMaxViewportDimension = 16384;
 using Vec2 = glm::vec2;
 using Vec3 = glm::vec3;
 using Vec4 = glm::vec4;
-
-/// Vertex attribute slots: the index of an attribute in State::current and in a VertexRun.
-/// Every slot holds four floats. Material slots carry glMaterial calls made between Begin and End.
-enum AttributeSlot : int {
-  kPosition = 0,
-  kNormal = 1,
-  kColor = 2,
-  kSecondaryColor = 3,
-  kFogCoordinate = 4,
-  kEdgeFlag = 5,
-  kColorIndex = 6,
-  kTexCoord0 = 8,  // .. kTexCoord0 + 7
-  kMaterial0 = 16, // .. kMaterial0 + kMaterialSlots - 1, see MaterialParameter
-  kAttributeSlots = 26
-};
-
-/// A material parameter's slot is kMaterial0 + 2 * parameter + face (face 0 = front, 1 = back).
-enum MaterialParameter : int { kMaterialAmbient, kMaterialDiffuse, kMaterialSpecular, kMaterialEmission, kMaterialShininess };
-constexpr int kMaterialSlots = 10;
-constexpr int material_slot(MaterialParameter parameter, int face) { return kMaterial0 + 2 * parameter + face; }
 
 /// The current vertex attributes (GL_CURRENT_BIT) and the current material (part of GL_LIGHTING_BIT), table 6.5.
 struct CurrentAttributes {
