@@ -3,26 +3,31 @@
 
 #include <vector>
 
+#include "state/matrix.h"
 #include "state/state.h"
 
 namespace softgl {
 
 constexpr int kMaxModelviewDepth = 32, kMaxProjectionDepth = 32, kMaxTextureDepth = 10;
 
-/// A matrix with what is known of its shape; OSMesa chooses its inverse by these flags (osmesa-facts 5, item 10).
-struct Matrix {
-  glm::mat4 m{1.0f};
-  uint32_t flags = 0; // MatrixFlag, kept as OSMesa keeps them: they decide LSBs of lit colours
-};
-
 struct MatrixStack {
   std::vector<Matrix> entry{Matrix{}}; // back() is the current matrix; never empty
   Matrix& top() { return entry.back(); }
   const Matrix& top() const { return entry.back(); }
+  int depth() const { return int(entry.size()); }
 };
 
 struct MatrixStacks {
   MatrixStack modelview, projection, texture[kMaxTextureUnits];
+
+  /// The stack that the matrix commands change.
+  MatrixStack& current(const State& state) {
+    switch (state.transform.matrix_mode) {
+    case GL_PROJECTION: return projection;
+    case GL_TEXTURE: return texture[state.texture.active_unit];
+    default: return modelview;
+    }
+  }
 };
 
 } // namespace softgl
