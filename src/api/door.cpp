@@ -1,0 +1,36 @@
+#include "api/door.h"
+
+namespace softgl {
+
+bool may_execute_keeping_run(Context& c) {
+  if (c.guard & kNoContext) return false;
+  // While a list is only compiled, Begin and End belong to the list and say nothing about commands that are executed.
+  if ((c.guard & kInsideBeginEnd) && (!(c.guard & kCompilingList) || execute_too(c))) {
+    set_error(c, GL_INVALID_OPERATION);
+    return false;
+  }
+  return true;
+}
+
+bool may_execute(Context& c) {
+  if (!may_execute_keeping_run(c)) return false;
+  if (c.guard & kRunPending) close_run(c);
+  return true;
+}
+
+bool may_execute_or_compile(Context& c) { return (c.guard & kCompilingList) || may_execute(c); }
+
+void bad_scalar_parameter(Context& c) {
+  set_error(c, c.guard & kInsideBeginEnd ? GL_INVALID_OPERATION : GL_INVALID_ENUM);
+}
+
+void bad_texture_unit(Context& c) {
+  if (!(c.guard & kNoContext)) set_error(c, GL_INVALID_ENUM);
+}
+
+void unbuilt_command() {
+  Context& c = *current_context;
+  if (!(c.guard & kNoContext)) set_error(c, GL_INVALID_OPERATION);
+}
+
+} // namespace softgl

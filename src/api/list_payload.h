@@ -1,0 +1,47 @@
+// What lies behind the pointers of a command that goes into a display list (5.4): the list keeps a copy, made at
+// compile time, of images as the unpacking state then describes them.
+#pragma once
+
+#include <cstdint>
+
+#include "api/list_interface.h"
+#include "state/context.h"
+
+namespace softgl {
+
+/// Copies into the list that is being compiled; null for a null pointer or nothing.
+const void* keep_bytes(Context& c, const void* data, size_t bytes);
+inline const GLfloat* keep_values(Context& c, const GLfloat* values, size_t count) {
+  return static_cast<const GLfloat*>(keep_bytes(c, values, count * sizeof(GLfloat)));
+}
+/// A byte count from GL's signed sizes: 0 for a negative one (the command itself raises the error).
+inline size_t payload_size(int64_t bytes) { return bytes > 0 ? size_t(bytes) : 0; }
+
+/// Bytes of the control points of glMap1 and glMap2; 0 when an argument is bad.
+int64_t map1_bytes(GLenum target, GLint stride, GLint order, int bytes_per_value);
+int64_t map2_bytes(GLenum target, GLint ustride, GLint uorder, GLint vstride, GLint vorder, int bytes_per_value);
+
+inline bool is_proxy(GLenum target) {
+  return target == GL_PROXY_TEXTURE_1D || target == GL_PROXY_TEXTURE_2D || target == GL_PROXY_TEXTURE_3D ||
+         target == GL_PROXY_TEXTURE_CUBE_MAP || target == GL_PROXY_TEXTURE_RECTANGLE_ARB;
+}
+
+/// The image in tight rows: alignment 1, no skips, host byte order, most significant bit first.
+const void* keep_image(Context& c, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type,
+                       const void* pixels);
+
+/// While alive, the unpacking state is the one of keep_image.
+class TightUnpacking {
+public:
+  explicit TightUnpacking(Context& c) : c_(c), saved_(c.client.pixel_store.unpack) {
+    c.client.pixel_store.unpack = PixelStore{};
+    c.client.pixel_store.unpack.alignment = 1;
+  }
+  ~TightUnpacking() { c_.client.pixel_store.unpack = saved_; }
+
+private:
+  Context& c_;
+  PixelStore saved_;
+};
+
+} // namespace softgl
