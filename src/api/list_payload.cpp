@@ -1,9 +1,10 @@
 #include "api/list_payload.h"
 
+#include <algorithm>
 #include <cstring>
 #include <vector>
 
-#include "framebuffer/pixel_format.h"
+#include "texture/pixel_formats.h"
 
 namespace softgl {
 namespace {
@@ -39,26 +40,31 @@ int64_t map2_bytes(GLenum target, GLint ustride, GLint uorder, GLint vstride, GL
   return (int64_t(ustride) * (uorder - 1) + int64_t(vstride) * (vorder - 1) + k) * bytes_per_value;
 }
 
-const void* keep_image(Context& c, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type,
-                       const void* pixels) {
+const void* keep_image(Context& c, int dimensions, GLsizei width, GLsizei height, GLsizei depth, GLenum format,
+                       GLenum type, const void* pixels) {
   if (!pixels || width <= 0 || height <= 0 || depth <= 0) return nullptr;
+  if (check_pixel_format(format, type) != GL_NO_ERROR) return nullptr; // the command raises the error
   const PixelStore& store = c.client.pixel_store.unpack;
-  const PixelLayout layout = pixel_layout(format, type);
-  if (layout.bytes == 0) return nullptr; // the command raises the error
-  const ImageAddressing from(store, layout, width, height);
-  const size_t row_bytes = layout.bitmap ? (size_t(width) + 7) / 8 : size_t(width) * layout.bytes;
+  const PixelFormat pixel = describe_pixel_format(format, type);
+  const ImageLayout from = layout_image(store, dimensions, width, height, pixel);
+  const bool bitmap = pixel.channel == PixelChannel::Bitmap;
+  const size_t row_bytes = bitmap ? (size_t(width) + 7) / 8 : size_t(width) * pixel.bytes;
   std::vector<unsigned char> image(row_bytes * size_t(height) * size_t(depth));
   unsigned char* out = image.data();
   for (GLsizei z = 0; z < depth; ++z)
     for (GLsizei y = 0; y < height; ++y, out += row_bytes) {
-      const unsigned char* row = static_cast<const unsigned char*>(pixels) + from.row(y, z);
-      if (layout.bitmap) {
-        for (GLsizei x = 0; x < width; ++x)
-          if (bitmap_bit(row, from.first_bit + size_t(x), store.lsb_first)) out[x >> 3] |= uint8_t(0x80 >> (x & 7));
-      } else {
-        std::memcpy(out, row, row_bytes);
-        if (store.swap_bytes) swap_bytes(out, row_bytes, layout.element_bytes);
+      const unsigned char* row = static_cast<const unsigned char*>(pixels) + from.offset + size_t(z) * from.image_stride +
+                                 size_t(y) * from.row_stride;
+      if (bitmap) {
+        for (size_t x = 0; x < size_t(width); ++x) {
+          const size_t bit = x + size_t(from.bit_offset);
+          if ((row[bit >> 3] >> (store.lsb_first ? bit & 7 : 7 - (bit & 7))) & 1) out[x >> 3] |= uint8_t(0x80 >> (x & 7));
+        }
+        continue;
       }
+      std::memcpy(out, row, row_bytes);
+      if (store.swap_bytes)
+        for (size_t i = 0; i < row_bytes; i += pixel.element_bytes) std::reverse(out + i, out + i + pixel.element_bytes);
     }
   return keep_bytes(c, image.data(), image.size());
 }

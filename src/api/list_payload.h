@@ -27,8 +27,8 @@ inline bool is_proxy(GLenum target) {
 }
 
 /// The image in tight rows: alignment 1, no skips, host byte order, most significant bit first.
-const void* keep_image(Context& c, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type,
-                       const void* pixels);
+const void* keep_image(Context& c, int dimensions, GLsizei width, GLsizei height, GLsizei depth, GLenum format,
+                       GLenum type, const void* pixels);
 
 /// While alive, the unpacking state is the one of keep_image.
 class TightUnpacking {

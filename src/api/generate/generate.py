@@ -247,9 +247,10 @@ def compiler(row):
     if row.payload.startswith("image:"):
         width, height, depth, fmt, kind = row.payload[6:].split(",")
         name = pointers[0][1]
+        dimensions = int(row.name[-2]) if "Tex" in row.name else 2
         if row.name.startswith("TexImage"):
             lines.append(f"  if (is_proxy(target)) return gl::{row.name}(c{arguments});\n")
-        lines.append(f"  const void* kept = keep_image(c, {width}, {height}, {depth}, {fmt}, {kind}, {name});\n")
+        lines.append(f"  const void* kept = keep_image(c, {dimensions}, {width}, {height}, {depth}, {fmt}, {kind}, {name});\n")
         kept[name] = f"static_cast<{pointers[0][0]}>(kept)"
     elif row.payload == "pname":
         kept[pointers[0][1]] = f"keep_values(c, {pointers[0][1]}, count_of(kCountOf_{row.convert[6:]}, pname))"

@@ -314,7 +314,7 @@ void compile_PolygonOffset(Context& c, GLfloat factor, GLfloat units) {
   }
 }
 void compile_PolygonStipple(Context& c, const GLubyte* mask) {
-  const void* kept = keep_image(c, 32, 32, 1, GL_COLOR_INDEX, GL_BITMAP, mask);
+  const void* kept = keep_image(c, 2, 32, 32, 1, GL_COLOR_INDEX, GL_BITMAP, mask);
   const PolygonStippleArguments kept_call{static_cast<const GLubyte*>(kept)};
   new (record(c, uint16_t(Opcode::PolygonStipple), sizeof kept_call)) PolygonStippleArguments(kept_call);
   if (execute_too(c)) {
@@ -363,7 +363,7 @@ void compile_PixelZoom(Context& c, GLfloat xfactor, GLfloat yfactor) {
   }
 }
 void compile_DrawPixels(Context& c, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels) {
-  const void* kept = keep_image(c, width, height, 1, format, type, pixels);
+  const void* kept = keep_image(c, 2, width, height, 1, format, type, pixels);
   const DrawPixelsArguments kept_call{width, height, format, type, static_cast<const void*>(kept)};
   new (record(c, uint16_t(Opcode::DrawPixels), sizeof kept_call)) DrawPixelsArguments(kept_call);
   if (execute_too(c)) {
@@ -380,7 +380,7 @@ void compile_CopyPixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei hei
   }
 }
 void compile_Bitmap(Context& c, GLsizei width, GLsizei height, GLfloat xorig, GLfloat yorig, GLfloat xmove, GLfloat ymove, const GLubyte* bitmap) {
-  const void* kept = keep_image(c, width, height, 1, GL_COLOR_INDEX, GL_BITMAP, bitmap);
+  const void* kept = keep_image(c, 2, width, height, 1, GL_COLOR_INDEX, GL_BITMAP, bitmap);
   const BitmapArguments kept_call{width, height, xorig, yorig, xmove, ymove, static_cast<const GLubyte*>(kept)};
   new (record(c, uint16_t(Opcode::Bitmap), sizeof kept_call)) BitmapArguments(kept_call);
   if (execute_too(c)) {
@@ -398,7 +398,7 @@ void compile_ReadBuffer(Context& c, GLenum src) {
 }
 void compile_TexImage1D(Context& c, GLenum target, GLint level, GLint internalformat, GLsizei width, GLint border, GLenum format, GLenum type, const void* pixels) {
   if (is_proxy(target)) return gl::TexImage1D(c, target, level, internalformat, width, border, format, type, pixels);
-  const void* kept = keep_image(c, width, 1, 1, format, type, pixels);
+  const void* kept = keep_image(c, 1, width, 1, 1, format, type, pixels);
   const TexImage1DArguments kept_call{target, level, internalformat, width, border, format, type, static_cast<const void*>(kept)};
   new (record(c, uint16_t(Opcode::TexImage1D), sizeof kept_call)) TexImage1DArguments(kept_call);
   if (execute_too(c)) {
@@ -408,7 +408,7 @@ void compile_TexImage1D(Context& c, GLenum target, GLint level, GLint internalfo
 }
 void compile_TexImage2D(Context& c, GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels) {
   if (is_proxy(target)) return gl::TexImage2D(c, target, level, internalformat, width, height, border, format, type, pixels);
-  const void* kept = keep_image(c, width, height, 1, format, type, pixels);
+  const void* kept = keep_image(c, 2, width, height, 1, format, type, pixels);
   const TexImage2DArguments kept_call{target, level, internalformat, width, height, border, format, type, static_cast<const void*>(kept)};
   new (record(c, uint16_t(Opcode::TexImage2D), sizeof kept_call)) TexImage2DArguments(kept_call);
   if (execute_too(c)) {
@@ -418,7 +418,7 @@ void compile_TexImage2D(Context& c, GLenum target, GLint level, GLint internalfo
 }
 void compile_TexImage3D(Context& c, GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type, const void* pixels) {
   if (is_proxy(target)) return gl::TexImage3D(c, target, level, internalformat, width, height, depth, border, format, type, pixels);
-  const void* kept = keep_image(c, width, height, depth, format, type, pixels);
+  const void* kept = keep_image(c, 3, width, height, depth, format, type, pixels);
   const TexImage3DArguments kept_call{target, level, internalformat, width, height, depth, border, format, type, static_cast<const void*>(kept)};
   new (record(c, uint16_t(Opcode::TexImage3D), sizeof kept_call)) TexImage3DArguments(kept_call);
   if (execute_too(c)) {
@@ -427,7 +427,7 @@ void compile_TexImage3D(Context& c, GLenum target, GLint level, GLint internalfo
   }
 }
 void compile_TexSubImage1D(Context& c, GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLenum type, const void* pixels) {
-  const void* kept = keep_image(c, width, 1, 1, format, type, pixels);
+  const void* kept = keep_image(c, 1, width, 1, 1, format, type, pixels);
   const TexSubImage1DArguments kept_call{target, level, xoffset, width, format, type, static_cast<const void*>(kept)};
   new (record(c, uint16_t(Opcode::TexSubImage1D), sizeof kept_call)) TexSubImage1DArguments(kept_call);
   if (execute_too(c)) {
@@ -436,7 +436,7 @@ void compile_TexSubImage1D(Context& c, GLenum target, GLint level, GLint xoffset
   }
 }
 void compile_TexSubImage2D(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels) {
-  const void* kept = keep_image(c, width, height, 1, format, type, pixels);
+  const void* kept = keep_image(c, 2, width, height, 1, format, type, pixels);
   const TexSubImage2DArguments kept_call{target, level, xoffset, yoffset, width, height, format, type, static_cast<const void*>(kept)};
   new (record(c, uint16_t(Opcode::TexSubImage2D), sizeof kept_call)) TexSubImage2DArguments(kept_call);
   if (execute_too(c)) {
@@ -445,7 +445,7 @@ void compile_TexSubImage2D(Context& c, GLenum target, GLint level, GLint xoffset
   }
 }
 void compile_TexSubImage3D(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type, const void* pixels) {
-  const void* kept = keep_image(c, width, height, depth, format, type, pixels);
+  const void* kept = keep_image(c, 3, width, height, depth, format, type, pixels);
   const TexSubImage3DArguments kept_call{target, level, xoffset, yoffset, zoffset, width, height, depth, format, type, static_cast<const void*>(kept)};
   new (record(c, uint16_t(Opcode::TexSubImage3D), sizeof kept_call)) TexSubImage3DArguments(kept_call);
   if (execute_too(c)) {
