@@ -1,0 +1,59 @@
+// The building blocks of random scenes: canvas, camera, state, primitives.
+//
+// The generator keeps clear of what reference/DEVIATIONS.md lists; each of its rows has a test of its own.
+#pragma once
+
+#include "support/scene.h"
+
+namespace softgl::test {
+
+/// Clears with random values; sometimes an odd viewport. The first call of every scene.
+void random_canvas(Stage& s);
+
+/// Loads a projection; returns true for a perspective one. Geometry that random_modelview places is in view.
+bool random_projection(Stage& s);
+/// Loads a modelview: none, rotation, scale, shear; moved into the view volume.
+void random_modelview(Stage& s);
+/// A rotation, translation and one positive scale at most (for what needs no general inverse).
+void rigid_modelview(Stage& s);
+
+void random_culling(Stage& s);
+/// Depth test, function, mask and range; off in 100 - `percent` of a hundred cases.
+void random_depth(Stage& s, int percent);
+void random_scissor(Stage& s, int percent);
+void random_blending(Stage& s);
+void random_alpha_test(Stage& s);
+void random_fog(Stage& s);
+
+/// Where the vertices of a primitive lie.
+enum class Spread { Any, View, Tiny, Sliver, Grid, Huge, Beyond };
+
+struct PrimitiveOptions {
+  GLenum mode = GL_TRIANGLES;
+  int primitives = 0;          // 0: random
+  Spread spread = Spread::Any;
+  bool colors = true, normals = false, secondary_colors = false, fog_coordinates = false;
+  int texture_coordinates = 0; // 0 none, 1 .. 4 components
+  float texture_scale = 2;
+  bool planar = false;         // z = 0
+  bool materials = false;      // glMaterial between Begin and End
+};
+
+/// How many vertices `n` primitives of a mode need.
+int vertices_of(GLenum mode, int n);
+/// One Begin/End pair. Smooth quads go through a display list, because there OSMesa always cuts them along 1-3.
+void random_primitive(Stage& s, const PrimitiveOptions& options);
+/// The positions of `count` vertices of a mode.
+std::vector<Float4> random_positions(Stage& s, GLenum mode, int count, Spread spread, bool planar);
+/// A primitive of random colours that fills the whole window: something to blend with.
+void backdrop(Stage& s);
+/// A sphere with normals as strips: curved surfaces show lighting.
+void sphere(Stage& s, int slices, int stacks, float radius, bool texture_coordinates);
+
+GLenum random_filled_mode(Stage& s);
+GLenum random_compare(Stage& s);
+
+/// The seed-independent reset of everything that a part of a scene may have set, except matrices.
+void reset_state(Stage& s);
+
+} // namespace softgl::test

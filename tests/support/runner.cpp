@@ -1,0 +1,148 @@
+#include "support/runner.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+
+#define STB_IMAGE_WRITE_STATIC
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+#include <stb/stb_image_write.h>
+#pragma GCC diagnostic pop
+
+namespace softgl::test {
+
+uint64_t Picture::hash() const {
+  uint64_t h = 0xcbf29ce484222325u;
+  auto add = [&](uint64_t value, int bytes) {
+    for (int i = 0; i < bytes; i++) h = (h ^ ((value >> (8 * i)) & 255)) * 0x100000001b3u;
+  };
+  add(uint64_t(width), 4), add(uint64_t(height), 4);
+  for (uint8_t c : color) add(c, 1);
+  for (uint32_t d : depth) add(d, 4);
+  return h;
+}
+
+static void choose_size(const Scene& scene, uint64_t seed, int& width, int& height) {
+  static constexpr int kSizes[8][2] = {{160, 120}, {128, 128}, {160, 120}, {97, 61}, {200, 131}, {64, 64}, {131, 200}, {257, 80}};
+  width = scene.random ? kSizes[seed % 8][0] : scene.width;
+  height = scene.random ? kSizes[seed % 8][1] : scene.height;
+}
+
+Picture draw(const Gl& gl, const Scene& scene, uint64_t seed) {
+  Picture p;
+  choose_size(scene, seed, p.width, p.height);
+  void* context = gl.OSMesaCreateContextExt(kOSMesaRgba, 24, 8, 0, nullptr);
+  if (!context) throw std::runtime_error(gl.name + ": OSMesaCreateContextExt failed");
+  const size_t pixels = size_t(p.width) * p.height;
+  p.color.assign(pixels * 4, 0);
+  if (!gl.OSMesaMakeCurrent(context, p.color.data(), GL_UNSIGNED_BYTE, p.width, p.height)) {
+    gl.OSMesaDestroyContext(context);
+    throw std::runtime_error(gl.name + ": OSMesaMakeCurrent failed");
+  }
+  Random random(seed * 1000003u);
+  Stage stage{gl, random, p.width, p.height};
+  scene.draw(stage);
+  for (int i = 0; i < 100; i++) {
+    GLenum error = gl.GetError();
+    if (!error) break;
+    p.errors.push_back(error);
+  }
+  gl.Finish();
+  GLint w = 0, h = 0, bytes = 0;
+  void* buffer = nullptr;
+  if (gl.OSMesaGetDepthBuffer(context, &w, &h, &bytes, &buffer) && bytes == 4 && w == p.width && h == p.height) {
+    std::vector<uint32_t> raw(pixels);
+    std::memcpy(raw.data(), buffer, pixels * 4);
+    p.depth.resize(pixels), p.stencil.resize(pixels);
+    for (size_t i = 0; i < pixels; i++) p.depth[i] = raw[i] & 0xffffff, p.stencil[i] = uint8_t(raw[i] >> 24);
+  }
+  gl.OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+  gl.OSMesaDestroyContext(context);
+  return p;
+}
+
+Difference compare(const Picture& ours, const Picture& theirs) {
+  Difference d;
+  char line[400];
+  if (ours.width != theirs.width || ours.height != theirs.height || ours.depth.size() != theirs.depth.size()) {
+    d.size = true;
+    d.text = "no depth buffer, or another size";
+    return d;
+  }
+  d.errors = ours.errors != theirs.errors;
+  for (int y = 0; y < ours.height; y++)
+    for (int x = 0; x < ours.width; x++) {
+      const size_t i = size_t(y) * ours.width + x;
+      bool differs = false;
+      for (size_t c = 4 * i; c < 4 * i + 4; c++)
+        if (ours.color[c] != theirs.color[c]) {
+          differs = true, d.color_bytes++;
+          d.max_color = std::max(d.max_color, std::abs(ours.color[c] - theirs.color[c]));
+        }
+      if (ours.depth.size() && ours.depth[i] != theirs.depth[i]) differs = true, d.depth_values++;
+      if (ours.stencil.size() && ours.stencil[i] != theirs.stencil[i]) differs = true, d.stencil_values++;
+      if (differs && d.x < 0) d.x = x, d.y = y;
+    }
+  if (d.x >= 0) {
+    const size_t i = size_t(d.y) * ours.width + d.x;
+    std::snprintf(line, sizeof line,
+                  "%zu colour bytes (largest by %d), %zu depths, %zu stencils differ; first at (%d,%d): ours %02x%02x%02x%02x z %06x, "
+                  "theirs %02x%02x%02x%02x z %06x",
+                  d.color_bytes, d.max_color, d.depth_values, d.stencil_values, d.x, d.y, ours.color[4 * i], ours.color[4 * i + 1],
+                  ours.color[4 * i + 2], ours.color[4 * i + 3], ours.depth.empty() ? 0 : ours.depth[i], theirs.color[4 * i],
+                  theirs.color[4 * i + 1], theirs.color[4 * i + 2], theirs.color[4 * i + 3], theirs.depth.empty() ? 0 : theirs.depth[i]);
+    d.text = line;
+  }
+  if (d.errors) {
+    auto list = [](const std::vector<GLenum>& errors) {
+      std::string s;
+      char hex[16];
+      for (GLenum e : errors) std::snprintf(hex, sizeof hex, " %04x", e), s += hex;
+      return s.empty() ? std::string(" none") : s;
+    };
+    d.text += (d.text.empty() ? "GL errors: ours" : "; GL errors: ours") + list(ours.errors) + ", theirs" + list(theirs.errors);
+  }
+  return d;
+}
+
+void write_png(const std::string& path, int width, int height, const std::vector<uint8_t>& rgba) {
+  std::filesystem::create_directories(std::filesystem::path(path).parent_path());
+  std::vector<uint8_t> opaque(rgba);
+  for (size_t i = 3; i < opaque.size(); i += 4) opaque[i] = 255;
+  stbi_flip_vertically_on_write(1);
+  stbi_write_png(path.c_str(), width, height, 4, opaque.data(), width * 4);
+}
+
+void write_difference(const std::string& stem, const Picture& ours, const Picture& theirs) {
+  write_png(stem + ".ours.png", ours.width, ours.height, ours.color);
+  write_png(stem + ".theirs.png", theirs.width, theirs.height, theirs.color);
+  if (ours.color.size() != theirs.color.size()) return;
+  std::vector<uint8_t> difference(ours.color.size());
+  for (size_t i = 0; i < difference.size(); i++)
+    difference[i] = ours.color[i] == theirs.color[i] ? 0 : uint8_t(std::min(255, 95 + 16 * std::abs(ours.color[i] - theirs.color[i])));
+  // A pixel whose alpha or depth alone differs is grey.
+  for (size_t i = 0; i < difference.size() / 4; i++) {
+    const bool depth = ours.depth.size() > i && theirs.depth.size() > i && ours.depth[i] != theirs.depth[i];
+    if (!difference[4 * i] && !difference[4 * i + 1] && !difference[4 * i + 2] && (difference[4 * i + 3] || depth))
+      difference[4 * i] = difference[4 * i + 1] = difference[4 * i + 2] = 128;
+  }
+  write_png(stem + ".difference.png", ours.width, ours.height, difference);
+}
+
+std::string check_against_osmesa(const Scene& scene, uint64_t seed) {
+  const Picture ours = draw(softgl_library(), scene, seed), theirs = draw(osmesa_library(), scene, seed);
+  const Difference d = compare(ours, theirs);
+  if (!d.any()) return {};
+  const std::string stem = std::string(SOFTGL_TEST_OUTPUT) + "/" + scene.name + "-" + std::to_string(seed);
+  if (!d.size) write_difference(stem, ours, theirs);
+  return d.text + "\n  pictures: " + stem + ".{ours,theirs,difference}.png\n  again: " + SOFTGL_TEST_BINARY_DIR +
+         "/softgl_conformance --family " + scene.name + " --seed " + std::to_string(seed) + " --minimize";
+}
+
+} // namespace softgl::test

@@ -1,0 +1,38 @@
+// A scene: GL commands that make a picture. Named scenes stand one per file in tests/scenes; families of random
+// scenes, one file each, in tests/conformance/families.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "support/gl.h"
+#include "support/random.h"
+
+namespace softgl::test {
+
+/// What a scene is drawn with: the library, its own random numbers, and the size of the picture.
+struct Stage {
+  const Gl& gl;
+  Random& random;
+  int width, height;
+};
+
+struct Scene {
+  std::string name;
+  void (*draw)(Stage& stage) = nullptr;
+  bool random = false;             // the seed decides what is drawn, and the size of the picture
+  int width = 160, height = 120;   // of a scene that is not random
+};
+
+/// All scenes with a name of their own, and all families, in alphabetical order.
+const std::vector<Scene>& named_scenes();
+const std::vector<Scene>& families();
+const Scene* find_scene(const std::string& name);
+
+/// Registers a scene or a family: `static SceneRegistration registration{{"spot_lights", draw}};`
+struct SceneRegistration {
+  explicit SceneRegistration(Scene scene);
+};
+
+} // namespace softgl::test

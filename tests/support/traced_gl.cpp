@@ -1,0 +1,84 @@
+#include "support/traced_gl.h"
+
+#include <cctype>
+#include <cstring>
+#include <string>
+#include <type_traits>
+
+namespace softgl::test {
+
+namespace {
+
+const Gl* real_gl;
+CallFilter* active;
+
+// How many values a pointer argument of this function points to, as far as its name tells.
+int values_of(const char* name) {
+  const std::string n = name;
+  if (n.find("Matrix") != std::string::npos) return 16;
+  if (n == "DrawElements" || n == "DrawRangeElements" || n.find("Pointer") != std::string::npos || n.find("Image") != std::string::npos)
+    return 0;
+  if (n.size() > 3 && n.back() == 'v') {
+    for (size_t i = n.size() - 1; i > n.size() - 4; i--)
+      if (std::isdigit(static_cast<unsigned char>(n[i]))) return n[i] - '0';
+    if (n.find("Coord") != std::string::npos || n.find("Index") != std::string::npos) return 1;
+    return 4;
+  }
+  return 0;
+}
+
+template <class T> void print_value(FILE* f, const char* name, T value) {
+  if constexpr (std::is_same_v<T, float> || std::is_same_v<T, double>) {
+    std::fprintf(f, "%.9g", double(value));
+  } else if constexpr (std::is_pointer_v<T>) {
+    using Pointee = std::remove_cv_t<std::remove_pointer_t<T>>;
+    const int count = value ? values_of(name) : 0;
+    if constexpr (std::is_arithmetic_v<Pointee>) {
+      if (count) {
+        std::fprintf(f, "{");
+        for (int i = 0; i < count; i++) std::fprintf(f, i ? ", " : ""), print_value(f, "", value[i]);
+        std::fprintf(f, "}");
+        return;
+      }
+    }
+    std::fprintf(f, "%p", reinterpret_cast<const void*>(value));
+  } else if constexpr (std::is_same_v<T, GLenum>) {
+    std::fprintf(f, value > 9 ? "0x%04x" : "%u", value);
+  } else {
+    std::fprintf(f, "%lld", static_cast<long long>(value));
+  }
+}
+
+template <auto Member> struct Wrapped;
+template <class R, class... A, R (*Gl::*Member)(A...)> struct Wrapped<Member> {
+  static inline const char* name = "";
+  static R call(A... arguments) {
+    const int number = active->next++;
+    if (active->skip && number < int(active->skip->size()) && (*active->skip)[number]) return R();
+    if (active->print) {
+      std::fprintf(active->print, "/* %4d */ gl%s(", number, name);
+      bool first = true;
+      ((std::fprintf(active->print, first ? "" : ", "), first = false, print_value(active->print, name, arguments)), ...);
+      std::fprintf(active->print, ");\n");
+    }
+    return (real_gl->*Member)(arguments...);
+  }
+};
+
+} // namespace
+
+Gl traced(const Gl& real, CallFilter& filter) {
+  Gl gl = real;
+  real_gl = &real;
+  active = &filter;
+#define GL_FUNCTION(function) \
+  Wrapped<&Gl::function>::name = #function; \
+  gl.function = &Wrapped<&Gl::function>::call;
+#include "support/gl_functions.inc"
+#undef GL_FUNCTION
+  gl.GetError = real.GetError;
+  gl.Finish = real.Finish;
+  return gl;
+}
+
+} // namespace softgl::test
