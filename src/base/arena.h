@@ -36,6 +36,20 @@ public:
     static_assert(std::is_trivially_destructible_v<T>);
     return new (allocate(sizeof(T))) T{std::forward<A>(arguments)...};
   }
+  /// Opens what is left of a block, at least `minimum` bytes, to a writer who does not know yet how much it needs.
+  /// Nothing else may be allocated until give_back() says how much was used.
+  void* allocate_rest(size_t minimum, size_t& bytes) {
+    minimum = (minimum + 63) & ~size_t(63);
+    if (size_t(end_ - next_) < minimum) grow(minimum);
+    bytes = size_t(end_ - next_);
+    return next_;
+  }
+  void give_back(void* start, size_t used_bytes) {
+    used_bytes = (used_bytes + 63) & ~size_t(63);
+    next_ = static_cast<std::byte*>(start) + used_bytes;
+    if (next_ > end_) next_ = end_; // the block's size need not be a multiple of 64
+    used_ += used_bytes;
+  }
   /// Forgets all allocations and keeps the blocks for the next frame.
   void reset() { used_ = 0; current_ = 0; next_ = end_ = nullptr; }
   size_t used() const { return used_; }

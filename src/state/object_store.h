@@ -82,6 +82,26 @@ public:
     objects_.erase(it);
     return object;
   }
+  /// Frees the used ones of `count` names from `first` on (DeleteLists).
+  void erase_block(GLuint first, GLuint count) {
+    std::vector<Pointer> gone; // destroyed after the lock is released
+    std::lock_guard lock(mutex_);
+    if (count < objects_.size()) {
+      for (GLuint i = 0; i < count; ++i)
+        if (auto it = objects_.find(first + i); it != objects_.end()) {
+          gone.push_back(std::move(it->second));
+          objects_.erase(it);
+        }
+    } else {
+      for (auto it = objects_.begin(); it != objects_.end();)
+        if (it->first - first < count) {
+          gone.push_back(std::move(it->second));
+          it = objects_.erase(it);
+        } else {
+          ++it;
+        }
+    }
+  }
 
 private:
   void insert(GLuint name, Pointer object) {
