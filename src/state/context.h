@@ -32,7 +32,6 @@ struct Context {
   MatrixStacks matrices;
   AttributeStack attribute_stack;
   std::shared_ptr<SharedObjects> shared = std::make_shared<SharedObjects>(); // textures, buffers, lists: may be shared
-  std::shared_ptr<TextureObject> proxy_texture[kTextureTargets];
   ListCompiler lists;
   Frame frame;
   Framebuffer framebuffer;

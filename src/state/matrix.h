@@ -57,6 +57,13 @@ inline bool is_length_preserving(const Matrix& matrix) {
 /// a * b with the flags of both; the sums are ((x + y) + z) + w in float.
 Matrix product(const Matrix& a, const Matrix& b);
 
+/// A plane equation (a row vector) times a matrix, which is the inverse of what points are multiplied with.
+inline glm::vec4 transform_plane(const glm::vec4& v, const glm::mat4& m) {
+  glm::vec4 u;
+  for (int i = 0; i < 4; ++i) u[i] = v[0] * m[i][0] + v[1] * m[i][1] + v[2] * m[i][2] + v[3] * m[i][3];
+  return u;
+}
+
 // The commands' effect on a matrix (GL 1.5, 2.11.2), arguments already valid.
 void set_identity(Matrix& matrix);
 void load(Matrix& matrix, const float m[16]);

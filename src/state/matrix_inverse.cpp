@@ -49,7 +49,7 @@ uint32_t flags_by_value_affine(const float* m) {
 
 void classify_by_value(Matrix& matrix) {
   const float* m = matrix.data();
-  uint32_t flags = zero(m, {12, 13, 14}) ? 0 : kMatrixTranslation;
+  uint32_t flags = zero(m, {12, 13, 14}) ? 0u : uint32_t(kMatrixTranslation);
   const bool affine = last_row_affine(m);
   const bool flat = affine && zero(m, {8, 9, 2, 6, 14}) && m[10] == 1.0f; // z stays as it is
   if (flat && zero(m, {4, 1, 12, 13}) && m[0] == 1.0f && m[5] == 1.0f) {

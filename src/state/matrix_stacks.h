@@ -11,7 +11,7 @@ namespace softgl {
 constexpr int kMaxModelviewDepth = 32, kMaxProjectionDepth = 32, kMaxTextureDepth = 10;
 
 struct MatrixStack {
-  std::vector<Matrix> entry{Matrix{}}; // back() is the current matrix; never empty
+  std::vector<Matrix> entry = std::vector<Matrix>(1); // back() is the current matrix; never empty
   Matrix& top() { return entry.back(); }
   const Matrix& top() const { return entry.back(); }
   int depth() const { return int(entry.size()); }

@@ -83,6 +83,7 @@ struct LightingState {
   Vec4 model_ambient{0.2f, 0.2f, 0.2f, 1};
   bool local_viewer = false, two_side = false;
   GLenum color_control = GL_SINGLE_COLOR;
+  Vec3 material_indexes[2] = {{0, 1, 1}, {0, 1, 1}}; // GL_COLOR_INDEXES of front and back: ambient, diffuse, specular
   std::array<Light, kMaxLights> light{};
   LightingState() { light[0].diffuse = light[0].specular = {1, 1, 1, 1}; }
 };
@@ -197,6 +198,11 @@ struct PixelModeState {
   GLint index_shift = 0, index_offset = 0;
   bool map_color = false, map_stencil = false;
 };
+/// Pixel maps (table 6.25), by GL_PIXEL_MAP_I_TO_I + i. They are in no attribute group.
+struct PixelMaps {
+  GLint size[10] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+  float value[10][256] = {};
+};
 /// GL_CLIENT_PIXEL_STORE_BIT (table 6.22).
 struct PixelStore {
   bool swap_bytes = false, lsb_first = false;
@@ -222,6 +228,15 @@ struct HintState {
 struct ListState {
   GLuint base = 0;
 };
+/// Selection and feedback (table 6.32). In no attribute group.
+struct RenderModeState {
+  GLenum mode = GL_RENDER;
+  GLsizei feedback_size = 0, selection_size = 0;
+  GLenum feedback_type = GL_2D;
+  float* feedback_buffer = nullptr;
+  GLuint* selection_buffer = nullptr;
+  GLint name_stack_depth = 0;
+};
 
 /// One vertex array (GL_CLIENT_VERTEX_ARRAY_BIT, tables 6.6, 6.7). `pointer` is an offset when `buffer` is not 0.
 struct VertexArray {
@@ -239,7 +254,7 @@ struct VertexArrayState {
   VertexArrayState() { array[kNormal].size = array[kSecondaryColor].size = 3; array[kFogCoordinate].size = array[kEdgeFlag].size = array[kColorIndex].size = 1; }
 };
 
-/// All server attribute groups: what PushAttrib can save.
+/// All server state that is not in objects. PushAttrib saves it by attribute group.
 struct State {
   CurrentAttributes current;
   RasterPosition raster_position;
@@ -262,6 +277,8 @@ struct State {
   EvaluatorState evaluator;
   HintState hint;
   ListState list;
+  PixelMaps pixel_maps;
+  RenderModeState render_mode;
 };
 
 /// All client attribute groups: what PushClientAttrib can save.
