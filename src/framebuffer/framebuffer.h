@@ -1,11 +1,57 @@
+// What is drawn to, and the caller's buffer that shows it. The caller's buffer is never drawn to: it is written when the
+// picture is asked for (glFlush, glFinish, a context losing its thread).
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
+#include "base/gl_types.h"
 #include "surface.h"
 
 namespace softgl {
 
-struct Framebuffer {
-  Surface surface{}; // what is drawn to
+struct Context;
+
+/// The caller's memory and how OSMesa was told to fill it.
+struct ClientBuffer {
+  void* data = nullptr;
+  GLenum format = 0, type = 0; // OSMESA_RGBA, ...; GL_UNSIGNED_BYTE, ...
+  GLint row_length = 0;        // pixels; 0 = the width
+  bool y_up = true;            // row 0 is the bottom one
 };
+
+/// What has been done, for softgl_get_statistics().
+struct FramebufferCounts { uint64_t flushes = 0, resolves = 0, clears = 0, reads = 0; };
+
+struct Framebuffer {
+  Surface surface{};           // what is drawn to; empty before the first MakeCurrent
+  int depth_bits = 0, stencil_bits = 0, accumulation_bits = 0; // a depth_stencil plane may serve only one of the two
+  bool has_alpha = true;       // false for RGB and RGB_565: alpha reads as 1 and is never written
+  bool unresolved = false;     // something was drawn that the caller's buffer does not show
+  ClientBuffer client;
+  FramebufferCounts counts;
+  std::vector<unsigned char> depth_copy; // what OSMesaGetDepthBuffer gave out; empty until it is called
+
+  Framebuffer() = default;
+  ~Framebuffer() { release(); }
+  Framebuffer(const Framebuffer&) = delete;
+  Framebuffer& operator=(const Framebuffer&) = delete;
+
+  /// New planes of zeros (alpha 1 where there is none). False, and nothing changed, when memory does not suffice.
+  bool allocate(int width, int height, ColorFormat color_format);
+  void release();
+
+private:
+  size_t color_bytes_ = 0, depth_bytes_ = 0;
+};
+
+/// Writes the surface to the caller's buffer with all threads.
+void resolve(const Surface& surface, const ClientBuffer& client);
+/// Bytes of a value in depth_copy: 4 (depth and stencil), 2 (Z16), 1 (stencil only) or 0.
+int depth_copy_bytes(const Framebuffer& framebuffer);
+/// Fills depth_copy from the surface, bottom row first.
+void copy_depth(Framebuffer& framebuffer);
+/// Finishes all rendering and brings the caller's buffer up to date if something was drawn since the last time.
+void finish_and_resolve(Context& c);
 
 } // namespace softgl

@@ -1,0 +1,45 @@
+/* softgl's own functions, beside OpenGL 1.5 (GL/gl.h) and OSMesa (GL/osmesa.h). */
+#ifndef SOFTGL_SOFTGL_H
+#define SOFTGL_SOFTGL_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define SOFTGL_VERSION_MAJOR 0
+#define SOFTGL_VERSION_MINOR 1
+#define SOFTGL_VERSION_PATCH 0
+
+/* "0.1.0" */
+const char *softgl_version(void);
+
+/* How many threads draw, the calling one included. The picture does not depend on it. The environment variable
+ * SOFTGL_THREADS sets the number at the start; without it there is one per processor. Values below 1 count as 1. */
+void softgl_set_threads(int count);
+int softgl_threads(void);
+
+/* The instruction set in use: "baseline", "v2", "v3" or "v4" (the levels of x86-64). The environment variable
+ * SOFTGL_ISA forces a lower one than the processor has. The picture does not depend on it either. */
+const char *softgl_isa(void);
+
+/* Finishes all rendering of the current context and returns a hash of its colours, depth and stencil: equal pictures
+ * have equal hashes, on every machine. 0 without a current context. The caller's buffer is not touched. */
+uint64_t softgl_frame_hash(void);
+
+/* What the current context has done so far. */
+struct softgl_statistics {
+  uint64_t flushes;  /* times that waiting work was carried out */
+  uint64_t resolves; /* times that the caller's buffer was written */
+  uint64_t clears;   /* glClear calls with an effect */
+  uint64_t reads;    /* glReadPixels calls with an effect */
+};
+/* All zeros without a current context. */
+void softgl_get_statistics(struct softgl_statistics *statistics);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,61 @@
+// softgl/softgl.h.
+#include <softgl/softgl.h>
+
+#include "api/current_context.h"
+#include "base/cpu_features.h"
+#include "frame/thread_pool.h"
+
+using namespace softgl;
+
+namespace {
+
+uint64_t mixed(uint64_t hash, uint64_t word) {
+  hash = (hash ^ word) * 0x9e3779b97f4a7c15u;
+  return hash ^ (hash >> 29);
+}
+
+} // namespace
+
+extern "C" {
+
+SOFTGL_EXPORT const char* softgl_version() { return SOFTGL_VERSION_TEXT; }
+SOFTGL_EXPORT void softgl_set_threads(int count) { ThreadPool::instance().set_workers(count); }
+SOFTGL_EXPORT int softgl_threads() { return ThreadPool::instance().workers(); }
+SOFTGL_EXPORT const char* softgl_isa() { return isa_name(selected_isa()); }
+
+SOFTGL_EXPORT uint64_t softgl_frame_hash() {
+  Context& c = *current_context;
+  if (c.guard & kNoContext) return 0;
+  try {
+    flush_rendering(c);
+  } catch (...) {
+    set_error(c, GL_OUT_OF_MEMORY);
+  }
+  const Surface& s = c.framebuffer.surface;
+  uint64_t hash = mixed(uint64_t(s.width) << 32 | uint32_t(s.height), uint64_t(s.color_format));
+  const size_t bytes = size_t(bytes_per_pixel(s.color_format));
+  const auto* color = static_cast<const unsigned char*>(s.color);
+  for (int y = 0; y < s.height; ++y)
+    for (int x = 0; x < s.width; ++x) {
+      const size_t i = pixel_index(s, x, y);
+      uint64_t word = 0;
+      for (size_t b = 0; b < bytes; ++b) {
+        word = word << 8 | color[i * bytes + b];
+        if (b % 8 == 7) hash = mixed(hash, word);
+      }
+      if (bytes < 8) hash = mixed(hash, word);
+      if (s.depth_stencil) hash = mixed(hash, s.depth_stencil[i]);
+    }
+  return hash;
+}
+
+SOFTGL_EXPORT void softgl_get_statistics(softgl_statistics* statistics) {
+  if (!statistics) return;
+  *statistics = {};
+  const Context& c = *current_context;
+  if (c.guard & kNoContext) return;
+  const FramebufferCounts& counts = c.framebuffer.counts;
+  *statistics = {counts.flushes, counts.resolves, counts.clears, counts.reads};
+}
+
+} // extern "C"

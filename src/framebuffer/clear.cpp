@@ -1,0 +1,89 @@
+// glClear and its values (GL 1.5, 4.2.3).
+#include <algorithm>
+#include <cmath>
+
+#include "api/generated/commands.h"
+#include "state/context.h"
+
+namespace softgl {
+namespace {
+
+float clamped(float v) { return v > 0.0f ? (v < 1.0f ? v : 1.0f) : 0.0f; }
+
+/// OSMesa 22.3.6: float to integer rounds to nearest even; 5 and 6 bits are cut from the 8-bit value.
+void store_color(ColorFormat format, const Vec4& color, float (&value)[4]) {
+  for (int i = 0; i < 4; ++i) {
+    switch (format) {
+      case ColorFormat::Rgba8: value[i] = std::nearbyint(clamped(color[i]) * 255.0f); break;
+      case ColorFormat::Rgba16: value[i] = std::nearbyint(clamped(color[i]) * 65535.0f); break;
+      case ColorFormat::Rgb565: {
+        const int byte = int(std::nearbyint(clamped(color[i]) * 255.0f));
+        value[i] = float(i == 1 ? byte >> 2 : byte >> 3);
+        break;
+      }
+      case ColorFormat::RgbaFloat: value[i] = color[i]; break;
+    }
+  }
+}
+
+} // namespace
+
+namespace gl {
+
+void Clear(Context& c, GLbitfield mask) {
+  if (mask & ~GLbitfield(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT))
+    return set_error(c, GL_INVALID_VALUE);
+  const Surface& surface = c.framebuffer.surface;
+  const State& s = c.state;
+  ClearRecord record{};
+  record.x1 = surface.width;
+  record.y1 = surface.height;
+  if (s.scissor.enabled) {
+    // Window y goes down in the surface.
+    const int64_t left = s.scissor.x, right = left + s.scissor.width;
+    const int64_t bottom = int64_t(surface.height) - s.scissor.y, top = bottom - s.scissor.height;
+    const auto within = [](int64_t v, int32_t end) { return int32_t(std::clamp<int64_t>(v, 0, end)); };
+    record.x0 = within(left, surface.width);
+    record.x1 = within(right, surface.width);
+    record.y0 = within(top, surface.height);
+    record.y1 = within(bottom, surface.height);
+  }
+  if (record.x0 >= record.x1 || record.y0 >= record.y1) return;
+
+  if ((mask & GL_COLOR_BUFFER_BIT) && s.color_buffer.draw_buffer != GL_NONE) {
+    for (int i = 0; i < 4; ++i) {
+      record.color_mask[i] = s.color_buffer.mask[i] && (i < 3 || c.framebuffer.has_alpha);
+      record.color = record.color || record.color_mask[i];
+    }
+    store_color(surface.color_format, s.color_buffer.clear_color, record.color_value);
+  }
+  if ((mask & GL_DEPTH_BUFFER_BIT) && c.framebuffer.depth_bits > 0 && s.depth.mask) {
+    record.depth = true;
+    record.depth_value = uint32_t(std::nearbyint(s.depth.clear * (surface.depth_format == DepthFormat::Z16 ? 65535.0 : 16777215.0)));
+  }
+  if ((mask & GL_STENCIL_BUFFER_BIT) && c.framebuffer.stencil_bits > 0 && (s.stencil.write_mask & 0xff) != 0) {
+    record.stencil = true;
+    record.stencil_value = uint32_t(s.stencil.clear) & 0xff;
+    record.stencil_write_mask = s.stencil.write_mask & 0xff;
+  }
+  if (!record.color && !record.depth && !record.stencil) return;
+  ++c.framebuffer.counts.clears;
+  if (c.frame.over_budget()) flush_rendering(c);
+  c.frame.append(c.frame.arena().make<ClearRecord>(record));
+}
+
+void ClearColor(Context& c, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
+  const Vec4 color{red, green, blue, alpha};
+  // A floating-point surface keeps what it is given, as OSMesa's does.
+  const bool fixed_point = c.framebuffer.surface.color_format != ColorFormat::RgbaFloat;
+  c.state.color_buffer.clear_color = fixed_point ? glm::clamp(color, 0.0f, 1.0f) : color;
+}
+
+void ClearIndex(Context& c, GLfloat value) { c.state.color_buffer.clear_index = value; }
+
+void ClearDepth(Context& c, GLdouble depth) { c.state.depth.clear = depth > 0 ? (depth < 1 ? depth : 1.0) : 0.0; }
+
+void ClearStencil(Context& c, GLint s) { c.state.stencil.clear = s; }
+
+} // namespace gl
+} // namespace softgl

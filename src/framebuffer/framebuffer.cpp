@@ -1,0 +1,74 @@
+#include "framebuffer/framebuffer.h"
+
+#include <sys/mman.h>
+
+#include <cstring>
+
+namespace softgl {
+namespace {
+
+/// Zeroed pages straight from the kernel: they cost nothing until they are touched, so that a 16384x16384 surface is
+/// possible, and large ones come in large pages.
+void* allocate_pages(size_t bytes) {
+  void* p = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (p == MAP_FAILED) return nullptr;
+#ifdef MADV_HUGEPAGE
+  madvise(p, bytes, MADV_HUGEPAGE);
+#endif
+  return p;
+}
+
+bool plane_bytes(int tiles_x, int tiles_y, size_t pixel_bytes, size_t& bytes) {
+  size_t tiles = 0;
+  return !__builtin_mul_overflow(size_t(tiles_x), size_t(tiles_y), &tiles) &&
+         !__builtin_mul_overflow(tiles, kTilePixels * pixel_bytes, &bytes) && bytes < (size_t(1) << 46);
+}
+
+} // namespace
+
+void Framebuffer::release() {
+  if (surface.color) munmap(surface.color, color_bytes_);
+  if (surface.depth_stencil) munmap(surface.depth_stencil, depth_bytes_);
+  surface = Surface{};
+  color_bytes_ = depth_bytes_ = 0;
+}
+
+bool Framebuffer::allocate(int width, int height, ColorFormat color_format) {
+  Surface s{};
+  s.width = width;
+  s.height = height;
+  s.tiles_x = int((int64_t(width) + kTileSize - 1) / kTileSize);
+  s.tiles_y = int((int64_t(height) + kTileSize - 1) / kTileSize);
+  s.color_format = color_format;
+  s.depth_format = depth_bits == 0 && stencil_bits == 0  ? DepthFormat::None
+                   : depth_bits == 16 && stencil_bits == 0 ? DepthFormat::Z16
+                                                           : DepthFormat::Z24S8;
+  size_t color_bytes = 0, depth_bytes = 0;
+  if (!plane_bytes(s.tiles_x, s.tiles_y, size_t(bytes_per_pixel(color_format)), color_bytes)) return false;
+  s.color = allocate_pages(color_bytes);
+  if (!s.color) return false;
+  if (s.depth_format != DepthFormat::None) {
+    if (plane_bytes(s.tiles_x, s.tiles_y, sizeof(uint32_t), depth_bytes))
+      s.depth_stencil = static_cast<uint32_t*>(allocate_pages(depth_bytes));
+    if (!s.depth_stencil) {
+      munmap(s.color, color_bytes);
+      return false;
+    }
+  }
+  if (!has_alpha) {
+    const size_t pixels = color_bytes / size_t(bytes_per_pixel(color_format));
+    if (color_format == ColorFormat::Rgba8)
+      for (size_t i = 0; i < pixels; ++i) static_cast<uint32_t*>(s.color)[i] = 0xff000000u;
+    if (color_format == ColorFormat::Rgba16)
+      for (size_t i = 0; i < pixels; ++i) static_cast<uint16_t*>(s.color)[4 * i + 3] = 0xffff;
+    if (color_format == ColorFormat::RgbaFloat)
+      for (size_t i = 0; i < pixels; ++i) static_cast<float*>(s.color)[4 * i + 3] = 1.0f;
+  }
+  release();
+  surface = s;
+  color_bytes_ = color_bytes;
+  depth_bytes_ = depth_bytes;
+  return true;
+}
+
+} // namespace softgl

@@ -1,0 +1,140 @@
+// From the surface's blocks to the rows of the caller's buffer.
+#include <GL/osmesa.h>
+
+#include <cstring>
+
+#include "frame/thread_pool.h"
+#include "framebuffer/framebuffer.h"
+
+namespace softgl {
+namespace {
+
+constexpr int kBlock = 8;
+
+// Each of these writes `count` pixels of a row. In rows of a block they run with the constant 8, which unrolls them.
+struct Copy32 {
+  static constexpr size_t kFrom = 4, kTo = 4;
+  static void run(const unsigned char* from, unsigned char* to, int count) { std::memcpy(to, from, size_t(count) * 4); }
+};
+struct Copy64 {
+  static constexpr size_t kFrom = 8, kTo = 8;
+  static void run(const unsigned char* from, unsigned char* to, int count) { std::memcpy(to, from, size_t(count) * 8); }
+};
+struct Copy128 {
+  static constexpr size_t kFrom = 16, kTo = 16;
+  static void run(const unsigned char* from, unsigned char* to, int count) { std::memcpy(to, from, size_t(count) * 16); }
+};
+struct Copy16 {
+  static constexpr size_t kFrom = 2, kTo = 2;
+  static void run(const unsigned char* from, unsigned char* to, int count) { std::memcpy(to, from, size_t(count) * 2); }
+};
+struct SwapRedAndBlue {
+  static constexpr size_t kFrom = 4, kTo = 4;
+  static void run(const unsigned char* from, unsigned char* to, int count) {
+    for (int i = 0; i < count; ++i) {
+      uint32_t p;
+      std::memcpy(&p, from + 4 * i, 4);
+      p = (p & 0xff00ff00u) | (p >> 16 & 0xffu) | (p & 0xffu) << 16;
+      std::memcpy(to + 4 * i, &p, 4);
+    }
+  }
+};
+struct AlphaFirst {
+  static constexpr size_t kFrom = 4, kTo = 4;
+  static void run(const unsigned char* from, unsigned char* to, int count) {
+    for (int i = 0; i < count; ++i) {
+      uint32_t p;
+      std::memcpy(&p, from + 4 * i, 4);
+      p = p << 8 | p >> 24;
+      std::memcpy(to + 4 * i, &p, 4);
+    }
+  }
+};
+/// Three of four components of `bytes` each.
+template <size_t bytes> struct DropAlpha {
+  static constexpr size_t kFrom = 4 * bytes, kTo = 3 * bytes;
+  static void run(const unsigned char* from, unsigned char* to, int count) {
+    for (int i = 0; i < count; ++i) std::memcpy(to + kTo * size_t(i), from + kFrom * size_t(i), kTo);
+  }
+};
+
+struct Destination {
+  unsigned char* top;   // where row 0 of the surface goes
+  ptrdiff_t row_stride; // bytes; negative when the buffer begins with the bottom row
+};
+
+/// The caller's buffer as rows of the surface (y down).
+Destination destination_of(const Surface& s, const ClientBuffer& client, size_t pixel_bytes) {
+  const ptrdiff_t stride = ptrdiff_t(client.row_length ? client.row_length : s.width) * ptrdiff_t(pixel_bytes);
+  auto* data = static_cast<unsigned char*>(client.data);
+  if (client.y_up) return {data + ptrdiff_t(s.height - 1) * stride, -stride};
+  return {data, stride};
+}
+
+/// Rows 8 * block_row .. + 7 of the surface.
+template <class Convert> void resolve_block_row(const Surface& s, int block_row, const Destination& to) {
+  const int y0 = block_row * kBlock;
+  const int rows = s.height - y0 < kBlock ? s.height - y0 : kBlock;
+  const auto* color = static_cast<const unsigned char*>(s.color);
+  for (int y = y0; y < y0 + rows; ++y) {
+    unsigned char* out = to.top + ptrdiff_t(y) * to.row_stride;
+    int x = 0;
+    for (; x + kBlock <= s.width; x += kBlock, out += kBlock * Convert::kTo)
+      Convert::run(color + pixel_index(s, x, y) * Convert::kFrom, out, kBlock);
+    if (x < s.width) Convert::run(color + pixel_index(s, x, y) * Convert::kFrom, out, s.width - x);
+  }
+}
+
+template <class Convert> void resolve_as(const Surface& s, const ClientBuffer& client) {
+  const Destination to = destination_of(s, client, Convert::kTo);
+  const int block_rows = (s.height + kBlock - 1) / kBlock;
+  // Below about a quarter of a megapixel the copy is shorter than waking a thread.
+  if (int64_t(s.width) * s.height < 256 * 1024) {
+    for (int row = 0; row < block_rows; ++row) resolve_block_row<Convert>(s, row, to);
+    return;
+  }
+  constexpr int kRowsPerTask = 8;
+  ThreadPool::instance().run(size_t((block_rows + kRowsPerTask - 1) / kRowsPerTask), [&](size_t task, int) {
+    const int first = int(task) * kRowsPerTask;
+    for (int row = first; row < block_rows && row < first + kRowsPerTask; ++row) resolve_block_row<Convert>(s, row, to);
+  });
+}
+
+} // namespace
+
+int depth_copy_bytes(const Framebuffer& f) {
+  if (f.depth_bits == 0) return f.stencil_bits == 0 ? 0 : 1;
+  return f.surface.depth_format == DepthFormat::Z16 ? 2 : 4;
+}
+
+void copy_depth(Framebuffer& f) {
+  const Surface& s = f.surface;
+  const size_t bytes = size_t(depth_copy_bytes(f));
+  f.depth_copy.resize(size_t(s.width) * size_t(s.height) * bytes);
+  unsigned char* out = f.depth_copy.data();
+  for (int y = s.height - 1; y >= 0; --y)
+    for (int x = 0; x < s.width; ++x, out += bytes) {
+      const uint32_t word = s.depth_stencil[pixel_index(s, x, y)];
+      if (bytes == 4) std::memcpy(out, &word, 4);
+      else if (bytes == 2) { const uint16_t depth = uint16_t(word); std::memcpy(out, &depth, 2); }
+      else *out = uint8_t(word >> 24);
+    }
+}
+
+void resolve(const Surface& s, const ClientBuffer& client) {
+  if (!s.color || !client.data) return;
+  const bool rgb = client.format == OSMESA_RGB;
+  switch (s.color_format) {
+    case ColorFormat::Rgba8:
+      if (rgb) return resolve_as<DropAlpha<1>>(s, client);
+      if (client.format == OSMESA_BGRA) return resolve_as<SwapRedAndBlue>(s, client);
+      if (client.format == OSMESA_ARGB) return resolve_as<AlphaFirst>(s, client);
+      return resolve_as<Copy32>(s, client);
+    // OSMesa 22.3.6: shorts and floats are stored as R, G, B, A whatever the format's name says.
+    case ColorFormat::Rgba16: return rgb ? resolve_as<DropAlpha<2>>(s, client) : resolve_as<Copy64>(s, client);
+    case ColorFormat::RgbaFloat: return rgb ? resolve_as<DropAlpha<4>>(s, client) : resolve_as<Copy128>(s, client);
+    case ColorFormat::Rgb565: return resolve_as<Copy16>(s, client);
+  }
+}
+
+} // namespace softgl
