@@ -1,0 +1,68 @@
+// A vertex program: what a draw needs from eye space to shaded vertices, as a key of few bits and immutable constants.
+#pragma once
+
+#include "lighting.h"
+#include "shaded_vertex.h"
+#include "vertex_attributes.h"
+
+namespace softgl {
+
+/// Matrices are in OpenGL's column order.
+struct TransformConstants {
+  float mvp[16], modelview[16];
+  float normal_matrix[3][3];            // column i of the modelview's inverse: eye normal i = dot(normal, column i)
+  float normal_scale;                   // 1 = leave it alone
+  float window_scale[3], window_offset[3];
+};
+
+/// Clip planes in clip coordinates, those that are enabled, in order.
+struct ClipPlaneConstants {
+  int32_t count;
+  uint8_t index[8];                     // GL_CLIP_PLANEi: its bit in the clip mask is kClipUser0 << i
+  float plane[8][4];
+};
+
+enum class TexGen : uint8_t { None, ObjectLinear, EyeLinear, SphereMap, ReflectionMap, NormalMap };
+
+/// Generation and transformation of one unit's texture coordinates (GL 1.5, 2.11.4).
+struct CoordinateConstants {
+  TexGen mode[4];
+  bool transform;                       // by `matrix`; false when it is the identity
+  float plane[4][4];                    // of the linear modes
+  float matrix[16];
+};
+
+struct PointConstants {
+  float size, minimum, maximum, attenuation[3];
+};
+
+struct VertexProgram {
+  bool eye_position;                    // some stage needs it, before fog
+  bool eye_position_late;               // texture generation needs it, after fog
+  bool eye_unit;
+  bool normal, normal_to_eye, normalize;
+  bool lit;
+  bool clamp_color;
+  bool fog_from_attribute;
+  bool point_attenuated;
+  uint8_t generated_units;              // bit u: coordinates[u] is not null
+  const TransformConstants* transform;
+  const ClipPlaneConstants* clip_planes;          // null: none enabled
+  const LightingConstants* lighting;              // null: not lit
+  const CoordinateConstants* coordinates[8];      // null: passed through
+  PointConstants point;
+  // Slot that feeds a material parameter as lanes: a material slot, kColor (colour material), or -1 = constant.
+  int8_t material_source[5][2];
+};
+
+/// What the vertex kernels need of a draw.
+struct VertexJob {
+  const VertexProgram* program;
+  ShadedLayout layout;
+  uint32_t present;                     // bit s: stream[s] feeds attribute s; otherwise it is constant[s]
+  const AttributeStream* stream;        // [kAttributeSlots]
+  const float (*constant)[4];           // [kMaterial0]
+  uint32_t end;                         // vertices from here on may not be read
+};
+
+} // namespace softgl
