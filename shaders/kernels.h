@@ -6,6 +6,7 @@
 #include "fragment_block.h"
 #include "shaded_vertex.h"
 #include "surface.h"
+#include "vertex_program.h"
 
 namespace softgl {
 
@@ -15,6 +16,8 @@ struct TriangleJob;  // raster_triangles.h
 /// Eye space to shaded vertices (vertex_kernels.cpp).
 struct VertexKernels {
   const char* isa;
+  /// Vertices [first, first + count) to `out` (layout.slots each) and `mask`.
+  void (*shade)(const VertexJob& job, uint32_t first, uint32_t count, ShadedVertices::Slot* out, uint16_t* mask);
 };
 
 /// Window space to pixels (raster_kernels.cpp).

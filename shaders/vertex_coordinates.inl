@@ -1,6 +1,8 @@
 // Texture coordinates: generation and matrix (GL 1.5, 2.11.4), the fog coordinate and the point size.
 #pragma once
 
+#include <string.h>
+
 #include "vertex_transform.inl"
 
 namespace softgl {

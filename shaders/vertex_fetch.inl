@@ -5,6 +5,7 @@
 #include <string.h>
 #include <xmmintrin.h>
 
+#include "component_conversion.h"
 #include "lane_math.h"
 #include "vertex_block.h"
 
@@ -51,52 +52,6 @@ static inline void fetch_floats(const AttributeStream& s, uint32_t first, int co
     if (wanted > 2) _mm_store_ps(out[2] + 4 * g, c);
     if (wanted > 3) _mm_store_ps(out[3] + 4 * g, d);
   }
-}
-
-/// One component of an integer or double array as float (GL 1.5, table 2.9).
-static inline float convert_component(const unsigned char* p, ComponentType type, bool normalized, int component) {
-  switch (type) {
-  case ComponentType::Float: {
-    float v;
-    memcpy(&v, p + 4 * component, 4);
-    return v;
-  }
-  case ComponentType::Double: {
-    double v;
-    memcpy(&v, p + 8 * component, 8);
-    return float(v);
-  }
-  case ComponentType::Byte: {
-    int8_t v;
-    memcpy(&v, p + component, 1);
-    return normalized ? (2.0f * float(v) + 1.0f) / 255.0f : float(v);
-  }
-  case ComponentType::UnsignedByte: {
-    const uint8_t v = p[component];
-    return normalized ? float(v) * (1.0f / 255.0f) : float(v);
-  }
-  case ComponentType::Short: {
-    int16_t v;
-    memcpy(&v, p + 2 * component, 2);
-    return normalized ? (2.0f * float(v) + 1.0f) / 65535.0f : float(v);
-  }
-  case ComponentType::UnsignedShort: {
-    uint16_t v;
-    memcpy(&v, p + 2 * component, 2);
-    return normalized ? float(v) * (1.0f / 65535.0f) : float(v);
-  }
-  case ComponentType::Int: {
-    int32_t v;
-    memcpy(&v, p + 4 * component, 4);
-    return normalized ? float((2.0 * v + 1.0) / 4294967295.0) : float(v);
-  }
-  case ComponentType::UnsignedInt: {
-    uint32_t v;
-    memcpy(&v, p + 4 * component, 4);
-    return normalized ? float(v / 4294967295.0) : float(v);
-  }
-  }
-  return 0.0f;
 }
 
 static inline void fetch_converted(const AttributeStream& s, uint32_t first, int count, int wanted, float (*out)[kLanes]) {

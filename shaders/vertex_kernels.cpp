@@ -1,6 +1,7 @@
 // The table of the vertex kernels of one instruction set.
 #include "isa.h"
 #include "kernels.h"
+#include "vertex_shade.inl"
 
 namespace softgl {
 namespace SOFTGL_ISA {
@@ -8,6 +9,7 @@ namespace SOFTGL_ISA {
 extern const VertexKernels vertex_kernels;
 const VertexKernels vertex_kernels = {
     .isa = SOFTGL_STRING(SOFTGL_ISA),
+    .shade = shade_vertices,
 };
 
 } // namespace SOFTGL_ISA

@@ -43,7 +43,7 @@ struct VertexProgram {
   bool normal, normal_to_eye, normalize;
   bool lit;
   bool clamp_color;
-  bool fog_from_attribute;
+  bool fog, fog_from_attribute;
   bool point_attenuated;
   uint8_t generated_units;              // bit u: coordinates[u] is not null
   const TransformConstants* transform;
@@ -51,6 +51,8 @@ struct VertexProgram {
   const LightingConstants* lighting;              // null: not lit
   const CoordinateConstants* coordinates[8];      // null: passed through
   PointConstants point;
+  bool line_stipple;                    // cut lines by the pattern while assembling
+  uint16_t stipple_pattern, stipple_factor;
   // Slot that feeds a material parameter as lanes: a material slot, kColor (colour material), or -1 = constant.
   int8_t material_source[5][2];
 };

@@ -5,6 +5,7 @@
 
 #include "frame/frame.h"
 #include "framebuffer/framebuffer.h"
+#include "geometry/snapshot_cache.h"
 #include "lists/list_compiler.h"
 #include "state/attribute_stack.h"
 #include "state/matrix_stacks.h"
@@ -34,6 +35,7 @@ struct Context {
   std::shared_ptr<SharedObjects> shared = std::make_shared<SharedObjects>(); // textures, buffers, lists: may be shared
   ListCompiler lists;
   Frame frame;
+  SnapshotCache snapshots; // point into frame.arena()
   Framebuffer framebuffer;
 };
 

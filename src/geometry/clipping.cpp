@@ -1,0 +1,160 @@
+// Order of planes, order of operations and choice of the end from which a new vertex is interpolated are those of
+// OSMesa 22.3.6 (draw_pipe_clip): the end nearer to the plane, so that neighbours cut their shared edge at the same point.
+#include "clipping.h"
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "raster_constants.h"
+#include "vertex_fetch.h"
+
+namespace softgl {
+namespace {
+
+bool is_finite(float f) { return (std::bit_cast<uint32_t>(f) & 0x7f800000u) != 0x7f800000u; }
+
+} // namespace
+
+Clipper::Clipper(const DrawRecord& draw, const ShadedVertices& vertices, Arena& arena)
+    : draw_(draw), vertices_(vertices), arena_(arena), transform_(*draw.vertex->transform), slots_(draw.layout.slots),
+      flat_(draw.raster->flat) {
+  static constexpr float kVolume[6][4] = {{-1, 0, 0, 1}, {1, 0, 0, 1}, {0, -1, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {0, 0, -1, 1}};
+  std::memcpy(plane_, kVolume, sizeof kVolume);
+  if (const ClipPlaneConstants* user = draw.vertex->clip_planes)
+    for (int i = 0; i < user->count; ++i) std::memcpy(plane_[6 + user->index[i]], user->plane[i], sizeof(float[4]));
+}
+
+void Clipper::load(uint32_t vertex, Vertex& out) const {
+  float p[4];
+  fetch_vertex(draw_.call.source->stream[kPosition], vertex, p);
+  const float* m = transform_.mvp;
+  for (int r = 0; r < 4; ++r) out.clip[r] = ((p[0] * m[r] + p[1] * m[4 + r]) + p[2] * m[8 + r]) + p[3] * m[12 + r];
+  out.shaded = shaded(vertex);
+}
+
+float Clipper::distance(const Vertex& v, int plane) const {
+  const float* p = plane_[plane];
+  return ((v.clip[0] * p[0] + v.clip[1] * p[1]) + v.clip[2] * p[2]) + v.clip[3] * p[3];
+}
+
+void Clipper::interpolate(Vertex& out, float t, const Vertex& from, const Vertex& to) const {
+  for (int i = 0; i < 4; ++i) out.clip[i] = from.clip[i] + t * (to.clip[i] - from.clip[i]);
+  out.shaded = out.made;
+  const float oow = 1.0f / out.clip[3];
+  for (int i = 0; i < 3; ++i)
+    out.made[0].v[i] = out.clip[i] * oow * transform_.window_scale[i] + transform_.window_offset[i];
+  out.made[0].v[3] = oow;
+  for (int s = 1; s < slots_; ++s)
+    for (int i = 0; i < 4; ++i) {
+      const float a = from.shaded[s].v[i], b = to.shaded[s].v[i];
+      out.made[s].v[i] = a + t * (b - a);
+    }
+}
+
+void Clipper::copy_flat_colors(Slot* to, const Slot* from) const {
+  const ShadedLayout& l = draw_.layout;
+  for (int slot : {l.color, l.back_color})
+    if (slot >= 0) to[slot] = from[slot];
+  for (int slot : {l.secondary, l.back_secondary}) // not the fog coordinate behind the colour
+    if (slot >= 0) std::memcpy(to[slot].v, from[slot].v, sizeof(float[3]));
+}
+
+const Clipper::Slot* Clipper::keep(const Vertex& v) {
+  if (v.shaded != v.made) return v.shaded;
+  Slot* copy = arena_.allocate_array<Slot>(size_t(slots_));
+  std::memcpy(copy, v.made, sizeof(Slot) * size_t(slots_));
+  return copy;
+}
+
+int Clipper::triangle(const uint32_t v[3], uint32_t mask, const Slot* polygon[kMaxPolygon]) {
+  Vertex pool[3 + 2 * kMaxPlanes];
+  Vertex* lists[2][kMaxPolygon + 1];
+  Vertex **in = lists[0], **out = lists[1];
+  int made = 3, n = 3;
+  for (int i = 0; i < 3; ++i) load(v[i], *(in[i] = &pool[i]));
+
+  for (; mask && n >= 3; mask &= mask - 1) {
+    const int plane = std::countr_zero(mask);
+    Vertex* previous = in[0];
+    float d_previous = distance(*previous, plane);
+    if (!is_finite(d_previous)) return 0;
+    in[n] = in[0];
+    int count = 0;
+    for (int i = 1; i <= n; ++i) {
+      Vertex* vertex = in[i];
+      const float d = distance(*vertex, plane);
+      if (!is_finite(d)) return 0;
+      bool crosses;
+      if (d_previous >= 0) {
+        if (count == kMaxPolygon) return 0;
+        out[count++] = previous;
+        crosses = d < 0;
+      } else {
+        crosses = !(d < 0);
+      }
+      if (crosses) {
+        if (count == kMaxPolygon || made == 3 + 2 * kMaxPlanes) return 0;
+        Vertex* fresh = &pool[made++];
+        out[count++] = fresh;
+        const Vertex &outside = d < 0 ? *vertex : *previous, &inside = d < 0 ? *previous : *vertex;
+        const float d_out = d < 0 ? d : d_previous, d_in = d < 0 ? d_previous : d;
+        if (-d_out < d_in) interpolate(*fresh, d_out / (d_out - d_in), outside, inside);
+        else interpolate(*fresh, d_in / (d_in - d_out), inside, outside);
+      }
+      previous = vertex;
+      d_previous = d;
+    }
+    Vertex** swap = in;
+    in = out;
+    out = swap;
+    n = count;
+  }
+  if (n < 3) return 0;
+  for (int i = 0; i < n; ++i) polygon[i] = keep(*in[i]);
+  if (flat_ && in[0] != &pool[2]) {
+    Slot* provoking = arena_.allocate_array<Slot>(size_t(slots_));
+    std::memcpy(provoking, polygon[0], sizeof(Slot) * size_t(slots_));
+    copy_flat_colors(provoking, pool[2].shaded);
+    polygon[0] = provoking;
+  }
+  return n;
+}
+
+bool Clipper::line(const uint32_t v[2], const Slot* end[2]) {
+  Vertex a, b;
+  load(v[0], a);
+  load(v[1], b);
+  const uint32_t mask_a = vertices_.clip_mask[v[0] - vertices_.first], mask_b = vertices_.clip_mask[v[1] - vertices_.first];
+  float t0 = 0, t1 = 0;
+  for (uint32_t mask = mask_a | mask_b; mask; mask &= mask - 1) {
+    const int plane = std::countr_zero(mask);
+    const float d0 = distance(a, plane), d1 = distance(b, plane);
+    if (!is_finite(d0) || !is_finite(d1)) return false;
+    if (d1 < 0) {
+      const float t = d1 / (d1 - d0);
+      t1 = t1 > t ? t1 : t;
+    }
+    if (d0 < 0) {
+      const float t = d0 / (d0 - d1);
+      t0 = t0 > t ? t0 : t;
+    }
+    if (t0 + t1 >= 1.0f) return false;
+  }
+  end[0] = a.shaded;
+  end[1] = b.shaded;
+  Vertex fresh;
+  if (mask_a) {
+    interpolate(fresh, t0, a, b);
+    if (flat_) copy_flat_colors(fresh.made, b.shaded);
+    end[0] = keep(fresh);
+  }
+  if (mask_b) {
+    interpolate(fresh, t1, b, a);
+    if (flat_) copy_flat_colors(fresh.made, b.shaded);
+    end[1] = keep(fresh);
+  }
+  return true;
+}
+
+} // namespace softgl

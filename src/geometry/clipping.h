@@ -1,0 +1,49 @@
+// Clipping to the view volume and the user's planes, in clip coordinates (GL 1.5, 2.12).
+#pragma once
+
+#include "base/arena.h"
+#include "frame/draw_record.h"
+#include "vertex_program.h"
+
+namespace softgl {
+
+/// Clips the primitives of one draw. Shaded vertices carry no clip coordinates (few need them): they are computed again
+/// from the draw's source, with the vertex program's arithmetic.
+class Clipper {
+public:
+  using Slot = ShadedVertices::Slot;
+  static constexpr int kMaxPlanes = 14;
+  static constexpr int kMaxPolygon = 3 + kMaxPlanes;
+
+  Clipper(const DrawRecord& draw, const ShadedVertices& vertices, Arena& arena);
+
+  /// Clips triangle v (vertex numbers); `mask` is the union of its vertices' clip masks. Returns the number of vertices
+  /// of the polygon, or 0. Flat colours of v[2] are in polygon[0], which stays the provoking vertex.
+  int triangle(const uint32_t v[3], uint32_t mask, const Slot* polygon[kMaxPolygon]);
+  /// Clips a line; both ends carry the flat colours of v[1]. False when nothing is left.
+  bool line(const uint32_t v[2], const Slot* end[2]);
+
+private:
+  static constexpr int kMaxSlots = 14;
+  struct Vertex {
+    float clip[4];
+    const Slot* shaded;
+    Slot made[kMaxSlots];
+  };
+  void load(uint32_t vertex, Vertex& out) const;
+  float distance(const Vertex& v, int plane) const;
+  void interpolate(Vertex& out, float t, const Vertex& from, const Vertex& to) const;
+  void copy_flat_colors(Slot* to, const Slot* from) const;
+  const Slot* keep(const Vertex& v);
+  const Slot* shaded(uint32_t vertex) const { return vertices_.slot + size_t(vertex - vertices_.first) * slots_; }
+
+  const DrawRecord& draw_;
+  const ShadedVertices& vertices_;
+  Arena& arena_;
+  const TransformConstants& transform_;
+  const int slots_;
+  const bool flat_;
+  float plane_[kMaxPlanes][4];
+};
+
+} // namespace softgl

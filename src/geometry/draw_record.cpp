@@ -1,0 +1,159 @@
+// submit(): snapshots of the state a draw needs, and the record of the draw. A snapshot block is used again as long as
+// no dirty bit tells of a change: 10,000 small draws a frame must not be dominated by them.
+#include <cstring>
+
+#include "fragment/fragment_snapshot.h"
+#include "raster/raster_snapshot.h"
+#include "state/context.h"
+#include "vertex_snapshot.h"
+
+namespace softgl {
+namespace {
+
+/// The few bits of the lighting group on which raster and fragment snapshots depend; materials and lights are not
+/// among them.
+uint32_t lighting_mode(const LightingState& l) {
+  return uint32_t(l.enabled) | uint32_t(l.enabled && l.two_side) << 1 |
+         uint32_t(l.enabled && l.color_control == GL_SEPARATE_SPECULAR_COLOR) << 2 |
+         uint32_t(l.shade_model == GL_FLAT) << 3;
+}
+
+bool draws_points(const DrawCall& call) {
+  for (uint32_t i = 0; i < call.primitive_count; ++i)
+    if (call.primitives[i].mode == GL_POINTS) return true;
+  return false;
+}
+
+ShadedLayout make_layout(const Context& c, const FragmentKey& key, bool points) {
+  ShadedLayout l;
+  const bool two_sided = c.state.lighting.enabled && c.state.lighting.two_side;
+  int8_t next = 1;
+  l.color = next++;
+  if (key.secondary || key.fog_coordinate) l.secondary = next++;
+  if (two_sided) l.back_color = next++;
+  if (two_sided && key.secondary) l.back_secondary = next++;
+  const Vec3 a = c.state.point.distance_attenuation;
+  if (points && (a.x != 1 || a.y != 0 || a.z != 0)) l.point = next++;
+  for (int u = 0; u < kMaxTextureUnits; ++u)
+    if (key.texture_units >> u & 1) l.texcoord[u] = next++;
+  l.slots = uint8_t(next);
+  return l;
+}
+
+const VertexProgram* make_vertex_program(const Context& c, const SnapshotCache& cache, const int8_t source[5][2], Arena& arena) {
+  auto* p = arena.make<VertexProgram>();
+  const State& s = c.state;
+  const FragmentKey& key = cache.fragment->key;
+  p->transform = cache.transform;
+  p->clip_planes = cache.clip_planes;
+  p->lighting = cache.lighting;
+  p->lit = cache.lighting != nullptr;
+  p->clamp_color = true;
+  p->fog = key.fog_coordinate;
+  p->fog_from_attribute = s.fog.coordinate_source == GL_FOG_COORDINATE;
+  p->normal_to_eye = cache.eye_space;
+  p->normalize = s.transform.normalize;
+  std::memcpy(p->material_source, source, sizeof p->material_source);
+
+  if (p->lit) {
+    const LightingConstants& k = *cache.lighting;
+    bool positional = false;
+    for (int i = 0; i < k.light_count; ++i) positional |= k.light[i].positional;
+    p->eye_unit = k.local_viewer && !k.shininess_zero && k.light_count > 0;
+    p->eye_position = positional || p->eye_unit;
+    p->normal = k.light_count > 0;
+  }
+  for (int u = 0; u < kMaxTextureUnits; ++u) {
+    p->coordinates[u] = cache.coordinates[u];
+    if (!cache.coordinates[u]) continue;
+    for (TexGen mode : cache.coordinates[u]->mode) {
+      const bool reflects = mode == TexGen::SphereMap || mode == TexGen::ReflectionMap;
+      p->normal |= reflects || mode == TexGen::NormalMap;
+      p->eye_unit |= reflects;
+      p->eye_position_late |= reflects || mode == TexGen::EyeLinear;
+    }
+  }
+  const PointState& point = s.point;
+  p->point_attenuated = cache.layout.point >= 0;
+  p->point = {point.size, point.size_min, point.size_max,
+              {point.distance_attenuation.x, point.distance_attenuation.y, point.distance_attenuation.z}};
+  p->line_stipple = s.line.stipple && s.line.stipple_pattern != 0xffff;
+  p->stipple_pattern = s.line.stipple_pattern;
+  p->stipple_factor = uint16_t(s.line.stipple_factor);
+  // Points that are neither sprites nor smooth are at least a pixel large.
+  if (!point.sprite && !point.smooth && p->point.minimum < 1) p->point.minimum = 1;
+  return p;
+}
+
+/// Brings the cache up to date with the state.
+void take_snapshots(Context& c, const DrawCall& call) {
+  SnapshotCache& cache = c.snapshots;
+  Arena& arena = c.frame.arena();
+  uint32_t dirty = c.dirty;
+  const State& s = c.state;
+  const uint32_t mode = lighting_mode(s.lighting);
+  const bool mode_changed = mode != cache.lighting_mode;
+  const bool points = draws_points(call);
+
+  if (mode_changed || !cache.fragment || dirty & (kDirtyFragment | kDirtyTexture | kDirtyRaster))
+    cache.fragment = make_fragment_program(c, arena), dirty |= kDirtyFragment;
+  if (mode_changed || !cache.raster || dirty & (kDirtyRaster | kDirtyViewport | kDirtyFragment))
+    cache.raster = make_raster_constants(c, arena);
+  cache.lighting_mode = mode;
+
+  Matrix& modelview = c.matrices.modelview.top();
+  inverse(modelview);
+  const uint32_t units = uint32_t(cache.fragment->key.texture_units);
+  bool program = false;
+  if (dirty & (kDirtyMatrices | kDirtyLighting | kDirtyTransform | kDirtyFragment | kDirtyTexture | kDirtyRaster)) {
+    const bool eye_space = needs_eye_space(c, units);
+    if (eye_space != cache.eye_space) dirty |= kDirtyMatrices | kDirtyLighting;
+    cache.eye_space = eye_space;
+    program = true;
+  }
+  if (!cache.transform || dirty & (kDirtyMatrices | kDirtyViewport | kDirtyTransform)) {
+    cache.transform = make_transform(c, cache.eye_space, arena);
+    cache.clip_planes = make_clip_planes(c, arena);
+    program = true;
+  }
+  if (dirty & (kDirtyMatrices | kDirtyTransform | kDirtyTexture | kDirtyFragment))
+    for (int u = 0; u < kMaxTextureUnits; ++u)
+      cache.coordinates[u] = units >> u & 1 ? make_coordinates(c, u, arena) : nullptr;
+  if (program || points != cache.draws_points || mode_changed) {
+    cache.layout = make_layout(c, cache.fragment->key, points);
+    cache.draws_points = points;
+    program = true;
+  }
+
+  const uint32_t present = call.source->present;
+  const bool lit = s.lighting.enabled;
+  const float* color = &call.constant[kColor][0];
+  const bool color_feeds = lit && s.lighting.color_material_enabled && !(present >> kColor & 1);
+  if (present != cache.present) dirty |= kDirtyLighting;
+  if (color_feeds && std::memcmp(color, cache.color, sizeof cache.color) != 0) dirty |= kDirtyLighting;
+  int8_t source[5][2];
+  std::memset(source, -1, sizeof source);
+  const bool relight = mode_changed || dirty & kDirtyLighting || (!cache.eye_space && dirty & kDirtyMatrices);
+  if (relight || program) {
+    if (lit) find_material_sources(c, present, source);
+    if (!lit) cache.lighting = nullptr;
+    else if (relight || !cache.lighting) cache.lighting = make_lighting(c, source, color, cache.eye_space, arena);
+    std::memcpy(cache.color, color, sizeof cache.color);
+    cache.present = present;
+    cache.vertex = make_vertex_program(c, cache, source, arena);
+  }
+  c.dirty &= kDirtyCurrent | kDirtyArrays;
+}
+
+} // namespace
+
+void submit(Context& c, const DrawCall& call) {
+  const bool has_position = call.source && call.source->present >> kPosition & 1;
+  if (!has_position || call.primitive_count == 0 || call.vertex_count == 0 || c.framebuffer.surface.width == 0) return;
+  take_snapshots(c, call);
+  const SnapshotCache& cache = c.snapshots;
+  c.frame.append(c.frame.arena().make<DrawRecord>(call, cache.layout, cache.vertex, cache.raster, cache.fragment));
+  if (c.frame.over_budget()) flush_rendering(c);
+}
+
+} // namespace softgl

@@ -1,0 +1,28 @@
+// The snapshot blocks that the next draw may use again, in the arena of the frame being built.
+#pragma once
+
+#include "shaded_vertex.h"
+#include "vertex_program.h"
+
+namespace softgl {
+
+struct RasterConstants;
+struct FragmentProgram;
+
+struct SnapshotCache {
+  const TransformConstants* transform = nullptr;
+  const ClipPlaneConstants* clip_planes = nullptr;
+  const LightingConstants* lighting = nullptr;
+  const CoordinateConstants* coordinates[8] = {};
+  const VertexProgram* vertex = nullptr;
+  const RasterConstants* raster = nullptr;
+  const FragmentProgram* fragment = nullptr;
+  ShadedLayout layout;
+  // What the blocks were made for, beyond the dirty bits.
+  uint32_t present = 0;        // attribute streams
+  float color[4] = {};         // the draw's constant colour, where it feeds the material
+  uint32_t lighting_mode = ~0u;
+  bool eye_space = false, draws_points = false;
+};
+
+} // namespace softgl

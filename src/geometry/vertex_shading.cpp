@@ -1,0 +1,21 @@
+#include "base/kernel_table.h"
+#include "geometry.h"
+#include "vertex_job.h"
+
+namespace softgl {
+
+VertexJob make_vertex_job(const DrawRecord& draw) {
+  static_assert(sizeof(Vec4) == sizeof(float[4]));
+  const DrawCall& call = draw.call;
+  return {draw.vertex,         draw.layout,
+          call.source->present, call.source->stream,
+          reinterpret_cast<const float(*)[4]>(call.constant), call.first_vertex + call.vertex_count};
+}
+
+void shade_vertices(const DrawRecord& draw, uint32_t first, uint32_t count, const ShadedVertices& out) {
+  const VertexJob job = make_vertex_job(draw);
+  const uint32_t offset = first - out.first;
+  kernels().vertex->shade(job, first, count, out.slot + size_t(offset) * draw.layout.slots, out.clip_mask + offset);
+}
+
+} // namespace softgl

@@ -1,0 +1,28 @@
+// From State to the constants of a vertex program. Only this, light_snapshot.cpp and draw_record.cpp see Context.
+#pragma once
+
+#include "base/arena.h"
+#include "frame/draw_call.h"
+#include "geometry/snapshot_cache.h"
+
+namespace softgl {
+
+struct Context;
+
+/// True where OSMesa lights in eye space and not in object space; it decides last bits only. The modelview must be
+/// analysed.
+bool needs_eye_space(const Context& context, uint32_t texture_units);
+
+const TransformConstants* make_transform(Context& context, bool eye_space, Arena& arena);
+/// Null when no clip plane is enabled.
+const ClipPlaneConstants* make_clip_planes(Context& context, Arena& arena);
+/// Null when the unit's coordinates are passed through.
+const CoordinateConstants* make_coordinates(const Context& context, int unit, Arena& arena);
+
+/// Where each material parameter comes from: the slot of a stream, or -1 (GL 1.5, 2.14.2, 2.14.3).
+void find_material_sources(const Context& context, uint32_t present, int8_t source[5][2]);
+/// `color` is the draw's constant colour, for colour material.
+const LightingConstants* make_lighting(const Context& context, const int8_t source[5][2], const float color[4],
+                                       bool eye_space, Arena& arena);
+
+} // namespace softgl
