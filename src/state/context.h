@@ -11,6 +11,7 @@
 #include "state/matrix_stacks.h"
 #include "state/object_store.h"
 #include "state/state.h"
+#include "vertex/array_fetch.h"
 #include "vertex/vertex_builder.h"
 
 namespace softgl {
@@ -34,6 +35,7 @@ struct Context {
   AttributeStack attribute_stack;
   std::shared_ptr<SharedObjects> shared = std::make_shared<SharedObjects>(); // textures, buffers, lists: may be shared
   ListCompiler lists;
+  ArrayCache arrays; // what the last array draw found out about ClientState::vertex_array
   Frame frame;
   SnapshotCache snapshots; // point into frame.arena()
   Framebuffer framebuffer;

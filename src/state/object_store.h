@@ -131,7 +131,7 @@ private:
 };
 
 struct TextureObject; // texture/texture_object.h
-struct BufferObject;  // vertex/buffer_object.h
+struct BufferObject;  // vertex/buffer_objects.h
 struct DisplayList;   // lists/display_list.h
 struct QueryObject;   // state/query_state.h
 

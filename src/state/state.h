@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <glm/glm.hpp>
 
 #include "base/gl_types.h"
@@ -238,6 +239,8 @@ struct RenderModeState {
   GLint name_stack_depth = 0;
 };
 
+struct BufferObject; // vertex/buffer_objects.h
+
 /// One vertex array (GL_CLIENT_VERTEX_ARRAY_BIT, tables 6.6, 6.7). `pointer` is an offset when `buffer` is not 0.
 struct VertexArray {
   bool enabled = false;
@@ -246,11 +249,13 @@ struct VertexArray {
   GLsizei stride = 0;
   const void* pointer = nullptr;
   GLuint buffer = 0;
+  std::shared_ptr<BufferObject> object; // of `buffer`: a deleted one lives as long as an array uses it
 };
 struct VertexArrayState {
   VertexArray array[kTexCoord0 + kMaxTextureUnits]; // by AttributeSlot, kPosition .. kTexCoord0 + 7
   int active_texture_unit = 0;
   GLuint array_buffer = 0, element_array_buffer = 0;
+  std::shared_ptr<BufferObject> array_object, element_array_object; // null for name 0
   VertexArrayState() { array[kNormal].size = array[kSecondaryColor].size = 3; array[kFogCoordinate].size = array[kEdgeFlag].size = array[kColorIndex].size = 1; }
 };
 
