@@ -1,4 +1,5 @@
 #include "support/gl.h"
+#include "test_paths.h"
 
 #include <cstdlib>
 #include <dlfcn.h>

@@ -1,4 +1,5 @@
 #include "support/runner.h"
+#include "test_paths.h"
 
 #include <algorithm>
 #include <cstdio>

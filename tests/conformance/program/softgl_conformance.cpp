@@ -12,6 +12,7 @@
 #include "support/environment.h"
 #include "support/minimize.h"
 #include "support/runner.h"
+#include "test_paths.h"
 
 using namespace softgl::test;
 
