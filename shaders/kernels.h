@@ -10,8 +10,12 @@
 
 namespace softgl {
 
-struct TileJob;      // raster_tile.h
-struct TriangleJob;  // raster_triangles.h
+struct RasterDraw;      // raster_draw.h
+struct RasterPrimitive;
+struct SmallFragment;
+struct TileTarget;
+struct TriangleInput;   // raster_triangles.h
+struct TriangleOutput;
 
 /// Eye space to shaded vertices (vertex_kernels.cpp).
 struct VertexKernels {
@@ -23,6 +27,18 @@ struct VertexKernels {
 /// Window space to pixels (raster_kernels.cpp).
 struct RasterKernels {
   const char* isa;
+  /// Culls and classifies a batch and shades the fragments of its small triangles.
+  void (*prepare_triangles)(const RasterDraw& draw, const TriangleInput& in, TriangleOutput& out, FragmentBlock& scratch);
+  /// Sets up `count` triangles of the batch, whose numbers are given, into *record[i].
+  void (*setup_triangles)(const RasterDraw& draw, const TriangleInput& in, const bool* negative, const uint8_t* triangle,
+                          int32_t count, RasterPrimitive* const* record);
+  /// Draws primitives, or merges finished fragments, into one tile in order.
+  void (*tile_primitives)(const TileTarget& tile, const RasterDraw& draw, const RasterPrimitive* const* primitive,
+                          int32_t count, FragmentBlock& scratch);
+  void (*tile_fragments)(const TileTarget& tile, const RasterDraw& draw, const SmallFragment* fragment, int32_t count);
+  // Stages of fragment programs.
+  FragmentStage color_sum, fog_linear, fog_exp, fog_exp2;
+  FragmentStage alpha_test_8, alpha_test_float; // `unit` is the comparison
 };
 
 /// Texture sampling and environment (texture_kernels.cpp).

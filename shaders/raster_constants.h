@@ -13,6 +13,8 @@ struct RasterConstants {
   bool two_sided;         // the vertices carry back colours
   bool offset;            // polygon offset of filled polygons
   bool point_sprite;
+  uint8_t sprite_units;      // texture units whose coordinates a point sprite replaces
+  bool sprite_lower_left;    // t is 0 at the bottom
   float offset_units;     // units times the resolvable step
   float offset_factor;
   float line_width, point_size;

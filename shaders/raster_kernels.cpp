@@ -1,13 +1,30 @@
-// The table of the raster kernels of one instruction set.
+// The table of the raster and fragment kernels of one instruction set.
 #include "isa.h"
 #include "kernels.h"
+#include "raster_small.inl"
+#include "raster_tile.inl"
 
 namespace softgl {
 namespace SOFTGL_ISA {
 
+static void prepare_triangles(const RasterDraw& draw, const TriangleInput& in, TriangleOutput& out, FragmentBlock& scratch) {
+  classify_triangles(draw, in, out);
+  if (out.fragment_count) shade_small(draw, in, out, scratch);
+}
+
 extern const RasterKernels raster_kernels;
 const RasterKernels raster_kernels = {
     .isa = SOFTGL_STRING(SOFTGL_ISA),
+    .prepare_triangles = prepare_triangles,
+    .setup_triangles = setup_triangles,
+    .tile_primitives = tile_primitives,
+    .tile_fragments = tile_fragments,
+    .color_sum = stage_color_sum,
+    .fog_linear = stage_fog_linear,
+    .fog_exp = stage_fog_exp,
+    .fog_exp2 = stage_fog_exp2,
+    .alpha_test_8 = stage_alpha_test_8,
+    .alpha_test_float = stage_alpha_test_float,
 };
 
 } // namespace SOFTGL_ISA

@@ -1,7 +1,22 @@
 #include "fragment/fragment_stages.h"
 
+#include "base/kernel_table.h"
+
 namespace softgl {
 
-void append_fragment_stages(FragmentProgram&) {}
+void append_fragment_stages(FragmentProgram& program) {
+  const FragmentKey& key = program.key;
+  const RasterKernels& k = *kernels().raster;
+  if (key.color_sum) program.add(k.color_sum);
+  switch (static_cast<FogMode>(key.fog_mode)) {
+  case FogMode::None: break;
+  case FogMode::Linear: program.add(k.fog_linear); break;
+  case FogMode::Exp: program.add(k.fog_exp); break;
+  case FogMode::Exp2: program.add(k.fog_exp2); break;
+  }
+  if (static_cast<Compare>(key.alpha_function) != Compare::Always)
+    program.add(static_cast<ColorFormat>(key.color_format) == ColorFormat::Rgba8 ? k.alpha_test_8 : k.alpha_test_float,
+                static_cast<int32_t>(key.alpha_function));
+}
 
 } // namespace softgl

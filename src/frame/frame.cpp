@@ -1,8 +1,252 @@
 #include "frame/frame.h"
 
+#include <algorithm>
+#include <new>
+
+#include "base/float_environment.h"
+#include "fragment_program.h"
+#include "frame/thread_pool.h"
+#include "frame/tile_worker.h"
+#include "geometry/geometry.h"
+#include "raster/raster_draws.h"
+#include "raster/tile_binner.h"
+
 namespace softgl {
 
-void Frame::flush(const Surface&) {
+namespace {
+
+// Work is cut by these constants only, never by the number of threads, so that bins and bits do not depend on it.
+constexpr uint32_t kUnitSteps = 2048;         // assembly steps (or vertices) of a unit
+constexpr uint32_t kShadeChunk = 2048;        // vertices shaded at a time; a multiple of 64
+constexpr uint32_t kSmallDraw = 1024;         // draws of up to so many steps and vertices are shaded inside their unit
+constexpr uint32_t kRoundSteps = 1u << 19;    // steps whose bins are in memory at the same time
+
+/// A part of a draw: steps of one primitive, or the whole draw when it is small.
+struct Piece {
+  const DrawRecord* draw;
+  const RasterDraw* raster;
+  const ShadedVertices* vertices; // null: a small draw, shaded and assembled as a whole
+  uint32_t primitive, first, count;
+};
+
+struct ShadeChunk {
+  const DrawRecord* draw;
+  const ShadedVertices* vertices;
+  uint32_t first, count;
+};
+
+/// What one worker does at a time: pieces, or a clear.
+struct Unit {
+  uint32_t first_piece = 0, piece_count = 0;
+  const ClearRecord* clear = nullptr;
+  bool stencil_drawn = false; // of a clear: stencil values may have been written before it in this frame
+  const TileLists::Touched* touched = nullptr;
+  uint32_t touched_count = 0;
+};
+
+ShadedVertices* allocate_vertices(const DrawRecord& draw, Arena& arena) {
+  auto* v = arena.make<ShadedVertices>();
+  v->first = draw.call.first_vertex;
+  v->count = draw.call.vertex_count;
+  const size_t rounded = (size_t(v->count) + 63) & ~size_t(63);
+  v->slot = static_cast<ShadedVertices::Slot*>(arena.allocate(rounded * draw.layout.slots * sizeof(ShadedVertices::Slot) + 64));
+  v->clip_mask = arena.allocate_array<uint16_t>(rounded + 32);
+  return v;
+}
+
+} // namespace
+
+struct Frame::Workers {
+  struct Worker {
+    Arena arena{256 * 1024};
+    TileLists lists;
+    BinnerScratch binner;
+    FragmentBlock block{};
+  };
+  std::unique_ptr<Worker> worker[kMaxWorkers];
+  Worker& operator[](int i) {
+    if (!worker[i]) worker[i] = std::make_unique<Worker>();
+    return *worker[i];
+  }
+};
+
+/// One flush.
+class FrameWork {
+public:
+  FrameWork(Frame& frame, const Surface& surface)
+      : frame_(frame), surface_(surface), tiles_(size_t(surface.tiles_x) * size_t(surface.tiles_y)), head_(tiles_), tail_(tiles_) {}
+
+  void run() {
+    for (const Frame::Item& item : frame_.items_) {
+      if (item.clear) {
+        close_unit();
+        units_.push_back({});
+        units_.back().clear = item.clear;
+        units_.back().stencil_drawn = stencil_drawn_;
+        stencil_drawn_ = stencil_drawn_ || item.clear->stencil;
+        open_steps_ = 0;
+      } else {
+        add_draw(*item.draw);
+      }
+    }
+    finish_round();
+  }
+
+private:
+  void close_unit() {
+    if (pieces_.size() > unit_start_) {
+      units_.push_back({});
+      units_.back().first_piece = static_cast<uint32_t>(unit_start_);
+      units_.back().piece_count = static_cast<uint32_t>(pieces_.size() - unit_start_);
+    }
+    unit_start_ = pieces_.size();
+    open_steps_ = 0;
+  }
+
+  void add_draw(const DrawRecord& draw) {
+    const DrawCall& call = draw.call;
+    uint64_t steps = 0;
+    for (uint32_t i = 0; i < call.primitive_count; ++i) steps += assembly_steps(call.primitives[i]);
+    if (steps == 0 || call.vertex_count == 0) return;
+    stencil_drawn_ = stencil_drawn_ || draw.fragment->key.stencil;
+    const auto* raster = frame_.arena_.make<RasterDraw>(make_raster_draw(draw));
+    if (steps <= kSmallDraw && call.vertex_count <= kSmallDraw) {
+      pieces_.push_back({&draw, raster, nullptr, 0, 0, 0});
+      count_steps(static_cast<uint32_t>(std::max<uint64_t>(steps, call.vertex_count)));
+      return;
+    }
+    close_unit();
+    const ShadedVertices* vertices = allocate_vertices(draw, frame_.arena_);
+    for (uint32_t first = 0; first < call.vertex_count; first += kShadeChunk)
+      shade_.push_back({&draw, vertices, call.first_vertex + first, std::min(kShadeChunk, call.vertex_count - first)});
+    for (uint32_t i = 0; i < call.primitive_count; ++i) {
+      const uint32_t count = assembly_steps(call.primitives[i]);
+      for (uint32_t first = 0; first < count;) {
+        const uint32_t part = std::min(kUnitSteps - open_steps_, count - first);
+        pieces_.push_back({&draw, raster, vertices, i, first, part});
+        first += part;
+        count_steps(part);
+      }
+    }
+    close_unit();
+  }
+
+  void count_steps(uint32_t steps) {
+    open_steps_ += steps;
+    round_steps_ += steps;
+    if (open_steps_ >= kUnitSteps) close_unit();
+    if (round_steps_ >= kRoundSteps) finish_round();
+  }
+
+  /// Does everything planned so far and forgets it.
+  void finish_round() {
+    close_unit();
+    if (units_.empty()) return;
+    ThreadPool& pool = ThreadPool::instance();
+    for (int i = 0; i < pool.workers(); ++i) (*frame_.workers_)[i].arena.reset();
+    pool.run(shade_.size(), [this](size_t i, int) {
+      const ShadeChunk& c = shade_[i];
+      shade_vertices(*c.draw, c.first, c.count, *c.vertices);
+    });
+    pool.run(units_.size(), [this](size_t i, int worker) { bin(units_[i], (*frame_.workers_)[worker]); });
+    join();
+    pool.run(busy_.size(), [this](size_t i, int worker) {
+      const uint32_t tile = busy_[i];
+      execute_tile(surface_, tile, head_[tile], *kernels().raster, (*frame_.workers_)[worker].block);
+      head_[tile] = nullptr;
+    });
+    shade_.clear();
+    units_.clear();
+    pieces_.clear();
+    busy_.clear();
+    unit_start_ = 0;
+    round_steps_ = open_steps_ = 0;
+  }
+
+  void bin(Unit& unit, Frame::Workers::Worker& worker) {
+    if (unit.clear) return;
+    worker.lists.begin(tiles_, worker.arena);
+    TileBinner binner(surface_, worker.lists, worker.arena, worker.binner);
+    for (uint32_t i = 0; i < unit.piece_count; ++i) {
+      const Piece& piece = pieces_[unit.first_piece + i];
+      binner.set_draw(piece.raster);
+      if (piece.vertices) {
+        assemble(*piece.draw, *piece.vertices, piece.draw->call.primitives[piece.primitive], piece.first, piece.count, worker.arena, binner);
+        continue;
+      }
+      const DrawCall& call = piece.draw->call;
+      const ShadedVertices* vertices = allocate_vertices(*piece.draw, worker.arena);
+      shade_vertices(*piece.draw, call.first_vertex, call.vertex_count, *vertices);
+      for (uint32_t k = 0; k < call.primitive_count; ++k)
+        assemble(*piece.draw, *vertices, call.primitives[k], 0, assembly_steps(call.primitives[k]), worker.arena, binner);
+    }
+    const auto& touched = worker.lists.finish();
+    auto* copy = worker.arena.allocate_array<TileLists::Touched>(touched.size());
+    std::copy(touched.begin(), touched.end(), copy);
+    unit.touched = copy;
+    unit.touched_count = static_cast<uint32_t>(touched.size());
+  }
+
+  /// Links the units' lists of each tile in the order of the units.
+  void join() {
+    for (const Unit& unit : units_) {
+      if (unit.clear) {
+        join_clear(unit);
+        continue;
+      }
+      for (uint32_t i = 0; i < unit.touched_count; ++i) link(unit.touched[i].tile, unit.touched[i].first, unit.touched[i].last);
+    }
+  }
+
+  void link(uint32_t tile, TileChunk* first, TileChunk* last) {
+    if (head_[tile]) tail_[tile]->next = first;
+    else head_[tile] = first, busy_.push_back(tile);
+    tail_[tile] = last;
+  }
+
+  void join_clear(const Unit& unit) {
+    const ClearRecord& c = *unit.clear;
+    if (c.x0 >= c.x1 || c.y0 >= c.y1) return;
+    for (int32_t ty = c.y0 >> 6; ty <= (c.y1 - 1) >> 6; ++ty)
+      for (int32_t tx = c.x0 >> 6; tx <= (c.x1 - 1) >> 6; ++tx) {
+        const auto tile = static_cast<uint32_t>(ty * surface_.tiles_x + tx);
+        auto* chunk = static_cast<TileChunk*>(frame_.arena_.allocate(sizeof(TileChunk) + sizeof(TileSegment)));
+        *chunk = {nullptr, sizeof(TileSegment), 0};
+        auto* segment = new (chunk + 1) TileSegment;
+        segment->kind = TileSegment::Clear;
+        segment->count = 0;
+        segment->clear = &c;
+        if (head_[tile] && clear_hides_all(c, surface_, tile, unit.stencil_drawn)) {
+          head_[tile] = tail_[tile] = chunk; // earlier work of the tile cannot be seen
+          continue;
+        }
+        link(tile, chunk, chunk);
+      }
+  }
+
+  Frame& frame_;
+  const Surface& surface_;
+  const size_t tiles_;
+  std::vector<TileChunk*> head_, tail_;
+  std::vector<uint32_t> busy_; // tiles with work
+  std::vector<ShadeChunk> shade_;
+  std::vector<Piece> pieces_;
+  std::vector<Unit> units_;
+  size_t unit_start_ = 0;
+  uint32_t open_steps_ = 0, round_steps_ = 0;
+  bool stencil_drawn_ = false;
+};
+
+Frame::Frame() = default;
+Frame::~Frame() = default;
+
+void Frame::flush(const Surface& surface) {
+  if (!items_.empty() && surface.tiles_x > 0 && surface.tiles_y > 0) {
+    const FloatEnvironment environment;
+    if (!workers_) workers_ = std::make_unique<Workers>();
+    for (int i = 0; i < ThreadPool::instance().workers(); ++i) (*workers_)[i]; // no allocation inside the workers
+    FrameWork(*this, surface).run();
+  }
   items_.clear();
   retained_.clear();
   arena_.reset();

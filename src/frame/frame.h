@@ -10,7 +10,8 @@
 
 namespace softgl {
 
-/// A glClear in the order of the frame. Values are already in the surface's storage format.
+/// A glClear in the order of the frame. Values are already the numbers that the surface's format stores (colours: 0-255,
+/// 0-65535, 5-6-5 bits or the floats themselves).
 struct ClearRecord {
   bool color, depth, stencil;
   bool color_mask[4];
@@ -21,6 +22,8 @@ struct ClearRecord {
 
 class Frame {
 public:
+  Frame();
+  ~Frame();
   /// Memory for everything that draws of this frame point to. Freed by flush().
   Arena& arena() { return arena_; }
   /// Keeps an object (buffer storage, texture image, display list run) alive and unchanged until the flush.
@@ -38,9 +41,12 @@ public:
 private:
   static constexpr size_t kBudgetBytes = 256u << 20;
   struct Item { const DrawRecord* draw; const ClearRecord* clear; };
+  friend class FrameWork;
   Arena arena_{1 << 20};
   std::vector<std::shared_ptr<const void>> retained_;
   std::vector<Item> items_;
+  struct Workers; // memory of the workers, kept from flush to flush
+  std::unique_ptr<Workers> workers_;
 };
 
 } // namespace softgl

@@ -38,6 +38,8 @@ const RasterConstants* make_raster_constants(const Context& context, Arena& aren
   r.offset_factor = s.polygon.offset_factor;
   r.offset = s.polygon.offset_fill && (r.offset_units != 0.0f || r.offset_factor != 0.0f);
   r.point_sprite = s.point.sprite;
+  r.sprite_units = s.point.sprite ? static_cast<uint8_t>(s.point.coord_replace) : 0;
+  r.sprite_lower_left = s.point.sprite_origin == GL_LOWER_LEFT;
   r.line_width = s.line.width;
   r.point_size = std::clamp(s.point.size, 1.0f, 255.0f);
   return &r;

@@ -1,0 +1,58 @@
+// What set-up and tile kernels know of a draw, and the records that travel in the tiles' lists.
+#pragma once
+
+#include "fragment_program.h"
+#include "raster_constants.h"
+#include "shaded_vertex.h"
+
+namespace softgl {
+
+/// value at pixel (px, py) = gy * py + (gx * px + a), in this order (OSMesa 22.3.6; the origin is the framebuffer's
+/// corner, not the triangle's).
+struct Plane {
+  float a, gx, gy;
+};
+
+/// Derived once per draw and frame.
+struct RasterDraw {
+  const FragmentProgram* program;
+  const RasterConstants* raster;
+  ShadedLayout layout;
+  // Index of the planes of a primitive: z, 1/w, r g b a, then what the program reads. -1: not there.
+  int8_t secondary_plane, fog_plane, unit_plane[kBlockTextureUnits];
+  uint8_t plane_count;
+  bool small;  // triangles of few pixels become finished fragments
+  bool direct; // no stage runs and merging is only depth test and store: strips bypass the FragmentBlock
+};
+constexpr int kPlaneZ = 0, kPlaneW = 1, kPlaneColor = 2;
+constexpr int kMaxPlanes = 2 + 4 + 3 + 1 + 4 * kBlockTextureUnits;
+
+/// A set-up triangle, line or point: convex, 3 or 4 edges. A pixel is covered iff c - a * px + b * py >= 0 for all edges;
+/// a and b are in 1/256 pixel, c = floor((c' - 1) / 256) of the exact edge function c' (with its tie rule), which is
+/// the same test because a * 256 * px is a multiple of 256.
+struct alignas(16) RasterPrimitive {
+  int64_t c[4];
+  int32_t a[4], b[4];
+  int32_t x0, y0, x1, y1; // pixels that may be covered, half open, clipped
+  int32_t edges;
+  float depth_offset;
+  bool w_is_one;         // the plane of 1/w is exactly 1 everywhere, so the division changes nothing
+  bool flat;             // colour planes hold constants
+  Plane plane[];         // plane_count of them
+};
+
+/// A finished fragment of a small triangle.
+struct SmallFragment {
+  uint32_t pixel; // pixel_in_tile
+  uint32_t depth; // in the depth buffer's integers
+  uint32_t color; // RGBA8
+};
+
+/// The planes of one tile.
+struct TileTarget {
+  int32_t x, y; // window position of its first pixel
+  void* color;
+  uint32_t* depth_stencil;
+};
+
+} // namespace softgl

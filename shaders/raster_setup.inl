@@ -1,0 +1,300 @@
+// Facing, culling, boxes, coverage of small triangles (lane = triangle) and attribute planes.
+// All of it as OSMesa 22.3.6 computes: positions snapped to 1/256 pixel for coverage, unsnapped for planes.
+#pragma once
+
+#include "raster_triangles.h"
+#include "simd.h"
+
+namespace softgl {
+namespace SOFTGL_ISA {
+
+/// Coordinates up to 65536 pixels are rasterized; a viewport lies well inside. Beyond (or not a number): dropped.
+constexpr float kMaxSnapped = 16777216.0f;
+
+/// Deltas of the corners' window positions, scaled by 1 / area; the base of every plane.
+struct PlaneBasis {
+  FloatV dx01, dy01, dx20, dy20, x0, y0; // x0, y0: corner 0 minus half a pixel
+  FloatV inverse_area, raw_dx01, raw_dy01, raw_dx20, raw_dy20;
+};
+
+SOFTGL_INLINE PlaneBasis plane_basis(const FloatV p0[4], const FloatV p1[4], const FloatV p2[4]) {
+  PlaneBasis b;
+  b.raw_dx01 = p0[0] - p1[0], b.raw_dy01 = p0[1] - p1[1];
+  b.raw_dx20 = p2[0] - p0[0], b.raw_dy20 = p2[1] - p0[1];
+  const FloatV r = splat(1.0f) / (b.raw_dx01 * b.raw_dy20 - b.raw_dy01 * b.raw_dx20);
+  b.inverse_area = r;
+  b.dx01 = b.raw_dx01 * r, b.dy01 = b.raw_dy01 * r;
+  b.dx20 = b.raw_dx20 * r, b.dy20 = b.raw_dy20 * r;
+  b.x0 = p0[0] - 0.5f, b.y0 = p0[1] - 0.5f;
+  return b;
+}
+
+struct PlaneV {
+  FloatV a, gx, gy;
+};
+
+SOFTGL_INLINE PlaneV plane_of(const PlaneBasis& b, FloatV a0, FloatV a1, FloatV a2) {
+  PlaneV p;
+  const FloatV d01 = a0 - a1, d20 = a2 - a0;
+  p.gx = d01 * b.dy20 - d20 * b.dy01;
+  p.gy = d20 * b.dx01 - d01 * b.dx20;
+  p.a = a0 - (p.gx * b.x0 + p.gy * b.y0);
+  return p;
+}
+
+SOFTGL_INLINE FloatV value_at(const PlaneV& p, FloatV x, FloatV y) { return p.gy * y + (p.gx * x + p.a); }
+
+/// max(|dz/dx|, |dz/dy|) * factor + units.
+SOFTGL_INLINE FloatV depth_offset(const PlaneBasis& b, FloatV z0, FloatV z1, FloatV z2, const RasterConstants& r) {
+  const FloatV dz01 = z0 - z1, dz20 = z2 - z0;
+  const IntV absolute = splat(0x7fffffff);
+  const FloatV zx = (FloatV)((IntV)((dz20 * b.raw_dy01 - b.raw_dy20 * dz01) * b.inverse_area) & absolute);
+  const FloatV zy = (FloatV)((IntV)((b.raw_dx20 * dz01 - dz20 * b.raw_dx01) * b.inverse_area) & absolute);
+  const FloatV steepest = choose(~(zx <= zy), zx, zy);
+  return splat(r.offset_units) + steepest * r.offset_factor;
+}
+
+SOFTGL_INLINE float depth_scale(const FragmentKey& key) {
+  return key.depth_format == uint64_t(DepthFormat::Z16) ? 65535.0f : 16777215.0f;
+}
+SOFTGL_INLINE IntV depth_bits(FloatV z, float scale) { return round_to_int(unit_range(z) * scale); }
+SOFTGL_INLINE IntV color_byte(FloatV c) { return round_to_int(unit_range(c) * 255.0f); }
+SOFTGL_INLINE IntV pack_color(FloatV r, FloatV g, FloatV b, FloatV a) {
+  return color_byte(r) | (color_byte(g) << 8) | (color_byte(b) << 16) | (color_byte(a) << 24);
+}
+
+/// Rounds (v - 0.5) * 256 to nearest even.
+SOFTGL_INLINE FloatV snap_scaled(FloatV v) { return (v - 0.5f) * 256.0f; }
+
+struct EdgeV {
+  IntV c, a, b; // inside iff c - 256 * a * dx + 256 * b * dy >= 0; a and b are kept times 256
+};
+SOFTGL_INLINE EdgeV edge_of(IntV xi, IntV yi, IntV xj, IntV yj) {
+  EdgeV e;
+  const IntV a = yi - yj, b = xi - xj;
+  const IntV included = (a < 0) | ((a == 0) & (b < 0)); // all ones: centres on the edge are inside
+  e.c = multiply(a, xi) - multiply(b, yi) - 1 - included;
+  e.a = a << 8, e.b = b << 8;
+  return e;
+}
+
+/// Box masks [h][w]: the pixels (bit 4 * dy + dx) of a box of w + 1 by h + 1.
+static const uint16_t kBoxMask[4][4] = {{0x0001, 0x0003, 0x0007, 0x000f},
+                                        {0x0011, 0x0033, 0x0077, 0x00ff},
+                                        {0x0111, 0x0333, 0x0777, 0x0fff},
+                                        {0x1111, 0x3333, 0x7777, 0xffff}};
+
+/// Classifies a batch. Small triangles give their covered pixels in out.x, out.y, out.triangle.
+static void classify_triangles(const RasterDraw& draw, const TriangleInput& in, TriangleOutput& out) {
+  const RasterConstants& r = *draw.raster;
+  out.fragment_count = out.large_count = 0;
+  int32_t fragments = 0;
+  for (int base = 0; base < in.count; base += kWidth) {
+    const int lanes = in.count - base < kWidth ? in.count - base : kWidth;
+    IntV x[3], y[3];
+    IntV valid = splat(-1);
+    for (int k = 0; k < 3; ++k) {
+      const float* place[kWidth];
+      if (lanes == kWidth)
+        for (int i = 0; i < kWidth; ++i) place[i] = in.corner[k][base + i]->v;
+      else
+        for (int i = 0; i < kWidth; ++i) place[i] = in.corner[k][base + (i < lanes ? i : 0)]->v;
+      FloatV p[4];
+      load_transposed(place, p);
+      const FloatV sx = snap_scaled(p[0]), sy = snap_scaled(p[1]);
+      valid &= (sx < kMaxSnapped) & (sx > -kMaxSnapped) & (sy < kMaxSnapped) & (sy > -kMaxSnapped);
+      x[k] = round_to_int(sx), y[k] = round_to_int(sy);
+    }
+    const IntV min_x = min_(min_(x[0], x[1]), x[2]), max_x = max_(max_(x[0], x[1]), x[2]);
+    const IntV min_y = min_(min_(y[0], y[1]), y[2]), max_y = max_(max_(y[0], y[1]), y[2]);
+    const IntV px0 = max_((min_x + 255) >> 8, splat(r.x0)), px1 = min_((max_x - 1) >> 8, splat(r.x1 - 1));
+    const IntV py0 = max_((min_y >> 8) + 1, splat(r.y0)), py1 = min_(max_y >> 8, splat(r.y1 - 1));
+    const IntV w = px1 - px0, h = py1 - py0;
+    valid &= (w >= 0) & (h >= 0);
+    uint32_t alive = sign_bits(valid) & ((lanes == 32 ? 0u : 1u << lanes) - 1u);
+    if (alive == 0) continue;
+
+    // 32 bits hold the area, and edge functions relative to the box, of triangles up to 64 pixels wide and high.
+    const IntV extent_fits = ((max_x - min_x) < (1 << 14)) & ((max_y - min_y) < (1 << 14));
+    const IntV area = multiply(x[0] - x[1], y[2] - y[0]) - multiply(x[2] - x[0], y[0] - y[1]);
+    IntV negative = area < 0;
+    const IntV positive = area > 0;
+    IntV kept = (negative & splat(r.cull & 2 ? 0 : -1)) | (positive & splat(r.cull & 1 ? 0 : -1));
+    uint32_t wide = alive & ~sign_bits(extent_fits);
+    alive &= sign_bits(kept) | wide;
+    uint32_t negative_bits = sign_bits(negative);
+    if (wide) {
+      alignas(64) int32_t ax[3][kWidth], ay[3][kWidth];
+      for (int k = 0; k < 3; ++k) store(ax[k], x[k]), store(ay[k], y[k]);
+      for (uint32_t bits = wide; bits; bits &= bits - 1) {
+        const int i = __builtin_ctz(bits);
+        const int64_t exact = int64_t(ax[0][i] - ax[1][i]) * (ay[2][i] - ay[0][i]) -
+                              int64_t(ax[2][i] - ax[0][i]) * (ay[0][i] - ay[1][i]);
+        const bool culled = exact == 0 || (exact > 0 ? r.cull & 1 : r.cull & 2);
+        if (culled) alive &= ~(1u << i);
+        negative_bits = (negative_bits & ~(1u << i)) | (exact < 0 ? 1u << i : 0u);
+      }
+    }
+    if (alive == 0) continue;
+    uint32_t small = draw.small ? alive & sign_bits(extent_fits & (w < kSmallBox) & (h < kSmallBox)) : 0;
+
+    alignas(64) int32_t covered[kWidth], wh[kWidth], ox[kWidth], oy[kWidth];
+    if (small) {
+      const IntV zero = IntV{};
+      const IntV origin_x = px0 << 8, origin_y = py0 << 8;
+      const IntV x0 = choose(negative, x[1], x[0]) - origin_x, y0 = choose(negative, y[1], y[0]) - origin_y;
+      const IntV x1 = choose(negative, x[0], x[1]) - origin_x, y1 = choose(negative, y[0], y[1]) - origin_y;
+      const IntV x2 = x[2] - origin_x, y2 = y[2] - origin_y;
+      EdgeV e0 = edge_of(x0, y0, x1, y1), e1 = edge_of(x1, y1, x2, y2), e2 = edge_of(x2, y2, x0, y0);
+      const uint32_t w1 = sign_bits(zero < w) & small, w2 = sign_bits(1 < w) & small, w3 = sign_bits(2 < w) & small;
+      const uint32_t h1 = sign_bits(zero < h) & small, h2 = sign_bits(1 < h) & small, h3 = sign_bits(2 < h) & small;
+      const int columns = 1 + (w1 != 0) + (w2 != 0) + (w3 != 0), rows = 1 + (h1 != 0) + (h2 != 0) + (h3 != 0);
+      IntV mask = zero;
+      for (int dy = 0; dy < rows; ++dy) {
+        IntV r0 = e0.c, r1 = e1.c, r2 = e2.c;
+        for (int dx = 0; dx < columns; ++dx) {
+          const IntV inside = ~(r0 | r1 | r2);
+          mask |= ((IntV)((UintV)inside >> 31)) << (4 * dy + dx);
+          r0 -= e0.a, r1 -= e1.a, r2 -= e2.a;
+        }
+        e0.c += e0.b, e1.c += e1.b, e2.c += e2.b;
+      }
+      small &= sign_bits(mask > 0);
+      store(covered, mask);
+      store(wh, (h << 2) | w);
+      store(ox, px0);
+      store(oy, py0);
+    }
+    const uint32_t large = alive & (draw.small ? ~sign_bits(extent_fits & (w < kSmallBox) & (h < kSmallBox)) : ~0u);
+    for (uint32_t bits = small | large; bits; bits &= bits - 1) {
+      const int i = __builtin_ctz(bits);
+      out.negative[base + i] = negative_bits >> i & 1;
+      if (large >> i & 1) {
+        out.large[out.large_count++] = uint8_t(base + i);
+        continue;
+      }
+      for (uint32_t m = uint32_t(covered[i]) & (&kBoxMask[0][0])[wh[i]]; m; m &= m - 1) {
+        const int bit = __builtin_ctz(m);
+        out.x[fragments] = ox[i] + (bit & 3);
+        out.y[fragments] = oy[i] + (bit >> 2);
+        out.triangle[fragments++] = uint8_t(base + i);
+      }
+    }
+  }
+  out.fragment_count = fragments;
+}
+
+/// Pointers to the corners of kWidth triangles, corners 0 and 1 exchanged where the area is negative.
+struct CornerPlaces {
+  const float* p[3][kWidth];
+  IntV back; // all ones: back-facing
+};
+
+SOFTGL_INLINE void find_corners(const RasterDraw& draw, const TriangleInput& in, const bool* negative,
+                                const uint8_t* triangle, CornerPlaces& c) {
+  alignas(64) int32_t back[kWidth];
+  for (int i = 0; i < kWidth; ++i) {
+    const int t = triangle[i];
+    const bool n = negative[t];
+    c.p[0][i] = in.corner[n ? 1 : 0][t]->v;
+    c.p[1][i] = in.corner[n ? 0 : 1][t]->v;
+    c.p[2][i] = in.corner[2][t]->v;
+    back[i] = (draw.raster->back != 0) != n ? -1 : 0;
+  }
+  c.back = load(back);
+}
+
+/// Loads slot `slot` (or `back_slot` where the triangle is back-facing) of the three corners.
+SOFTGL_INLINE void load_slot(const CornerPlaces& c, int slot, int back_slot, bool two_sided, FloatV out[3][4]) {
+  const float* place[kWidth];
+  if (two_sided) {
+    alignas(64) int32_t back[kWidth];
+    store(back, c.back);
+    for (int k = 0; k < 3; ++k) {
+      for (int i = 0; i < kWidth; ++i) place[i] = c.p[k][i] + 4 * (back[i] ? back_slot : slot);
+      load_transposed(place, out[k]);
+    }
+    return;
+  }
+  for (int k = 0; k < 3; ++k) {
+    for (int i = 0; i < kWidth; ++i) place[i] = c.p[k][i] + 4 * slot;
+    load_transposed(place, out[k]);
+  }
+}
+
+/// Sets up `count` large triangles: planes and edges into *record[i].
+static void setup_triangles(const RasterDraw& draw, const TriangleInput& in, const bool* negative,
+                            const uint8_t* triangle, int32_t count, RasterPrimitive* const* record) {
+  const RasterConstants& r = *draw.raster;
+  const FragmentKey& key = draw.program->key;
+  alignas(64) float planes[kMaxPlanes][3][kWidth];
+  alignas(64) float offset[kWidth];
+  alignas(64) int32_t x[3][kWidth], y[3][kWidth];
+  for (int32_t base = 0; base < count; base += kWidth) {
+    const int lanes = count - base < kWidth ? count - base : kWidth;
+    uint8_t numbers[kWidth];
+    for (int i = 0; i < kWidth; ++i) numbers[i] = triangle[base + (i < lanes ? i : 0)];
+    CornerPlaces c;
+    find_corners(draw, in, negative, numbers, c);
+    FloatV p[3][4];
+    load_slot(c, 0, 0, false, p);
+    for (int k = 0; k < 3; ++k) {
+      store(x[k], round_to_int(snap_scaled(p[k][0])));
+      store(y[k], round_to_int(snap_scaled(p[k][1])));
+    }
+    const PlaneBasis basis = plane_basis(p[0], p[1], p[2]);
+    store(offset, r.offset ? depth_offset(basis, p[0][2], p[1][2], p[2][2], r) : FloatV{});
+    auto put = [&](int index, const PlaneV& v) {
+      store(planes[index][0], v.a), store(planes[index][1], v.gx), store(planes[index][2], v.gy);
+    };
+    const FloatV w0 = p[0][3], w1 = p[1][3], w2 = p[2][3];
+    put(kPlaneZ, plane_of(basis, p[0][2], p[1][2], p[2][2]));
+    const PlaneV w = plane_of(basis, w0, w1, w2);
+    put(kPlaneW, w);
+    auto perspective = [&](int index, FloatV a0, FloatV a1, FloatV a2) { put(index, plane_of(basis, a0 * w0, a1 * w1, a2 * w2)); };
+    FloatV a[3][4];
+    auto colors = [&](int index, int slot, int back_slot, int channels) {
+      load_slot(c, slot, back_slot, r.two_sided && back_slot >= 0, a);
+      for (int k = 0; k < channels; ++k) {
+        if (key.flat) put(index + k, PlaneV{a[2][k], FloatV{}, FloatV{}});
+        else perspective(index + k, a[0][k], a[1][k], a[2][k]);
+      }
+    };
+    colors(kPlaneColor, draw.layout.color, draw.layout.back_color, 4);
+    if (draw.secondary_plane >= 0) colors(draw.secondary_plane, draw.layout.secondary, draw.layout.back_secondary, 3);
+    if (draw.fog_plane >= 0) {
+      load_slot(c, draw.layout.secondary, -1, false, a);
+      perspective(draw.fog_plane, a[0][3], a[1][3], a[2][3]);
+    }
+    for (int u = 0; u < kBlockTextureUnits; ++u) {
+      if (draw.unit_plane[u] < 0) continue;
+      load_slot(c, draw.layout.texcoord[u], -1, false, a);
+      for (int k = 0; k < 4; ++k) perspective(draw.unit_plane[u] + k, a[0][k], a[1][k], a[2][k]);
+    }
+    for (int i = 0; i < lanes; ++i) {
+      RasterPrimitive& q = *record[base + i];
+      for (int k = 0; k < draw.plane_count; ++k) q.plane[k] = {planes[k][0][i], planes[k][1][i], planes[k][2][i]};
+      q.w_is_one = q.plane[kPlaneW].a == 1.0f && q.plane[kPlaneW].gx == 0.0f && q.plane[kPlaneW].gy == 0.0f;
+      q.flat = key.flat;
+      q.depth_offset = offset[i];
+      q.edges = 3;
+      int32_t min_x = x[0][i], max_x = min_x, min_y = y[0][i], max_y = min_y;
+      for (int k = 0; k < 3; ++k) {
+        const int j = k == 2 ? 0 : k + 1;
+        const int32_t ea = y[k][i] - y[j][i], eb = x[k][i] - x[j][i];
+        const int64_t ec = int64_t(ea) * x[k][i] - int64_t(eb) * y[k][i] + ((ea < 0 || (ea == 0 && eb < 0)) ? 1 : 0);
+        q.a[k] = ea, q.b[k] = eb, q.c[k] = (ec - 1) >> 8;
+        min_x = x[k][i] < min_x ? x[k][i] : min_x, max_x = x[k][i] > max_x ? x[k][i] : max_x;
+        min_y = y[k][i] < min_y ? y[k][i] : min_y, max_y = y[k][i] > max_y ? y[k][i] : max_y;
+      }
+      q.a[3] = q.b[3] = 0, q.c[3] = 0;
+      const int32_t px0 = (min_x + 255) >> 8, px1 = ((max_x - 1) >> 8) + 1;
+      const int32_t py0 = (min_y >> 8) + 1, py1 = (max_y >> 8) + 1;
+      q.x0 = px0 > r.x0 ? px0 : r.x0, q.x1 = px1 < r.x1 ? px1 : r.x1;
+      q.y0 = py0 > r.y0 ? py0 : r.y0, q.y1 = py1 < r.y1 ? py1 : r.y1;
+    }
+  }
+}
+
+} // namespace SOFTGL_ISA
+} // namespace softgl

@@ -1,0 +1,96 @@
+// Small triangles: shading with lane = fragment, planes in registers.
+#pragma once
+
+#include "fragment_interpolate.inl"
+
+namespace softgl {
+namespace SOFTGL_ISA {
+
+/// Shades fragments [0, out.fragment_count) that classify_triangles found.
+static void shade_small(const RasterDraw& draw, const TriangleInput& in, TriangleOutput& out, FragmentBlock& block) {
+  const FragmentProgram& program = *draw.program;
+  const RasterConstants& r = *draw.raster;
+  const FragmentKey& key = program.key;
+  const float scale = depth_scale(key);
+  const int32_t count = out.fragment_count;
+  for (int i = 0; i < kWidth; ++i) { // the last vector is filled up with copies of the first fragment
+    out.x[count + i] = out.x[0], out.y[count + i] = out.y[0];
+    out.triangle[count + i] = out.triangle[0];
+  }
+  for (int32_t first = 0; first < count; first += kLanes) {
+    const int lanes = count - first < kLanes ? count - first : kLanes;
+    for (int j = 0; j < lanes; j += kWidth) {
+      const int32_t f = first + j;
+      CornerPlaces c;
+      find_corners(draw, in, out.negative, out.triangle + f, c);
+      FloatV p[3][4], a[3][4];
+      load_slot(c, 0, 0, false, p);
+      const FloatV x = to_float(load(out.x + f)), y = to_float(load(out.y + f));
+      const PlaneBasis basis = plane_basis(p[0], p[1], p[2]);
+      FloatV z = value_at(plane_of(basis, p[0][2], p[1][2], p[2][2]), x, y);
+      z += r.offset ? depth_offset(basis, p[0][2], p[1][2], p[2][2], r) : FloatV{};
+      store(out.depth + f, depth_bits(z, scale));
+      const FloatV w0 = p[0][3], w1 = p[1][3], w2 = p[2][3];
+      const FloatV w = splat(1.0f) / value_at(plane_of(basis, w0, w1, w2), x, y);
+      auto perspective = [&](FloatV a0, FloatV a1, FloatV a2) { return value_at(plane_of(basis, a0 * w0, a1 * w1, a2 * w2), x, y) * w; };
+      FloatV color[4];
+      load_slot(c, draw.layout.color, draw.layout.back_color, r.two_sided && draw.layout.back_color >= 0, a);
+      for (int k = 0; k < 4; ++k) color[k] = key.flat ? a[2][k] : perspective(a[0][k], a[1][k], a[2][k]);
+      if (program.step_count == 0) {
+        store(out.color + f, pack_color(color[0], color[1], color[2], color[3]));
+        continue;
+      }
+      for (int k = 0; k < 4; ++k) store(block.color[k] + j, color[k]);
+      if (draw.secondary_plane >= 0) {
+        load_slot(c, draw.layout.secondary, draw.layout.back_secondary, r.two_sided && draw.layout.back_secondary >= 0, a);
+        for (int k = 0; k < 3; ++k) store(block.secondary[k] + j, key.flat ? a[2][k] : perspective(a[0][k], a[1][k], a[2][k]));
+      }
+      if (draw.fog_plane >= 0) {
+        load_slot(c, draw.layout.secondary, -1, false, a);
+        store(block.fog + j, perspective(a[0][3], a[1][3], a[2][3]));
+      }
+      if (key.texture_units) {
+        // Coordinates at the fragment and at three corners of its 2x2 quad.
+        const FloatV x0 = to_float(load(out.x + f) & ~1), y0 = to_float(load(out.y + f) & ~1);
+        const FloatV x1 = x0 + 1.0f, y1 = y0 + 1.0f;
+        const PlaneV wp = plane_of(basis, w0, w1, w2);
+        const FloatV w00 = splat(1.0f) / value_at(wp, x0, y0), w10 = splat(1.0f) / value_at(wp, x1, y0), w01 = splat(1.0f) / value_at(wp, x0, y1);
+        for (int u = 0; u < kBlockTextureUnits; ++u) {
+          if (draw.unit_plane[u] < 0) continue;
+          load_slot(c, draw.layout.texcoord[u], -1, false, a);
+          PlaneV q[4];
+          for (int k = 0; k < 4; ++k) q[k] = plane_of(basis, a[0][k] * w0, a[1][k] * w1, a[2][k] * w2);
+          const FloatV rq = splat(1.0f) / (value_at(q[3], x, y) * w);
+          const FloatV rq00 = splat(1.0f) / (value_at(q[3], x0, y0) * w00), rq10 = splat(1.0f) / (value_at(q[3], x1, y0) * w10);
+          const FloatV rq01 = splat(1.0f) / (value_at(q[3], x0, y1) * w01);
+          BlockCoordinates& t = block.unit[u];
+          float* value[3] = {t.s, t.t, t.r};
+          float* dx[3] = {t.ds_dx, t.dt_dx, t.dr_dx};
+          float* dy[3] = {t.ds_dy, t.dt_dy, t.dr_dy};
+          for (int k = 0; k < 3; ++k) {
+            store(value[k] + j, (value_at(q[k], x, y) * w) * rq);
+            const FloatV v00 = (value_at(q[k], x0, y0) * w00) * rq00;
+            store(dx[k] + j, (value_at(q[k], x1, y0) * w10) * rq10 - v00);
+            store(dy[k] + j, (value_at(q[k], x0, y1) * w01) * rq01 - v00);
+          }
+        }
+      }
+      store(block.x + j, load(out.x + f));
+      store(block.y + j, load(out.y + f));
+      store(block.depth + j, load(out.depth + f));
+    }
+    if (program.step_count == 0) continue;
+    block.lanes = (lanes + kStripLanes - 1) & ~(kStripLanes - 1);
+    for (int j = 0; j < kLanes; ++j) block.live[j] = j < lanes ? ~uint32_t(0) : 0;
+    // Lanes past the last fragment hold values of an earlier block or copies: finite, as far as those are.
+    if (program.keeps_primary) memcpy(block.primary, block.color, sizeof block.primary);
+    for (int i = 0; i < program.step_count; ++i) program.step[i].stage(block, *program.constants, program.step[i].unit);
+    for (int j = 0; j < lanes; j += kWidth) {
+      store(out.color + first + j, pack_color(load(block.color[0] + j), load(block.color[1] + j), load(block.color[2] + j), load(block.color[3] + j)));
+      store(out.live + first + j, load(block.live + j));
+    }
+  }
+}
+
+} // namespace SOFTGL_ISA
+} // namespace softgl

@@ -1,0 +1,249 @@
+// What a tile worker does with the segments of its list: primitives by 8x8 blocks, finished fragments one by one.
+#pragma once
+
+#include "fragment_interpolate.inl"
+#include "fragment_merge.inl"
+#include "raster_coverage.inl"
+
+namespace softgl {
+namespace SOFTGL_ISA {
+
+/// Strips of one primitive on their way through the fragment program.
+struct StripBatch {
+  int32_t strips = 0;
+  int32_t pixel[kLanes / kStripLanes]; // pixel_in_tile of the strip's first pixel
+};
+
+SOFTGL_INLINE FloatV row_of_eight(int i) { // x offsets of the lanes of vector i of a strip
+  FloatV v;
+  for (int k = 0; k < kWidth; ++k) v[k] = float((i * kWidth + k) & 7);
+  return v;
+}
+SOFTGL_INLINE FloatV row_number(int i) {
+  FloatV v;
+  for (int k = 0; k < kWidth; ++k) v[k] = float((i * kWidth + k) >> 3);
+  return v;
+}
+
+SOFTGL_INLINE IntV compare_depth(Compare function, IntV z, IntV stored) {
+  switch (function) {
+  case Compare::Never: return IntV{};
+  case Compare::Less: return z < stored;
+  case Compare::Equal: return z == stored;
+  case Compare::LessEqual: return z <= stored;
+  case Compare::Greater: return z > stored;
+  case Compare::NotEqual: return z != stored;
+  case Compare::GreaterEqual: return z >= stored;
+  case Compare::Always: break;
+  }
+  return splat(-1);
+}
+
+/// Merges the strips of `block` whose colours are final.
+static void merge_strips(const RasterDraw& draw, const TileTarget& tile, FragmentBlock& block, const StripBatch& batch) {
+  const FragmentProgram& program = *draw.program;
+  const auto format = ColorFormat(program.key.color_format);
+  MergeBlock m;
+  m.lanes = block.lanes;
+  memcpy(m.live, block.live, sizeof(uint32_t) * size_t(block.lanes));
+  memcpy(m.depth, block.depth, sizeof(uint32_t) * size_t(block.lanes));
+  if (tile.depth_stencil)
+    for (int s = 0; s < batch.strips; ++s)
+      memcpy(m.depth_stencil + s * kStripLanes, tile.depth_stencil + batch.pixel[s], kStripLanes * sizeof(uint32_t));
+  if (format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565) {
+    for (int i = 0; i < block.lanes; i += kWidth)
+      store(m.color + i, pack_color(load(block.color[0] + i), load(block.color[1] + i), load(block.color[2] + i), load(block.color[3] + i)));
+    auto* words = static_cast<uint32_t*>(tile.color);
+    auto* halves = static_cast<uint16_t*>(tile.color);
+    for (int s = 0; s < batch.strips; ++s) {
+      if (format == ColorFormat::Rgba8) memcpy(m.target + s * kStripLanes, words + batch.pixel[s], kStripLanes * sizeof(uint32_t));
+      else for (int i = 0; i < kStripLanes; ++i) m.target[s * kStripLanes + i] = expand_565(halves[batch.pixel[s] + i]);
+    }
+    merge_8(program, m);
+    for (int s = 0; s < batch.strips; ++s) {
+      if (format == ColorFormat::Rgba8) memcpy(words + batch.pixel[s], m.target + s * kStripLanes, kStripLanes * sizeof(uint32_t));
+      else for (int i = 0; i < kStripLanes; ++i) halves[batch.pixel[s] + i] = cut_565(m.target[s * kStripLanes + i]);
+    }
+  } else {
+    merge_depth_stencil(program, m);
+    for (int i = 0; i < block.lanes; ++i) {
+      if (!m.live[i]) continue;
+      const float color[4] = {block.color[0][i], block.color[1][i], block.color[2][i], block.color[3][i]};
+      store_wide(program, format, color, tile.color, size_t(batch.pixel[i / kStripLanes] + i % kStripLanes));
+    }
+  }
+  if (tile.depth_stencil && (program.key.depth_write || program.key.stencil))
+    for (int s = 0; s < batch.strips; ++s)
+      memcpy(tile.depth_stencil + batch.pixel[s], m.depth_stencil + s * kStripLanes, kStripLanes * sizeof(uint32_t));
+}
+
+static void run_strips(const RasterDraw& draw, const TileTarget& tile, const RasterPrimitive& p, FragmentBlock& block, StripBatch& batch) {
+  block.lanes = batch.strips * kStripLanes;
+  interpolate_block(draw, p, block);
+  const FragmentProgram& program = *draw.program;
+  for (int i = 0; i < program.step_count; ++i) program.step[i].stage(block, *program.constants, program.step[i].unit);
+  merge_strips(draw, tile, block, batch);
+  batch.strips = 0;
+}
+
+/// A strip whose fragments need nothing but depth test and store (RGBA8, all channels).
+template <bool DepthTest>
+SOFTGL_INLINE void direct_strip(const RasterDraw& draw, const TileTarget& tile, const RasterPrimitive& p, int32_t x, int32_t y,
+                                int pixel, uint32_t mask, float scale) {
+  const FragmentKey& key = draw.program->key;
+  auto* color = static_cast<uint32_t*>(tile.color) + pixel;
+  uint32_t* depth = tile.depth_stencil + pixel;
+  const FloatV left = splat(float(x)), top = splat(float(y));
+  for (int i = 0; i < kStripLanes / kWidth; ++i) {
+    const uint32_t bits = mask >> (i * kWidth) & ((1u << (kWidth - 1) << 1) - 1u);
+    if (!bits) continue;
+    IntV live = mask_of_bits(bits);
+    const FloatV px = left + row_of_eight(i), py = top + row_number(i);
+    if constexpr (DepthTest) {
+      const FloatV z = at(p.plane[kPlaneZ], px, py) + p.depth_offset;
+      const IntV zi = depth_bits(z, scale);
+      const IntV stored = load(depth + i * kWidth);
+      live &= compare_depth(Compare(key.depth_function), zi, stored & 0xffffff);
+      if (!sign_bits(live)) continue;
+      if (key.depth_write) store(depth + i * kWidth, choose(live & 0xffffff, zi, stored));
+    }
+    FloatV c[4];
+    const Plane* q = p.plane + kPlaneColor;
+    if (p.flat) {
+      for (int k = 0; k < 4; ++k) c[k] = splat(q[k].a);
+    } else if (p.w_is_one) {
+      for (int k = 0; k < 4; ++k) c[k] = at(q[k], px, py);
+    } else {
+      const FloatV w = splat(1.0f) / at(p.plane[kPlaneW], px, py);
+      for (int k = 0; k < 4; ++k) c[k] = at(q[k], px, py) * w;
+    }
+    const IntV packed = pack_color(c[0], c[1], c[2], c[3]);
+    store(color + i * kWidth, choose(live, packed, load(color + i * kWidth)));
+  }
+}
+
+template <bool Direct, bool DepthTest>
+SOFTGL_INLINE void primitive_in_tile(const RasterDraw& draw, const TileTarget& tile, const RasterPrimitive& p, FragmentBlock& block) {
+  TileEdges edges;
+  if (!clip_to_tile(p, tile.x, tile.y, edges)) return;
+  const FragmentKey& key = draw.program->key;
+  const float scale = depth_scale(key);
+  const bool early = DepthTest && !key.stencil;
+  EdgeSteps steps;
+  if (!edges.inside) edge_steps(edges, steps);
+  StripBatch batch;
+  for (int by = edges.y0 & ~7; by < edges.y1; by += 8) {
+    for (int bx = edges.x0 & ~7; bx < edges.x1; bx += 8) {
+      uint64_t covered = edges.inside ? box_mask(edges, bx, by) : block_coverage(edges, steps, bx, by);
+      const int pixel = pixel_in_tile(bx, by);
+      for (int s = 0; covered; ++s, covered >>= kStripLanes) {
+        const uint32_t mask = uint32_t(covered) & 0xffff;
+        if (!mask) continue;
+        const int32_t x = tile.x + bx, y = tile.y + by + 2 * s;
+        if constexpr (Direct) {
+          direct_strip<DepthTest>(draw, tile, p, x, y, pixel + s * kStripLanes, mask, scale);
+          continue;
+        }
+        const int lane = batch.strips * kStripLanes;
+        uint32_t any = 0;
+        for (int i = 0; i < kStripLanes / kWidth; ++i) {
+          IntV live = mask_of_bits(mask >> (i * kWidth));
+          const FloatV px = splat(float(x)) + row_of_eight(i), py = splat(float(y)) + row_number(i);
+          if constexpr (DepthTest) {
+            const FloatV z = at(p.plane[kPlaneZ], px, py) + p.depth_offset;
+            const IntV zi = depth_bits(z, scale);
+            store(block.depth + lane + i * kWidth, zi);
+            if (early) live &= compare_depth(Compare(key.depth_function), zi, load(tile.depth_stencil + pixel + s * kStripLanes + i * kWidth) & 0xffffff);
+          }
+          store(block.live + lane + i * kWidth, live);
+          store(block.x + lane + i * kWidth, round_to_int(px));
+          store(block.y + lane + i * kWidth, round_to_int(py));
+          any |= sign_bits(live);
+        }
+        if (!any) continue;
+        batch.pixel[batch.strips++] = pixel + s * kStripLanes;
+        if (batch.strips == kLanes / kStripLanes) run_strips(draw, tile, p, block, batch);
+      }
+    }
+  }
+  if (batch.strips) run_strips(draw, tile, p, block, batch);
+}
+
+/// Draws primitives into a tile, in order.
+static void tile_primitives(const TileTarget& tile, const RasterDraw& draw, const RasterPrimitive* const* primitive, int32_t count,
+                            FragmentBlock& block) {
+  const FragmentKey& key = draw.program->key;
+  const bool depth = tile.depth_stencil && (Compare(key.depth_function) != Compare::Always || key.depth_write);
+  const bool any_depth = depth || (tile.depth_stencil && key.stencil);
+  for (int32_t i = 0; i < count; ++i) {
+    if (draw.direct) {
+      if (depth) primitive_in_tile<true, true>(draw, tile, *primitive[i], block);
+      else primitive_in_tile<true, false>(draw, tile, *primitive[i], block);
+    } else {
+      if (any_depth) primitive_in_tile<false, true>(draw, tile, *primitive[i], block);
+      else primitive_in_tile<false, false>(draw, tile, *primitive[i], block);
+    }
+  }
+}
+
+/// Merges fragments that share no pixel.
+static void merge_fragments(const TileTarget& tile, const FragmentProgram& program, const uint32_t* pixel, int32_t count, MergeBlock& m) {
+  const bool words = ColorFormat(program.key.color_format) == ColorFormat::Rgba8;
+  auto* color = static_cast<uint32_t*>(tile.color);
+  auto* halves = static_cast<uint16_t*>(tile.color);
+  m.lanes = (count + 15) & ~15;
+  for (int32_t i = 0; i < count; ++i) {
+    m.live[i] = ~uint32_t(0);
+    m.target[i] = words ? color[pixel[i]] : expand_565(halves[pixel[i]]);
+  }
+  if (tile.depth_stencil)
+    for (int32_t i = 0; i < count; ++i) m.depth_stencil[i] = tile.depth_stencil[pixel[i]];
+  for (int32_t i = count; i < m.lanes; ++i) m.live[i] = m.color[i] = m.target[i] = m.depth[i] = m.depth_stencil[i] = 0;
+  merge_8(program, m);
+  for (int32_t i = 0; i < count; ++i) {
+    if (words) color[pixel[i]] = m.target[i];
+    else halves[pixel[i]] = cut_565(m.target[i]);
+  }
+  if (tile.depth_stencil && (program.key.depth_write || program.key.stencil))
+    for (int32_t i = 0; i < count; ++i) tile.depth_stencil[pixel[i]] = m.depth_stencil[i];
+}
+
+/// Merges finished fragments into a tile, in order.
+static void tile_fragments(const TileTarget& tile, const RasterDraw& draw, const SmallFragment* fragment, int32_t count) {
+  const FragmentProgram& program = *draw.program;
+  const FragmentKey& key = program.key;
+  if (draw.direct && Compare(key.depth_function) == Compare::Less && key.depth_write) {
+    auto* color = static_cast<uint32_t*>(tile.color);
+    uint32_t* depth = tile.depth_stencil;
+    for (int32_t i = 0; i < count; ++i) {
+      const SmallFragment f = fragment[i];
+      const uint32_t stored = depth[f.pixel];
+      if (f.depth < (stored & 0xffffff)) {
+        depth[f.pixel] = (stored & 0xff000000u) | f.depth;
+        color[f.pixel] = f.color;
+      }
+    }
+    return;
+  }
+  uint64_t used[kTilePixels / 64] = {}; // pixels of the batch being gathered
+  uint32_t pixel[kLanes];
+  MergeBlock m;
+  int32_t n = 0;
+  auto finish = [&] {
+    merge_fragments(tile, program, pixel, n, m);
+    for (int32_t i = 0; i < n; ++i) used[pixel[i] >> 6] = 0;
+    n = 0;
+  };
+  for (int32_t i = 0; i < count; ++i) {
+    const SmallFragment& f = fragment[i];
+    const uint64_t bit = uint64_t(1) << (f.pixel & 63);
+    if (n == kLanes || (used[f.pixel >> 6] & bit)) finish();
+    used[f.pixel >> 6] |= bit;
+    pixel[n] = f.pixel, m.depth[n] = f.depth, m.color[n] = f.color;
+    ++n;
+  }
+  if (n) finish();
+}
+
+} // namespace SOFTGL_ISA
+} // namespace softgl

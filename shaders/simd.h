@@ -1,0 +1,109 @@
+// Vectors of the instruction set's natural width, for the few kernels that plain loops do not serve: set-up, coverage,
+// interpolation. GCC's vector extension does the arithmetic; intrinsics only what it cannot say.
+#pragma once
+
+#include <immintrin.h>
+#include <stdint.h>
+#include <string.h>
+
+#define SOFTGL_INLINE static inline __attribute__((always_inline))
+
+namespace softgl {
+namespace SOFTGL_ISA {
+
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+constexpr int kWidth = 16;
+#elif defined(__AVX2__)
+constexpr int kWidth = 8;
+#else
+constexpr int kWidth = 4;
+#endif
+
+typedef float FloatV __attribute__((vector_size(4 * kWidth), may_alias));
+typedef int32_t IntV __attribute__((vector_size(4 * kWidth), may_alias));
+typedef uint32_t UintV __attribute__((vector_size(4 * kWidth), may_alias));
+
+SOFTGL_INLINE FloatV load(const float* p) { FloatV v; memcpy(&v, p, sizeof v); return v; }
+SOFTGL_INLINE IntV load(const int32_t* p) { IntV v; memcpy(&v, p, sizeof v); return v; }
+SOFTGL_INLINE IntV load(const uint32_t* p) { IntV v; memcpy(&v, p, sizeof v); return v; }
+SOFTGL_INLINE void store(float* p, FloatV v) { memcpy(p, &v, sizeof v); }
+SOFTGL_INLINE void store(int32_t* p, IntV v) { memcpy(p, &v, sizeof v); }
+SOFTGL_INLINE void store(uint32_t* p, IntV v) { memcpy(p, &v, sizeof v); }
+SOFTGL_INLINE FloatV splat(float x) { return FloatV{} + x; }
+SOFTGL_INLINE IntV splat(int32_t x) { return IntV{} + x; }
+SOFTGL_INLINE FloatV to_float(IntV v) { return __builtin_convertvector(v, FloatV); }
+
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+SOFTGL_INLINE IntV round_to_int(FloatV v) { return (IntV)_mm512_cvtps_epi32((__m512)v); }
+SOFTGL_INLINE FloatV max_(FloatV a, FloatV b) { return (FloatV)_mm512_max_ps((__m512)a, (__m512)b); }
+SOFTGL_INLINE FloatV min_(FloatV a, FloatV b) { return (FloatV)_mm512_min_ps((__m512)a, (__m512)b); }
+SOFTGL_INLINE uint32_t sign_bits(IntV v) { return _mm512_movepi32_mask((__m512i)v); }
+SOFTGL_INLINE IntV min_(IntV a, IntV b) { return (IntV)_mm512_min_epi32((__m512i)a, (__m512i)b); }
+SOFTGL_INLINE IntV max_(IntV a, IntV b) { return (IntV)_mm512_max_epi32((__m512i)a, (__m512i)b); }
+SOFTGL_INLINE IntV multiply(IntV a, IntV b) { return (IntV)_mm512_mullo_epi32((__m512i)a, (__m512i)b); }
+#elif defined(__AVX2__)
+SOFTGL_INLINE IntV round_to_int(FloatV v) { return (IntV)_mm256_cvtps_epi32((__m256)v); }
+/// The second argument where the first is not a number.
+SOFTGL_INLINE FloatV max_(FloatV a, FloatV b) { return (FloatV)_mm256_max_ps((__m256)a, (__m256)b); }
+SOFTGL_INLINE FloatV min_(FloatV a, FloatV b) { return (FloatV)_mm256_min_ps((__m256)a, (__m256)b); }
+SOFTGL_INLINE uint32_t sign_bits(IntV v) { return uint32_t(_mm256_movemask_ps((__m256)v)); }
+SOFTGL_INLINE IntV min_(IntV a, IntV b) { return (IntV)_mm256_min_epi32((__m256i)a, (__m256i)b); }
+SOFTGL_INLINE IntV max_(IntV a, IntV b) { return (IntV)_mm256_max_epi32((__m256i)a, (__m256i)b); }
+SOFTGL_INLINE IntV multiply(IntV a, IntV b) { return (IntV)_mm256_mullo_epi32((__m256i)a, (__m256i)b); }
+#else
+SOFTGL_INLINE IntV round_to_int(FloatV v) { return (IntV)_mm_cvtps_epi32((__m128)v); }
+SOFTGL_INLINE FloatV max_(FloatV a, FloatV b) { return (FloatV)_mm_max_ps((__m128)a, (__m128)b); }
+SOFTGL_INLINE FloatV min_(FloatV a, FloatV b) { return (FloatV)_mm_min_ps((__m128)a, (__m128)b); }
+SOFTGL_INLINE uint32_t sign_bits(IntV v) { return uint32_t(_mm_movemask_ps((__m128)v)); }
+SOFTGL_INLINE IntV min_(IntV a, IntV b) { const IntV m = a < b; return (a & m) | (b & ~m); }
+SOFTGL_INLINE IntV max_(IntV a, IntV b) { const IntV m = a > b; return (a & m) | (b & ~m); }
+SOFTGL_INLINE IntV multiply(IntV a, IntV b) { return a * b; }
+#endif
+
+SOFTGL_INLINE IntV choose(IntV mask, IntV a, IntV b) { return (a & mask) | (b & ~mask); }
+SOFTGL_INLINE FloatV choose(IntV mask, FloatV a, FloatV b) { return (FloatV)(((IntV)a & mask) | ((IntV)b & ~mask)); }
+/// Into [0,1]; not a number becomes 0.
+SOFTGL_INLINE FloatV unit_range(FloatV v) { return min_(max_(v, FloatV{}), splat(1.0f)); }
+
+/// One bit per lane -> one mask per lane, from bit 0 of `bits` on.
+SOFTGL_INLINE IntV mask_of_bits(uint32_t bits) {
+  IntV bit;
+  for (int i = 0; i < kWidth; ++i) bit[i] = int32_t(1u << i);
+  return (splat(int32_t(bits)) & bit) == bit;
+}
+
+/// Four floats from each of kWidth places, transposed: component c of place i goes to lane i of out[c].
+SOFTGL_INLINE void load_transposed(const float* const* place, FloatV out[4]) {
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+  __m512 r[4];
+  for (int i = 0; i < 4; ++i) {
+    __m512 v = _mm512_castps128_ps512(_mm_load_ps(place[i]));
+    v = _mm512_insertf32x4(v, _mm_load_ps(place[i + 4]), 1);
+    v = _mm512_insertf32x4(v, _mm_load_ps(place[i + 8]), 2);
+    r[i] = _mm512_insertf32x4(v, _mm_load_ps(place[i + 12]), 3);
+  }
+  const __m512 a = _mm512_unpacklo_ps(r[0], r[1]), b = _mm512_unpackhi_ps(r[0], r[1]);
+  const __m512 c = _mm512_unpacklo_ps(r[2], r[3]), d = _mm512_unpackhi_ps(r[2], r[3]);
+  out[0] = (FloatV)_mm512_shuffle_ps(a, c, 0x44);
+  out[1] = (FloatV)_mm512_shuffle_ps(a, c, 0xee);
+  out[2] = (FloatV)_mm512_shuffle_ps(b, d, 0x44);
+  out[3] = (FloatV)_mm512_shuffle_ps(b, d, 0xee);
+#elif defined(__AVX2__)
+  __m256 r[4];
+  for (int i = 0; i < 4; ++i)
+    r[i] = _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_load_ps(place[i])), _mm_load_ps(place[i + 4]), 1);
+  const __m256 a = _mm256_unpacklo_ps(r[0], r[1]), b = _mm256_unpackhi_ps(r[0], r[1]);
+  const __m256 c = _mm256_unpacklo_ps(r[2], r[3]), d = _mm256_unpackhi_ps(r[2], r[3]);
+  out[0] = (FloatV)_mm256_shuffle_ps(a, c, 0x44);
+  out[1] = (FloatV)_mm256_shuffle_ps(a, c, 0xee);
+  out[2] = (FloatV)_mm256_shuffle_ps(b, d, 0x44);
+  out[3] = (FloatV)_mm256_shuffle_ps(b, d, 0xee);
+#else
+  __m128 a = _mm_load_ps(place[0]), b = _mm_load_ps(place[1]), c = _mm_load_ps(place[2]), d = _mm_load_ps(place[3]);
+  _MM_TRANSPOSE4_PS(a, b, c, d);
+  out[0] = (FloatV)a, out[1] = (FloatV)b, out[2] = (FloatV)c, out[3] = (FloatV)d;
+#endif
+}
+
+} // namespace SOFTGL_ISA
+} // namespace softgl

@@ -1,0 +1,121 @@
+#include "frame/tile_worker.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "frame/frame.h"
+
+namespace softgl {
+
+namespace {
+
+struct Box {
+  int32_t x0, y0, x1, y1; // inside the tile, half open
+};
+
+Box clear_box(const ClearRecord& c, const Surface& s, uint32_t tile) {
+  const int32_t x = static_cast<int32_t>(tile % uint32_t(s.tiles_x)) * kTileSize, y = static_cast<int32_t>(tile / uint32_t(s.tiles_x)) * kTileSize;
+  return {std::max(c.x0 - x, 0), std::max(c.y0 - y, 0), std::min(c.x1 - x, kTileSize), std::min(c.y1 - y, kTileSize)};
+}
+
+/// True when the clear covers every pixel of the tile that the surface has.
+bool covers_tile(const ClearRecord& c, const Surface& s, uint32_t tile) {
+  const Box b = clear_box(c, s, tile);
+  const int32_t x = static_cast<int32_t>(tile % uint32_t(s.tiles_x)) * kTileSize, y = static_cast<int32_t>(tile / uint32_t(s.tiles_x)) * kTileSize;
+  return b.x0 == 0 && b.y0 == 0 && b.x1 >= std::min(kTileSize, s.width - x) && b.y1 >= std::min(kTileSize, s.height - y);
+}
+
+/// Replaces the bits of `mask` in the pixels of the box; all of the tile when `whole`.
+template <class Word> void fill(Word* plane, Word value, Word mask, const Box& box, bool whole) {
+  if (whole && mask == static_cast<Word>(~Word(0))) {
+    std::fill_n(plane, kTilePixels, value);
+    return;
+  }
+  for (int32_t y = box.y0; y < box.y1; ++y)
+    for (int32_t x = box.x0; x < box.x1; ++x) {
+      Word& w = plane[pixel_in_tile(x, y)];
+      w = static_cast<Word>((w & ~mask) | (value & mask));
+    }
+}
+
+void clear_color(const ClearRecord& c, const Surface& s, size_t first, const Box& box, bool whole) {
+  switch (s.color_format) {
+  case ColorFormat::Rgba8: {
+    uint32_t value = 0, mask = 0;
+    for (int i = 0; i < 4; ++i) {
+      value |= uint32_t(c.color_value[i]) << (8 * i);
+      mask |= (c.color_mask[i] ? 0xffu : 0u) << (8 * i);
+    }
+    fill(static_cast<uint32_t*>(s.color) + first, value, mask, box, whole);
+    break;
+  }
+  case ColorFormat::Rgb565: {
+    const auto r = uint32_t(c.color_value[0]), g = uint32_t(c.color_value[1]), b = uint32_t(c.color_value[2]);
+    const uint32_t mask = (c.color_mask[0] ? 0xf800u : 0u) | (c.color_mask[1] ? 0x07e0u : 0u) | (c.color_mask[2] ? 0x001fu : 0u);
+    fill(static_cast<uint16_t*>(s.color) + first, static_cast<uint16_t>(r << 11 | g << 5 | b), static_cast<uint16_t>(mask), box, whole);
+    break;
+  }
+  case ColorFormat::Rgba16: {
+    uint64_t value = 0, mask = 0;
+    for (int i = 0; i < 4; ++i) {
+      value |= uint64_t(c.color_value[i]) << (16 * i);
+      mask |= (c.color_mask[i] ? uint64_t(0xffff) : 0) << (16 * i);
+    }
+    fill(static_cast<uint64_t*>(s.color) + first, value, mask, box, whole);
+    break;
+  }
+  case ColorFormat::RgbaFloat: {
+    float* plane = static_cast<float*>(s.color) + 4 * first;
+    for (int32_t y = box.y0; y < box.y1; ++y)
+      for (int32_t x = box.x0; x < box.x1; ++x)
+        for (int i = 0; i < 4; ++i)
+          if (c.color_mask[i]) plane[4 * pixel_in_tile(x, y) + i] = c.color_value[i];
+    break;
+  }
+  }
+}
+
+void execute_clear(const ClearRecord& c, const Surface& s, uint32_t tile) {
+  const Box box = clear_box(c, s, tile);
+  if (box.x0 >= box.x1 || box.y0 >= box.y1) return;
+  const bool whole = covers_tile(c, s, tile);
+  const size_t first = size_t(tile) * kTilePixels;
+  if (c.color) clear_color(c, s, first, box, whole);
+  if (!s.depth_stencil || !(c.depth || c.stencil)) return;
+  uint32_t value = 0, mask = 0;
+  if (c.depth) value |= c.depth_value & 0xffffff, mask |= 0xffffff;
+  if (c.stencil && s.depth_format == DepthFormat::Z24S8) value |= c.stencil_value << 24, mask |= c.stencil_write_mask << 24;
+  if (s.depth_format == DepthFormat::Z16 && c.depth) mask = ~0u;
+  fill(s.depth_stencil + first, value, mask, box, whole);
+}
+
+} // namespace
+
+bool clear_hides_all(const ClearRecord& c, const Surface& s, uint32_t tile, bool stencil_drawn) {
+  if (!c.color || !(c.color_mask[0] && c.color_mask[1] && c.color_mask[2] && c.color_mask[3])) return false;
+  if (s.depth_format != DepthFormat::None && !c.depth) return false;
+  if (stencil_drawn && s.depth_format == DepthFormat::Z24S8 && !(c.stencil && (c.stencil_write_mask & 255) == 255)) return false;
+  return covers_tile(c, s, tile);
+}
+
+void execute_tile(const Surface& surface, uint32_t tile, const TileChunk* work, const RasterKernels& kernels, FragmentBlock& scratch) {
+  const size_t first = size_t(tile) * kTilePixels;
+  TileTarget target;
+  target.x = static_cast<int32_t>(tile % uint32_t(surface.tiles_x)) * kTileSize;
+  target.y = static_cast<int32_t>(tile / uint32_t(surface.tiles_x)) * kTileSize;
+  target.color = static_cast<uint8_t*>(surface.color) + first * size_t(bytes_per_pixel(surface.color_format));
+  target.depth_stencil = surface.depth_stencil ? surface.depth_stencil + first : nullptr;
+  for_each_segment(work, [&](const TileSegment& segment, const uint8_t* entries) {
+    switch (segment.kind) {
+    case TileSegment::Primitives:
+      kernels.tile_primitives(target, *segment.draw, reinterpret_cast<const RasterPrimitive* const*>(entries), static_cast<int32_t>(segment.count), scratch);
+      break;
+    case TileSegment::Fragments:
+      kernels.tile_fragments(target, *segment.draw, reinterpret_cast<const SmallFragment*>(entries), static_cast<int32_t>(segment.count));
+      break;
+    case TileSegment::Clear: execute_clear(*segment.clear, surface, tile); break;
+    }
+  });
+}
+
+} // namespace softgl

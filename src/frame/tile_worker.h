@@ -1,0 +1,17 @@
+// Executes one tile's list.
+#pragma once
+
+#include "base/kernel_table.h"
+#include "raster/tile_list.h"
+#include "surface.h"
+
+namespace softgl {
+
+/// Does all work of a chain of chunks on tile number `tile`, in order. `scratch` belongs to the worker.
+void execute_tile(const Surface& surface, uint32_t tile, const TileChunk* work, const RasterKernels& kernels, FragmentBlock& scratch);
+
+/// True when a clear overwrites all that earlier work of the tile can have written. `stencil_drawn`: that work may have
+/// written stencil values.
+bool clear_hides_all(const ClearRecord& clear, const Surface& surface, uint32_t tile, bool stencil_drawn);
+
+} // namespace softgl

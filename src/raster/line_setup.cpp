@@ -1,0 +1,156 @@
+// Lines follow OSMesa 22.3.6 (llvmpipe): a diamond-exit test at both ends, then a parallelogram whose ends are vertical
+// (x-major) or horizontal (y-major), filled by the edge rule of triangles.
+#include "raster/line_setup.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace softgl {
+
+namespace {
+
+bool not_negative(float x) { return x >= 0; }
+float fraction(float x) { return x - std::floor(x); }
+int32_t snap(float x) {
+  const float f = 256.0f * x;
+  return static_cast<int32_t>(f >= 0.0f ? f + 0.5f : f - 0.5f);
+}
+bool on_surface(const float* v) { return std::fabs(v[0]) < 32768.0f * 2 && std::fabs(v[1]) < 32768.0f * 2; }
+
+/// The ends as drawn: window positions plus these moves.
+struct Ends {
+  float x1 = 0, y1 = 0, x2 = 0, y2 = 0;
+};
+
+Ends move_x_major(const float* v1, const float* v2, float dx, float dy) {
+  const float m = dy / dx;
+  const float ex1 = fraction(v1[0]) - 0.5f, ey1 = fraction(v1[1]) - 0.5f, ex2 = fraction(v2[0]) - 0.5f;
+  float ey2 = fraction(v2[1]) - 0.5f;
+  if (ey2 == -0.5f && dy < 0) ey2 = 0.5f;
+  bool start, end;
+  if (std::fabs(ex1) + std::fabs(ey1) < 0.5f) start = true;
+  else if (not_negative(ex1) == not_negative(-dx)) start = false;
+  else if (not_negative(-ey1) != not_negative(dy)) start = true;
+  else {
+    const float y = fraction(v1[1]) + ex1 * m;
+    start = y < 1.0f && y > 0.0f;
+  }
+  if (std::fabs(ex2) + std::fabs(ey2) < 0.5f) end = false;
+  else if (not_negative(ex2) != not_negative(-dx)) end = false;
+  else if (not_negative(-ey2) == not_negative(dy)) end = true;
+  else {
+    const float y = fraction(v2[1]) + ex2 * m;
+    end = y < 1.0f && y > 0.0f;
+  }
+  const bool start_by_default = not_negative(-ex1) != not_negative(dx);
+  const bool end_by_default = not_negative(ex2) == not_negative(-dx) || ex2 == 0;
+  const float half = dx < 0 ? -0.5f : 0.5f;
+  Ends e;
+  if (start != start_by_default) e.x1 = -ex1 + half, e.y1 = e.x1 * m;
+  if (end != end_by_default) e.x2 = -ex2 + half, e.y2 = e.x2 * m;
+  return e;
+}
+
+Ends move_y_major(const float* v1, const float* v2, float dx, float dy) {
+  const float m = dx / dy;
+  const float ex1 = fraction(v1[0]) - 0.5f, ey1 = fraction(v1[1]) - 0.5f, ey2 = fraction(v2[1]) - 0.5f;
+  float ex2 = fraction(v2[0]) - 0.5f;
+  if (ex2 == -0.5f && dx < 0) ex2 = 0.5f;
+  bool start, end;
+  if (std::fabs(ex1) + std::fabs(ey1) < 0.5f) start = true;
+  else if (not_negative(-ey1) == not_negative(dy)) start = false;
+  else if (not_negative(ex1) != not_negative(-dx)) start = true;
+  else {
+    const float x = fraction(v1[0]) + ey1 * m;
+    start = x < 1.0f && x > 0.0f;
+  }
+  if (std::fabs(ex2) + std::fabs(ey2) < 0.5f) end = false;
+  else if (not_negative(-ey2) != not_negative(dy)) end = false;
+  else if (not_negative(ex2) == not_negative(-dx)) end = true;
+  else {
+    const float x = fraction(v2[0]) + ey2 * m;
+    end = x < 1.0f && x >= 0.0f;
+  }
+  const bool start_by_default = not_negative(ey1) == not_negative(dy);
+  const bool end_by_default = not_negative(-ey2) == not_negative(dy) || ey2 == 0;
+  const float half = dy > 0 ? 0.5f : -0.5f;
+  Ends e;
+  if (start != start_by_default) e.y1 = -ey1 + half, e.x1 = e.y1 * m;
+  if (end != end_by_default) e.y2 = -ey2 + half, e.x2 = e.y2 * m;
+  return e;
+}
+
+} // namespace
+
+bool setup_line(const RasterDraw& draw, const ShadedVertices::Slot* corner0, const ShadedVertices::Slot* corner1, RasterPrimitive& out) {
+  const RasterConstants& r = *draw.raster;
+  const float *v1 = corner0->v, *v2 = corner1->v;
+  if (!on_surface(v1) || !on_surface(v2)) return false; // also drops what is not a number
+  const float dx = v1[0] - v2[0], dy = v1[1] - v2[1];
+  const float length2 = dx * dx + dy * dy;
+  if (length2 == 0) return false;
+  const float inverse = 1.0f / length2;
+  const int32_t half_width = static_cast<int32_t>(std::max(1.0f, r.line_width) + 0.5f) * 128;
+
+  const bool x_major = std::fabs(dx) >= std::fabs(dy);
+  const Ends e = x_major ? move_x_major(v1, v2, dx, dy) : move_y_major(v1, v2, dx, dy);
+  int32_t ax = snap(v1[0] + e.x1 - 0.5f), ay = snap(v1[1] + e.y1 - 0.5f);
+  int32_t bx = snap(v2[0] + e.x2 - 0.5f), by = snap(v2[1] + e.y2 - 0.5f);
+  // The body's corners go round from the right (x-major) or upper end.
+  if (x_major ? dx < 0 : dy > 0) std::swap(ax, bx), std::swap(ay, by);
+  const int32_t hx = x_major ? 0 : half_width, hy = x_major ? half_width : 0;
+  const int32_t x[4] = {ax - hx, bx - hx, bx + hx, ax + hx}, y[4] = {ay - hy, by - hy, by + hy, ay + hy};
+
+  out.edges = 4;
+  for (int i = 0; i < 4; ++i) {
+    const int j = (i + 1) & 3;
+    const int32_t a = y[i] - y[j], b = x[i] - x[j];
+    const int64_t c = int64_t(a) * x[i] - int64_t(b) * y[i] + ((a < 0 || (a == 0 && b < 0)) ? 1 : 0);
+    out.a[i] = a, out.b[i] = b, out.c[i] = (c - 1) >> 8;
+  }
+  const auto [min_x, max_x] = std::minmax({x[0], x[1], x[2], x[3]});
+  const auto [min_y, max_y] = std::minmax({y[0], y[1], y[2], y[3]});
+  out.x0 = std::max((min_x + 255) >> 8, r.x0), out.x1 = std::min(((max_x - 1) >> 8) + 1, r.x1);
+  out.y0 = std::max((min_y >> 8) + 1, r.y0), out.y1 = std::min((max_y >> 8) + 1, r.y1);
+  if (out.x0 >= out.x1 || out.y0 >= out.y1) return false;
+
+  // Planes: the gradient is along the major axis only.
+  float along_x = 0, along_y = 0;
+  if (x_major) {
+    const float m = dy / dx;
+    along_x = dx * (1 + m * m);
+  } else {
+    const float m = dx / dy;
+    along_y = dy * (1 + m * m);
+  }
+  auto plane = [&](float a1, float a2) {
+    Plane p;
+    const float d = a1 - a2;
+    p.gx = d * along_x * inverse;
+    p.gy = d * along_y * inverse;
+    p.a = a1 - (p.gx * (v1[0] - 0.5f) + p.gy * (v1[1] - 0.5f));
+    return p;
+  };
+  const float w1 = v1[3], w2 = v2[3];
+  const bool flat = draw.program->key.flat;
+  auto attributes = [&](int index, int slot, int first, int count, bool constant) {
+    for (int k = first; k < first + count; ++k) {
+      const float a1 = corner0[slot].v[k], a2 = corner1[slot].v[k];
+      out.plane[index++] = constant ? Plane{a2, 0, 0} : plane(a1 * w1, a2 * w2);
+    }
+  };
+  out.plane[kPlaneZ] = plane(v1[2], v2[2]);
+  out.plane[kPlaneW] = plane(w1, w2);
+  attributes(kPlaneColor, draw.layout.color, 0, 4, flat);
+  if (draw.secondary_plane >= 0) attributes(draw.secondary_plane, draw.layout.secondary, 0, 3, flat);
+  if (draw.fog_plane >= 0) attributes(draw.fog_plane, draw.layout.secondary, 3, 1, false);
+  for (int u = 0; u < kBlockTextureUnits; ++u)
+    if (draw.unit_plane[u] >= 0) attributes(draw.unit_plane[u], draw.layout.texcoord[u], 0, 4, false);
+  const Plane& w = out.plane[kPlaneW];
+  out.w_is_one = w.a == 1.0f && w.gx == 0.0f && w.gy == 0.0f;
+  out.flat = flat;
+  out.depth_offset = 0;
+  return true;
+}
+
+} // namespace softgl

@@ -1,0 +1,75 @@
+// Points follow OSMesa 22.3.6 (llvmpipe): whole numbers of pixels with halves rounded down, or, as sprites, squares of the
+// exact size filled by the edge rule of triangles.
+#include "raster/point_setup.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace softgl {
+
+namespace {
+
+int32_t snap(float x) {
+  const float f = 256.0f * x;
+  return static_cast<int32_t>(f >= 0.0f ? f + 0.5f : f - 0.5f);
+}
+
+} // namespace
+
+bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, RasterPrimitive& out) {
+  const RasterConstants& r = *draw.raster;
+  const float* v = corner->v;
+  if (!(std::fabs(v[0]) < 65536.0f && std::fabs(v[1]) < 65536.0f)) return false; // also drops what is not a number
+  float size = draw.layout.point >= 0 ? corner[draw.layout.point].v[0] : r.point_size;
+  size = size > 0.0f ? std::min(size, 255.0f) : 0.0f;
+  int32_t x0, y0, x1, y1, fixed_width;
+  if (r.point_sprite) {
+    fixed_width = std::max(256, snap(size));
+    const int32_t left = snap(v[0] - 0.5f) - fixed_width / 2, top = snap(v[1] - 0.5f) - fixed_width / 2;
+    x0 = (left + 255) >> 8, x1 = (left + fixed_width + 255) >> 8;
+    y0 = (top >> 8) + 1, y1 = ((top + fixed_width) >> 8) + 1;
+  } else {
+    const int32_t x = snap(v[0]), y = snap(v[1]) - 1;
+    fixed_width = std::max(256, (snap(size) + 127) & ~255);
+    const int32_t n = fixed_width >> 8;
+    x0 = n & 1 ? (x >> 8) - (n - 1) / 2 : ((x + 128) >> 8) - n / 2;
+    y0 = n & 1 ? (y >> 8) - (n - 1) / 2 : ((y + 128) >> 8) - n / 2;
+    x1 = x0 + n, y1 = y0 + n;
+  }
+  out.x0 = std::max(x0, r.x0), out.x1 = std::min(x1, r.x1);
+  out.y0 = std::max(y0, r.y0), out.y1 = std::min(y1, r.y1);
+  if (out.x0 >= out.x1 || out.y0 >= out.y1) return false;
+  out.edges = 0; // the box is all
+
+  const float w = v[3];
+  const bool flat = draw.program->key.flat;
+  auto attributes = [&](int index, int slot, int first, int count, bool constant) {
+    for (int k = first; k < first + count; ++k) out.plane[index++] = {constant ? corner[slot].v[k] : corner[slot].v[k] * w, 0, 0};
+  };
+  out.plane[kPlaneZ] = {v[2], 0, 0};
+  out.plane[kPlaneW] = {w, 0, 0};
+  attributes(kPlaneColor, draw.layout.color, 0, 4, flat);
+  if (draw.secondary_plane >= 0) attributes(draw.secondary_plane, draw.layout.secondary, 0, 3, flat);
+  if (draw.fog_plane >= 0) attributes(draw.fog_plane, draw.layout.secondary, 3, 1, false);
+  for (int u = 0; u < kBlockTextureUnits; ++u) {
+    if (draw.unit_plane[u] < 0) continue;
+    if (!(r.sprite_units >> u & 1)) {
+      attributes(draw.unit_plane[u], draw.layout.texcoord[u], 0, 4, false);
+      continue;
+    }
+    // Across the square s and t go from 0 to 1.
+    const float gradient = 256.0f / static_cast<float>(fixed_width), gy = r.sprite_lower_left ? -gradient : gradient;
+    const float x = v[0] - 0.5f, y = v[1] - 0.5f;
+    Plane* p = out.plane + draw.unit_plane[u];
+    p[0] = {(0.5f - (gradient * x + 0.0f * y)) * w, gradient * w, 0};
+    p[1] = {(0.5f - (0.0f * x + gy * y)) * w, 0, gy * w};
+    p[2] = {0, 0, 0};
+    p[3] = {w, 0, 0};
+  }
+  out.w_is_one = w == 1.0f;
+  out.flat = flat;
+  out.depth_offset = 0;
+  return true;
+}
+
+} // namespace softgl

@@ -1,0 +1,28 @@
+#include "raster/raster_draws.h"
+
+namespace softgl {
+
+RasterDraw make_raster_draw(const DrawRecord& draw) {
+  const FragmentKey& key = draw.fragment->key;
+  RasterDraw d{};
+  d.program = draw.fragment;
+  d.raster = draw.raster;
+  d.layout = draw.layout;
+  int planes = kPlaneColor + 4;
+  auto take = [&](bool wanted, int count) {
+    if (!wanted) return int8_t(-1);
+    planes += count;
+    return int8_t(planes - count);
+  };
+  d.secondary_plane = take(key.secondary && d.layout.secondary >= 0, 3);
+  d.fog_plane = take(key.fog_coordinate && d.layout.secondary >= 0, 1);
+  for (int u = 0; u < kBlockTextureUnits; ++u) d.unit_plane[u] = take((key.texture_units >> u & 1) && d.layout.texcoord[u] >= 0, 4);
+  d.plane_count = uint8_t(planes);
+  const auto format = static_cast<ColorFormat>(key.color_format);
+  d.small = format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565;
+  d.direct = draw.fragment->step_count == 0 && format == ColorFormat::Rgba8 && !key.stencil && !key.blend && !key.logic_op &&
+             key.color_mask == 15;
+  return d;
+}
+
+} // namespace softgl

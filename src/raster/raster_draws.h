@@ -1,0 +1,12 @@
+// Derives what the kernels need to know of a draw.
+#pragma once
+
+#include "base/arena.h"
+#include "frame/draw_record.h"
+#include "raster_draw.h"
+
+namespace softgl {
+
+RasterDraw make_raster_draw(const DrawRecord& draw);
+
+} // namespace softgl

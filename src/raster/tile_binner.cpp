@@ -1,0 +1,103 @@
+#include "raster/tile_binner.h"
+
+#include <algorithm>
+
+#include "raster/line_setup.h"
+#include "raster/point_setup.h"
+
+namespace softgl {
+
+RasterPrimitive* TileBinner::new_primitive() {
+  const size_t bytes = (offsetof(RasterPrimitive, plane) + sizeof(Plane) * draw_->plane_count + 15) & ~size_t(15);
+  if (static_cast<size_t>(end_ - next_) < bytes) {
+    constexpr size_t kBlock = 16 * 1024;
+    next_ = static_cast<uint8_t*>(arena_.allocate(kBlock));
+    end_ = next_ + kBlock;
+  }
+  auto* p = reinterpret_cast<RasterPrimitive*>(next_);
+  next_ += bytes;
+  return p;
+}
+
+void TileBinner::bin(const RasterPrimitive& p) {
+  if (p.x0 >= p.x1 || p.y0 >= p.y1) return;
+  const int32_t tx0 = p.x0 >> 6, tx1 = (p.x1 - 1) >> 6, ty0 = p.y0 >> 6, ty1 = (p.y1 - 1) >> 6;
+  const bool many = tx1 > tx0 || ty1 > ty0;
+  for (int32_t ty = ty0; ty <= ty1; ++ty)
+    for (int32_t tx = tx0; tx <= tx1; ++tx) {
+      if (many) {
+        bool outside = false;
+        for (int i = 0; i < p.edges; ++i) {
+          const int64_t a = p.a[i], b = p.b[i];
+          const int64_t best = p.c[i] - a * (tx * kTileSize) + b * (ty * kTileSize) +
+                               (kTileSize - 1) * ((a < 0 ? -a : 0) + (b > 0 ? b : 0));
+          outside = outside || best < 0;
+        }
+        if (outside) continue;
+      }
+      lists_.append_primitive(static_cast<uint32_t>(ty * tiles_x_ + tx), draw_, &p);
+    }
+}
+
+void TileBinner::append_fragments(const TriangleOutput& out, int32_t first, int32_t last) {
+  const bool killing = draw_->program->key.alpha_function != static_cast<uint64_t>(Compare::Always);
+  auto tile_of = [&](int32_t i) { return static_cast<uint32_t>((out.y[i] >> 6) * tiles_x_ + (out.x[i] >> 6)); };
+  for (int32_t i = first; i < last;) {
+    if (killing && !out.live[i]) {
+      ++i;
+      continue;
+    }
+    const uint32_t tile = tile_of(i);
+    int32_t end = i + 1;
+    while (end < last && tile_of(end) == tile && !(killing && !out.live[end])) ++end;
+    while (i < end) {
+      uint32_t given = 0;
+      SmallFragment* f = lists_.append_fragments(tile, draw_, static_cast<uint32_t>(end - i), given);
+      for (uint32_t k = 0; k < given; ++k, ++i, ++f) {
+        f->pixel = static_cast<uint32_t>(pixel_in_tile(out.x[i], out.y[i]));
+        f->depth = out.depth[i];
+        f->color = out.color[i];
+      }
+    }
+  }
+}
+
+void TileBinner::triangles(const DrawRecord&, const AssembledTriangles& batch) {
+  if (draw_->raster->cull == 3) return;
+  const TriangleInput in = {batch.count, {batch.corner[0], batch.corner[1], batch.corner[2]}};
+  TriangleOutput& out = scratch_.output;
+  kernels_.raster->prepare_triangles(*draw_, in, out, scratch_.block);
+  if (out.large_count == 0) {
+    append_fragments(out, 0, out.fragment_count);
+    return;
+  }
+  RasterPrimitive* record[kSetupBatch];
+  for (int32_t i = 0; i < out.large_count; ++i) record[i] = new_primitive();
+  kernels_.raster->setup_triangles(*draw_, in, out.negative, out.large, out.large_count, record);
+  // Small and large triangles enter the lists in the order of their numbers.
+  int32_t fragment = 0;
+  for (int32_t i = 0; i < out.large_count; ++i) {
+    int32_t end = fragment;
+    while (end < out.fragment_count && out.triangle[end] < out.large[i]) ++end;
+    append_fragments(out, fragment, end);
+    fragment = end;
+    bin(*record[i]);
+  }
+  append_fragments(out, fragment, out.fragment_count);
+}
+
+void TileBinner::lines(const DrawRecord&, const AssembledLines& batch) {
+  for (int32_t i = 0; i < batch.count; ++i) {
+    RasterPrimitive* p = new_primitive();
+    if (setup_line(*draw_, batch.corner[0][i], batch.corner[1][i], *p)) bin(*p);
+  }
+}
+
+void TileBinner::points(const DrawRecord&, const AssembledPoints& batch) {
+  for (int32_t i = 0; i < batch.count; ++i) {
+    RasterPrimitive* p = new_primitive();
+    if (setup_point(*draw_, batch.corner[i], *p)) bin(*p);
+  }
+}
+
+} // namespace softgl

@@ -1,0 +1,44 @@
+// Takes assembled primitives and puts them into the lists of the tiles they touch.
+#pragma once
+
+#include "base/kernel_table.h"
+#include "geometry/assembled_primitives.h"
+#include "raster/tile_list.h"
+#include "raster_triangles.h"
+#include "surface.h"
+
+namespace softgl {
+
+/// Memory that a binner works in; one per worker.
+struct BinnerScratch {
+  TriangleOutput output;
+  FragmentBlock block{};
+};
+
+class TileBinner final : public PrimitiveSink {
+public:
+  TileBinner(const Surface& surface, TileLists& lists, Arena& arena, BinnerScratch& scratch, const Kernels& kernels = softgl::kernels())
+      : tiles_x_(surface.tiles_x), lists_(lists), arena_(arena), scratch_(scratch), kernels_(kernels) {}
+
+  /// The draw that the next batches belong to.
+  void set_draw(const RasterDraw* draw) { draw_ = draw; }
+
+  void triangles(const DrawRecord& draw, const AssembledTriangles& batch) override;
+  void lines(const DrawRecord& draw, const AssembledLines& batch) override;
+  void points(const DrawRecord& draw, const AssembledPoints& batch) override;
+
+private:
+  RasterPrimitive* new_primitive();
+  void bin(const RasterPrimitive& primitive);
+  void append_fragments(const TriangleOutput& out, int32_t first, int32_t last);
+
+  int32_t tiles_x_;
+  TileLists& lists_;
+  Arena& arena_;
+  BinnerScratch& scratch_;
+  const Kernels& kernels_;
+  const RasterDraw* draw_ = nullptr;
+  uint8_t *next_ = nullptr, *end_ = nullptr; // memory for primitives
+};
+
+} // namespace softgl

@@ -1,0 +1,30 @@
+#include "raster/tile_list.h"
+
+namespace softgl {
+
+void TileLists::open(List& l, TileSegment::Kind kind, const RasterDraw* draw, size_t entry) {
+  if (l.next) {
+    auto* start = reinterpret_cast<uint8_t*>(l.last + 1);
+    l.next = start + ((static_cast<size_t>(l.next - start) + 7) & ~size_t(7));
+  }
+  if (!l.next || static_cast<size_t>(l.end - l.next) < sizeof(TileSegment) + entry) {
+    close(l);
+    const uint32_t size = l.first ? kChunk : kFirstChunk;
+    auto* chunk = static_cast<TileChunk*>(arena_->allocate(size));
+    chunk->next = nullptr;
+    chunk->used = 0;
+    chunk->size = size;
+    if (l.last) l.last->next = chunk;
+    else l.first = chunk;
+    l.last = chunk;
+    l.next = reinterpret_cast<uint8_t*>(chunk + 1);
+    l.end = reinterpret_cast<uint8_t*>(chunk) + size;
+  }
+  l.open = new (l.next) TileSegment;
+  l.open->kind = kind;
+  l.open->count = 0;
+  l.open->draw = draw;
+  l.next += sizeof(TileSegment);
+}
+
+} // namespace softgl

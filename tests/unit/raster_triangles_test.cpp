@@ -1,0 +1,132 @@
+// Triangles against a plain scalar rasterizer with 64-bit edges, small against block path, instruction sets against
+// each other.
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+#include "raster_support.h"
+
+using namespace raster_test;
+
+namespace {
+
+float value(const float* a, const float p[3][4], float px, float py) { // plane through three corners, OSMesa's order
+  const float dx01 = p[0][0] - p[1][0], dy01 = p[0][1] - p[1][1], dx20 = p[2][0] - p[0][0], dy20 = p[2][1] - p[0][1];
+  const float r = 1.0f / (dx01 * dy20 - dy01 * dx20);
+  const float sx01 = dx01 * r, sy01 = dy01 * r, sx20 = dx20 * r, sy20 = dy20 * r;
+  const float gx = (a[0] - a[1]) * sy20 - (a[2] - a[0]) * sy01;
+  const float gy = (a[2] - a[0]) * sx01 - (a[0] - a[1]) * sx20;
+  const float origin = a[0] - (gx * (p[0][0] - 0.5f) + gy * (p[0][1] - 0.5f));
+  return gy * py + (gx * px + origin);
+}
+
+uint32_t byte_of(float v) {
+  const float c = v > 0 ? (v < 1 ? v : 1.0f) : 0.0f;
+  return uint32_t(std::lrint(c * 255.0f));
+}
+
+/// One triangle, pixel by pixel over the whole surface.
+void reference_triangle(const Canvas& canvas, const RasterConstants& rc, const ShadedVertices::Slot* v) {
+  const Surface& s = canvas.surface;
+  float p[3][4], c[3][4];
+  int64_t x[3], y[3];
+  for (int k = 0; k < 3; ++k) memcpy(p[k], v[2 * k].v, 16), memcpy(c[k], v[2 * k + 1].v, 16);
+  for (int k = 0; k < 3; ++k) x[k] = std::llrint((p[k][0] - 0.5f) * 256.0f), y[k] = std::llrint((p[k][1] - 0.5f) * 256.0f);
+  const int64_t area = (x[0] - x[1]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[0] - y[1]);
+  if (area == 0 || (area > 0 && (rc.cull & 1)) || (area < 0 && (rc.cull & 2))) return;
+  if (area < 0) {
+    std::swap(x[0], x[1]), std::swap(y[0], y[1]);
+    for (int i = 0; i < 4; ++i) std::swap(p[0][i], p[1][i]), std::swap(c[0][i], c[1][i]);
+  }
+  int64_t ea[3], eb[3], ec[3];
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    ea[i] = y[i] - y[j], eb[i] = x[i] - x[j];
+    ec[i] = ea[i] * x[i] - eb[i] * y[i] + ((ea[i] < 0 || (ea[i] == 0 && eb[i] < 0)) ? 1 : 0);
+  }
+  auto* color = static_cast<uint32_t*>(s.color);
+  for (int py = rc.y0; py < rc.y1; ++py)
+    for (int px = rc.x0; px < rc.x1; ++px) {
+      bool covered = true;
+      for (int i = 0; i < 3; ++i) covered = covered && ec[i] - 256 * ea[i] * px + 256 * eb[i] * py > 0;
+      if (!covered) continue;
+      const size_t at = pixel_index(s, px, py);
+      const float z[3] = {p[0][2], p[1][2], p[2][2]}, w[3] = {p[0][3], p[1][3], p[2][3]};
+      const float fz = value(z, p, float(px), float(py));
+      const uint32_t depth = uint32_t(std::lrint((fz > 0 ? (fz < 1 ? fz : 1.0f) : 0.0f) * 16777215.0f));
+      if (depth >= s.depth_stencil[at]) continue;
+      s.depth_stencil[at] = depth;
+      const float rw = 1.0f / value(w, p, float(px), float(py));
+      uint32_t packed = 0;
+      for (int k = 0; k < 4; ++k) {
+        const float a[3] = {c[0][k] * w[0], c[1][k] * w[1], c[2][k] * w[2]};
+        packed |= byte_of(value(a, p, float(px), float(py)) * rw) << (8 * k);
+      }
+      color[at] = packed;
+    }
+}
+
+Canvas drawn(const Vertices& v, bool small, int scissor = 0, uint8_t cull = 0, const Kernels& k = kernels(), size_t unit = 5000) {
+  Canvas canvas(157, 131);
+  Draw draw(canvas.surface);
+  draw.raster.x0 += scissor, draw.raster.y0 += 2 * scissor, draw.raster.x1 -= 3 * scissor, draw.raster.y1 -= scissor;
+  draw.raster.cull = cull;
+  draw.derive();
+  draw.derived.small = small;
+  draw_triangles(canvas, draw, v, k, unit);
+  return canvas;
+}
+
+} // namespace
+
+TEST_CASE("triangles equal the plain scalar rasterizer", "[raster]") {
+  for (int category = 0; category < kCategories; ++category)
+    for (int round = 0; round < 3; ++round) {
+      INFO("category " << category << " round " << round);
+      const Vertices v = random_triangles(uint32_t(100 * category + round), Category(category), 700, 157, 131);
+      const int scissor = round == 1 ? 13 : 0;
+      const uint8_t cull = round == 2 ? 1 : 0;
+      Canvas expected(157, 131);
+      Draw draw(expected.surface);
+      draw.raster.x0 += scissor, draw.raster.y0 += 2 * scissor, draw.raster.x1 -= 3 * scissor, draw.raster.y1 -= scissor;
+      draw.raster.cull = cull;
+      {
+        const FloatEnvironment environment;
+        for (size_t i = 0; i < v.size(); i += 6) reference_triangle(expected, draw.raster, &v[i]);
+      }
+      size_t wrong = 0;
+      const Canvas got = drawn(v, true, scissor, cull);
+      for (size_t i = 0; i < got.color.size(); ++i) wrong += got.color[i] != expected.color[i] || got.depth[i] != expected.depth[i];
+      CHECK(wrong == 0);
+      CHECK(drawn(v, false, scissor, cull) == expected);
+    }
+}
+
+TEST_CASE("small triangles, blocks, units and instruction sets draw the same", "[raster]") {
+  for (int category = 0; category < kCategories; ++category) {
+    INFO("category " << category);
+    const Vertices v = random_triangles(uint32_t(7000 + category), Category(category), 8000, 157, 131);
+    const Canvas first = drawn(v, true);
+    CHECK(drawn(v, false) == first);
+    CHECK(drawn(v, true, 0, 0, kernels(), 777) == first);
+    for (int isa = 0; isa <= int(detect_isa()); ++isa) {
+      INFO("instruction set " << isa_name(Isa(isa)));
+      const Kernels* k = find_kernels(Isa(isa));
+      if (!k) continue;
+      CHECK(drawn(v, true, 0, 0, *k) == first);
+      CHECK(drawn(v, false, 0, 0, *k) == first);
+    }
+  }
+}
+
+TEST_CASE("coordinates that are not numbers or too large draw nothing and do no harm", "[raster]") {
+  const float bad[] = {NAN, INFINITY, -INFINITY, 3e38f, -3e38f, 1e9f, 70000.0f, -70000.0f};
+  Vertices v;
+  for (float b : bad)
+    for (int k = 0; k < 6; ++k)
+      for (int c = 0; c < 3; ++c) {
+        v.push_back({{c == k % 3 && k < 3 ? b : 10.0f * float(c), c == k % 3 && k >= 3 ? b : float(c * c) * 7.0f, 0.5f, 1.0f}});
+        v.push_back({{1, 1, 1, 1}});
+      }
+  CHECK(drawn(v, true) == Canvas(157, 131));
+}
