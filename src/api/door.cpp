@@ -4,8 +4,9 @@ namespace softgl {
 
 bool may_execute_keeping_run(Context& c) {
   if (c.guard & kNoContext) return false;
-  // While a list is only compiled, Begin and End belong to the list and say nothing about commands that are executed.
-  if ((c.guard & kInsideBeginEnd) && (!(c.guard & kCompilingList) || execute_too(c))) {
+  // While a list is compiled, the guard of what is executed waits in the list compiler.
+  const uint32_t guard = c.guard & kCompilingList ? c.lists.executing_guard : c.guard;
+  if (guard & kInsideBeginEnd) {
     set_error(c, GL_INVALID_OPERATION);
     return false;
   }
@@ -14,7 +15,12 @@ bool may_execute_keeping_run(Context& c) {
 
 bool may_execute(Context& c) {
   if (!may_execute_keeping_run(c)) return false;
-  if (c.guard & kRunPending) close_run(c);
+  if (c.guard & kCompilingList) {
+    const ExecuteScope scope(c);
+    if (c.guard & kRunPending) close_run(c);
+  } else if (c.guard & kRunPending) {
+    close_run(c);
+  }
   return true;
 }
 

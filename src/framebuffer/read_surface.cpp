@@ -1,0 +1,135 @@
+#include "framebuffer/read_surface.h"
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+#include "state/context.h"
+#include "texture/pixel_formats.h"
+
+namespace softgl {
+namespace {
+
+/// Copies the pixels of a row block by block: 8 neighbours are contiguous.
+template <class Pixel> void copy_row(const Surface& s, const Pixel* plane, int x, int y, int count, Pixel* row) {
+  while (count > 0) {
+    const int run = std::min(count, 8 - (x & 7));
+    std::memcpy(row, plane + pixel_index(s, x, y), size_t(run) * sizeof(Pixel));
+    x += run;
+    row += run;
+    count -= run;
+  }
+}
+
+struct Bytes8 { unsigned char b[8]; };
+struct Bytes16 { unsigned char b[16]; };
+
+/// Calls row(y down, first column within the rectangle, count, row within the rectangle) for the part on the surface.
+template <class Row> void for_each_row(const Surface& s, int x, int y, int width, int height, Row&& row) {
+  const int64_t left = std::max<int64_t>(x, 0), right = std::min<int64_t>(int64_t(x) + width, s.width);
+  if (left >= right) return;
+  for (int64_t line = std::max<int64_t>(y, 0); line < std::min<int64_t>(int64_t(y) + height, s.height); ++line)
+    row(int(s.height - 1 - line), int(left), int(right - left), size_t(line - y), size_t(left - x));
+}
+
+} // namespace
+
+void copy_color_row(const Surface& s, int x, int y, int count, void* row) {
+  switch (s.color_format) {
+    case ColorFormat::Rgba8: return copy_row(s, static_cast<const uint32_t*>(s.color), x, y, count, static_cast<uint32_t*>(row));
+    case ColorFormat::Rgba16: return copy_row(s, static_cast<const Bytes8*>(s.color), x, y, count, static_cast<Bytes8*>(row));
+    case ColorFormat::RgbaFloat: return copy_row(s, static_cast<const Bytes16*>(s.color), x, y, count, static_cast<Bytes16*>(row));
+    case ColorFormat::Rgb565: return copy_row(s, static_cast<const uint16_t*>(s.color), x, y, count, static_cast<uint16_t*>(row));
+  }
+}
+
+void copy_depth_stencil_row(const Surface& s, int x, int y, int count, uint32_t* row) {
+  copy_row(s, static_cast<const uint32_t*>(s.depth_stencil), x, y, count, row);
+}
+
+void color_row_to_bytes(ColorFormat format, const void* row, int count, uint8_t (*rgba)[4]) {
+  switch (format) {
+    case ColorFormat::Rgba8: std::memcpy(rgba, row, size_t(count) * 4); return;
+    case ColorFormat::Rgba16:
+      for (int i = 0; i < count * 4; ++i) rgba[0][i] = uint8_t(convert_unorm(static_cast<const uint16_t*>(row)[i], 16, 8));
+      return;
+    case ColorFormat::RgbaFloat:
+      for (int i = 0; i < count * 4; ++i) rgba[0][i] = uint8_t(float_to_unorm(static_cast<const float*>(row)[i], 8));
+      return;
+    case ColorFormat::Rgb565:
+      for (int i = 0; i < count; ++i) {
+        const uint32_t p = static_cast<const uint16_t*>(row)[i];
+        rgba[i][0] = uint8_t(convert_unorm(p >> 11, 5, 8));
+        rgba[i][1] = uint8_t(convert_unorm(p >> 5 & 63, 6, 8));
+        rgba[i][2] = uint8_t(convert_unorm(p & 31, 5, 8));
+        rgba[i][3] = 255;
+      }
+      return;
+  }
+}
+
+void color_row_to_floats(ColorFormat format, const void* row, int count, float (*rgba)[4]) {
+  switch (format) {
+    case ColorFormat::Rgba8:
+      for (int i = 0; i < count * 4; ++i) rgba[0][i] = unorm_to_float(static_cast<const uint8_t*>(row)[i], 8);
+      return;
+    case ColorFormat::Rgba16:
+      for (int i = 0; i < count * 4; ++i) rgba[0][i] = unorm_to_float(static_cast<const uint16_t*>(row)[i], 16);
+      return;
+    case ColorFormat::RgbaFloat: std::memcpy(rgba, row, size_t(count) * 16); return;
+    case ColorFormat::Rgb565:
+      for (int i = 0; i < count; ++i) {
+        const uint32_t p = static_cast<const uint16_t*>(row)[i];
+        rgba[i][0] = unorm_to_float(p >> 11, 5);
+        rgba[i][1] = unorm_to_float(p >> 5 & 63, 6);
+        rgba[i][2] = unorm_to_float(p & 31, 5);
+        rgba[i][3] = 1.0f;
+      }
+      return;
+  }
+}
+
+float depth_to_float(DepthFormat format, uint32_t word) {
+  if (format == DepthFormat::Z16) return float(word & 0xffff) * (1.0f / 65535.0f);
+  return float(double(word & 0xffffff) * (1.0 / 16777215.0));
+}
+
+void read_rgba8(Context& c, int x, int y, int width, int height, uint8_t (*rgba)[4]) {
+  flush_rendering(c);
+  if (width <= 0 || height <= 0) return;
+  std::memset(rgba, 0, size_t(width) * size_t(height) * 4);
+  const Surface& s = c.framebuffer.surface;
+  std::vector<unsigned char> row(size_t(width) * 16);
+  for_each_row(s, x, y, width, height, [&](int y_down, int first, int count, size_t line, size_t column) {
+    copy_color_row(s, first, y_down, count, row.data());
+    color_row_to_bytes(s.color_format, row.data(), count, rgba + line * size_t(width) + column);
+  });
+}
+
+void read_rgba_float(Context& c, int x, int y, int width, int height, float (*rgba)[4]) {
+  flush_rendering(c);
+  if (width <= 0 || height <= 0) return;
+  std::memset(rgba, 0, size_t(width) * size_t(height) * 16);
+  const Surface& s = c.framebuffer.surface;
+  std::vector<unsigned char> row(size_t(width) * 16);
+  for_each_row(s, x, y, width, height, [&](int y_down, int first, int count, size_t line, size_t column) {
+    copy_color_row(s, first, y_down, count, row.data());
+    color_row_to_floats(s.color_format, row.data(), count, rgba + line * size_t(width) + column);
+  });
+}
+
+void read_depth_float(Context& c, int x, int y, int width, int height, float* depth) {
+  flush_rendering(c);
+  if (width <= 0 || height <= 0) return;
+  std::fill_n(depth, size_t(width) * size_t(height), 0.0f);
+  const Surface& s = c.framebuffer.surface;
+  if (!s.depth_stencil) return;
+  std::vector<uint32_t> row(static_cast<size_t>(width));
+  for_each_row(s, x, y, width, height, [&](int y_down, int first, int count, size_t line, size_t column) {
+    copy_depth_stencil_row(s, first, y_down, count, row.data());
+    float* out = depth + line * size_t(width) + column;
+    for (int i = 0; i < count; ++i) out[i] = depth_to_float(s.depth_format, row[size_t(i)]);
+  });
+}
+
+} // namespace softgl
