@@ -1,13 +1,67 @@
 // The table of the texture kernels of one instruction set.
 #include "isa.h"
 #include "kernels.h"
+#include "texture_environment.inl"
+#include "texture_fixed.inl"
+#include "texture_float.inl"
 
 namespace softgl {
 namespace SOFTGL_ISA {
 
+static void sample_fixed_stage(FragmentBlock& block, const FragmentConstants& constants, int unit) {
+  alignas(64) uint32_t texel[kLanes];
+  sample_fixed(block, block.unit[unit], *constants.texture[unit], texel);
+  const UnitTexels out(block, unit);
+  const float scale = 1.0f / 255.0f;
+  SOFTGL_FOR_LANES(block, i) {
+    const uint32_t v = texel[i];
+    out.v[0][i] = float(int32_t(v & 255)) * scale;
+    out.v[1][i] = float(int32_t(v >> 8 & 255)) * scale;
+    out.v[2][i] = float(int32_t(v >> 16 & 255)) * scale;
+    out.v[3][i] = float(int32_t(v >> 24)) * scale;
+  }
+}
+
+/// Sampling and MODULATE in one pass.
+static void modulate_fixed_stage(FragmentBlock& block, const FragmentConstants& constants, int unit) {
+  alignas(64) uint32_t texel[kLanes];
+  sample_fixed(block, block.unit[unit], *constants.texture[unit], texel);
+  const float scale = 1.0f / 255.0f;
+  float *r = block.color[0], *g = block.color[1], *b = block.color[2], *a = block.color[3];
+  SOFTGL_FOR_LANES(block, i) {
+    const uint32_t v = texel[i];
+    r[i] = (float(int32_t(v & 255)) * scale) * r[i];
+    g[i] = (float(int32_t(v >> 8 & 255)) * scale) * g[i];
+    b[i] = (float(int32_t(v >> 16 & 255)) * scale) * b[i];
+    a[i] = (float(int32_t(v >> 24)) * scale) * a[i];
+  }
+}
+
+static void sample_float_stage(FragmentBlock& block, const FragmentConstants& constants, int unit) {
+  const BlockCoordinates& c = block.unit[unit];
+  FloatTexels texel;
+  sample_float(block, {c.s, c.t, c.r, nullptr}, c, *constants.texture[unit], texel);
+  const TextureUnitConstants& t = *constants.texture[unit];
+  if (t.texel == TextureTexel::Depth) {
+    SOFTGL_FOR_LANES(block, i) {
+      const float d = texel.v[0][i];
+      texel.v[0][i] = texel.v[1][i] = texel.v[2][i] = t.depth_target == 2 ? 0.0f : d;
+      texel.v[3][i] = t.depth_target == 0 ? 1.0f : d;
+    }
+  }
+  const UnitTexels out(block, unit);
+  for (int k = 0; k < 4; ++k) SOFTGL_FOR_LANES(block, i) out.v[k][i] = texel.v[k][i];
+}
+
 extern const TextureKernels texture_kernels;
 const TextureKernels texture_kernels = {
     .isa = SOFTGL_STRING(SOFTGL_ISA),
+    .sample_fixed = sample_fixed_stage,
+    .modulate_fixed = modulate_fixed_stage,
+    .sample_float = sample_float_stage,
+    .replace = environment_replace,
+    .modulate = environment_modulate,
+    .combine = environment_combine,
 };
 
 } // namespace SOFTGL_ISA

@@ -85,7 +85,7 @@ void set_fog(const FogState& fog, FragmentKey& key, FragmentConstants& k) {
 
 } // namespace
 
-const FragmentProgram* make_fragment_program(const Context& context, Arena& arena) {
+const FragmentProgram* make_fragment_program(Context& context, Arena& arena) {
   const State& s = context.state;
   const Surface& surface = context.framebuffer.surface;
   const ColorBufferState& c = s.color_buffer;

@@ -10,6 +10,6 @@ struct Context;
 
 /// The program that the context's state asks for, in `arena`. `key` tells which inputs the vertices must carry:
 /// secondary colour, fog coordinate and the texture coordinates of the units in texture_units.
-const FragmentProgram* make_fragment_program(const Context& context, Arena& arena);
+const FragmentProgram* make_fragment_program(Context& context, Arena& arena);
 
 } // namespace softgl

@@ -34,6 +34,7 @@ struct Context {
   MatrixStacks matrices;
   AttributeStack attribute_stack;
   std::shared_ptr<SharedObjects> shared = std::make_shared<SharedObjects>(); // textures, buffers, lists: may be shared
+  std::shared_ptr<TextureObject> proxy_texture[kTextureTargets];
   ListCompiler lists;
   ArrayCache arrays; // what the last array draw found out about ClientState::vertex_array
   Frame frame;

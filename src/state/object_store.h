@@ -138,6 +138,7 @@ struct QueryObject;   // state/query_state.h
 /// What contexts may share. (Queries are per context by the specification; a store of its own serves them.)
 struct SharedObjects {
   NameTable<TextureObject> textures;
+  std::shared_ptr<TextureObject> default_texture[5]; // by TextureTarget: the objects of name 0
   NameTable<BufferObject> buffers;
   NameTable<DisplayList> lists;
 };

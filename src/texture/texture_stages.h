@@ -10,6 +10,7 @@ struct Context;
 
 /// Adds the sampling and environment stages of all enabled, complete units to `program`, marks the units in
 /// program.key.texture_units and points constants.texture[unit] at their constants, which lie in `arena`.
-void append_texture_stages(const Context& context, Arena& arena, FragmentProgram& program, FragmentConstants& constants);
+/// The frame keeps the images.
+void append_texture_stages(Context& context, Arena& arena, FragmentProgram& program, FragmentConstants& constants);
 
 } // namespace softgl

@@ -1,0 +1,58 @@
+// The numbers of one texture unit: an immutable snapshot that a fragment program keeps.
+#pragma once
+
+#include <stdint.h>
+
+namespace softgl {
+
+constexpr int kTextureLevelLimit = 15;
+
+/// How a coordinate becomes a texel number; RepeatPowerOfTwo and Repeat differ in rounding, not in meaning.
+enum class TextureWrap : uint8_t { RepeatPowerOfTwo, Repeat, ClampToEdge, Clamp, ClampToBorder, MirroredRepeat };
+enum class TextureMip : uint8_t { None, Nearest, Linear };
+/// What a texel is made of: 4 bytes, 4 uint16_t, or one uint32_t of depth.
+enum class TextureTexel : uint8_t { Rgba8, Rgba16, Depth };
+enum class TextureShape : uint8_t { OneD, TwoD, ThreeD, Cube };
+
+/// One image. Row and slice strides count texels; rows are one texel longer and slices one row longer than the image.
+struct TextureLevel {
+  const unsigned char* face[6]; // face 0 only, unless it is a cube map
+  int32_t width, height, depth;
+  int32_t row, slice;
+};
+
+/// An argument of a texture combiner: where the colour comes from and how it is used.
+enum class CombineSource : uint8_t { Texture0, Texture7 = 7, Constant, Primary, Previous, Zero };
+struct CombineArgument {
+  CombineSource source;
+  uint8_t alpha;      // the source's alpha for every component
+  uint8_t complement; // 1 - the value
+};
+enum class CombineFunction : uint8_t { Replace, Modulate, Add, AddSigned, Interpolate, Subtract, Dot3Rgb, Dot3Rgba };
+
+struct TextureUnitConstants {
+  TextureLevel level[kTextureLevelLimit]; // level[0] is the base level
+  int32_t last_level;
+  TextureShape shape;
+  TextureTexel texel;
+  TextureWrap wrap[3];
+  bool min_linear, mag_linear;
+  TextureMip mip;
+  // Level of detail. adjusts_lod: bias or limits are in force, which selects another formula (see texture_lod.inl).
+  bool adjusts_lod, constant_lod, has_min_lod, has_max_lod;
+  float lod_bias, min_lod, max_lod;
+  float border[4];        // what a border texel looks like in this base format
+  uint8_t shift[4];       // stored component >> shift is the integer that scale turns into [0,1]
+  float scale[4];
+  // Depth textures: comparison of r with the texel (3.8.14), and where the result goes.
+  bool compares;
+  uint8_t compare_function; // GL_NEVER .. GL_ALWAYS as 0 .. 7
+  uint8_t depth_target;     // 0 luminance (d d d 1), 1 intensity (d d d d), 2 alpha (0 0 0 d)
+  // Environment.
+  float color[4];
+  CombineFunction function[2]; // rgb, alpha
+  CombineArgument argument[2][3];
+  float combine_scale[2];
+};
+
+} // namespace softgl

@@ -1,0 +1,205 @@
+// Sampling of two-dimensional textures of at most 8 bits per component with wrap modes REPEAT and CLAMP_TO_EDGE, in 8.8
+// fixed point (OSMesa 22.3.6): u = round(s * (width * 256)) - 128, texel u >> 8, weight u & 255; the filtered texel is
+// an 8-bit integer again. NPOT repeat takes u from the fraction of s.
+// Passes over the whole block: addresses, loads, interpolation. Measured with rows padded by one texel and two 8-byte
+// loads a footprint: 2.5 to 4 times as fast as one pixel at a time.
+#pragma once
+
+#include "texture_lod.inl"
+
+namespace softgl {
+namespace SOFTGL_ISA {
+
+/// The sizes of the level of each lane: either one level for all, or a level per lane.
+template <bool one_level> struct FixedLevels;
+template <> struct FixedLevels<true> {
+  const TextureLevel& level;
+  FixedLevels(const FragmentBlock&, const TextureUnitConstants& t, const int32_t* levels, int add) : level(t.level[levels[0] + add]) {}
+  int32_t width(int) const { return level.width; }
+  int32_t height(int) const { return level.height; }
+  int32_t row(int) const { return level.row; }
+  const unsigned char* texels(int) const { return level.face[0]; }
+};
+template <> struct FixedLevels<false> {
+  alignas(64) int32_t width_[kLanes], height_[kLanes], row_[kLanes];
+  const unsigned char* texels_[kLanes];
+  FixedLevels(const FragmentBlock& block, const TextureUnitConstants& t, const int32_t* levels, int add) {
+    for (int i = 0; i < block.lanes; ++i) {
+      int32_t l = levels[i] + add;
+      l = l > t.last_level ? t.last_level : l;
+      const TextureLevel& level = t.level[l];
+      width_[i] = level.width, height_[i] = level.height, row_[i] = level.row, texels_[i] = level.face[0];
+    }
+  }
+  int32_t width(int i) const { return width_[i]; }
+  int32_t height(int i) const { return height_[i]; }
+  int32_t row(int i) const { return row_[i]; }
+  const unsigned char* texels(int i) const { return texels_[i]; }
+};
+
+/// Texel number and weight (in both halves of a word) along one axis.
+template <class Size>
+static inline __attribute__((always_inline)) void linear_axis(const FragmentBlock& block, TextureWrap wrap, const float* coordinate, Size size,
+                                                              int32_t* texel, uint32_t* weight) {
+  alignas(64) float scaled[kLanes];
+  alignas(64) int32_t u[kLanes];
+  if (wrap == TextureWrap::Repeat) {
+    SOFTGL_FOR_LANES(block, i) {
+      const float s = coordinate[i];
+      scaled[i] = ((s - floor_of(s)) * float(size(i))) * 256.0f;
+    }
+  } else {
+    SOFTGL_FOR_LANES(block, i) scaled[i] = coordinate[i] * float(size(i) << 8);
+  }
+  round_lanes(block, scaled, u);
+  switch (wrap) {
+  case TextureWrap::RepeatPowerOfTwo:
+    SOFTGL_FOR_LANES(block, i) {
+      const uint32_t v = uint32_t(u[i]) - 128, w = v & 255;
+      texel[i] = (int32_t(v) >> 8) & (size(i) - 1);
+      weight[i] = w | w << 16;
+    }
+    break;
+  case TextureWrap::Repeat:
+    SOFTGL_FOR_LANES(block, i) {
+      const uint32_t v = uint32_t(u[i]) - 128, w = v & 255;
+      const int32_t last = size(i) - 1;
+      int32_t x = int32_t(v) >> 8;
+      x = select(x >> 31, last, x);
+      texel[i] = select(mask_of(x < last), x, last);
+      weight[i] = w | w << 16;
+    }
+    break;
+  default: // ClampToEdge: both texels are the same outside, which weight 0 expresses
+    SOFTGL_FOR_LANES(block, i) {
+      const uint32_t v = uint32_t(u[i]) - 128;
+      const int32_t last = size(i) - 1, x = int32_t(v) >> 8;
+      const uint32_t inside = uint32_t(mask_of(x >= 0) & mask_of(x < last)), w = v & 255 & inside;
+      texel[i] = clamp_int(x, 0, last);
+      weight[i] = w | w << 16;
+    }
+  }
+}
+
+template <class Size>
+static inline __attribute__((always_inline)) void nearest_axis(const FragmentBlock& block, TextureWrap wrap, const float* coordinate, Size size,
+                                                               int32_t* texel) {
+  switch (wrap) {
+  case TextureWrap::RepeatPowerOfTwo:
+    SOFTGL_FOR_LANES(block, i) texel[i] = floor_to_int(coordinate[i] * float(size(i))) & (size(i) - 1);
+    break;
+  case TextureWrap::Repeat:
+    SOFTGL_FOR_LANES(block, i) {
+      const float s = coordinate[i], f = s - floor_of(s);
+      const float below_one = 0.999999940395355224609375f; // a fraction of 1 comes from tiny negative coordinates
+      texel[i] = clamp_int(int32_t(select(mask_of(f < below_one), f, below_one) * float(size(i))), 0, size(i) - 1);
+    }
+    break;
+  default:
+    SOFTGL_FOR_LANES(block, i) texel[i] = clamp_int(floor_to_int(coordinate[i] * float(size(i))), 0, size(i) - 1);
+  }
+}
+
+typedef uint32_t AliasedWord __attribute__((may_alias, aligned(1)));
+typedef uint64_t AliasedPair __attribute__((may_alias, aligned(1)));
+
+template <class Levels>
+static inline void sample_fixed_linear(const FragmentBlock& block, const BlockCoordinates& c, const TextureUnitConstants& t, const Levels& levels,
+                                       uint32_t* texel) {
+  alignas(64) int32_t x[kLanes], y[kLanes];
+  alignas(64) uint32_t wx[kLanes], wy[kLanes];
+  linear_axis(block, t.wrap[0], c.s, [&](int i) { return levels.width(i); }, x, wx);
+  linear_axis(block, t.wrap[1], c.t, [&](int i) { return levels.height(i); }, y, wy);
+  SOFTGL_FOR_LANES(block, i) x[i] += y[i] * levels.row(i);
+  alignas(64) uint32_t corner[4][kLanes];
+  for (int i = 0; i < block.lanes; ++i) {
+    const unsigned char* p = levels.texels(i) + size_t(uint32_t(x[i])) * 4;
+    const uint64_t top = *reinterpret_cast<const AliasedPair*>(p);
+    const uint64_t bottom = *reinterpret_cast<const AliasedPair*>(p + size_t(uint32_t(levels.row(i))) * 4);
+    corner[0][i] = uint32_t(top), corner[1][i] = uint32_t(top >> 32);
+    corner[2][i] = uint32_t(bottom), corner[3][i] = uint32_t(bottom >> 32);
+  }
+  for (int i = 0; i < block.lanes; i += kWords) {
+    auto words = [&](const uint32_t* p) { return *reinterpret_cast<const Words*>(p + i); };
+    const Words top = lerp_bytes(words(wx), words(corner[0]), words(corner[1]));
+    const Words bottom = lerp_bytes(words(wx), words(corner[2]), words(corner[3]));
+    *reinterpret_cast<Words*>(texel + i) = lerp_bytes(words(wy), top, bottom);
+  }
+}
+
+template <class Levels>
+static inline void sample_fixed_nearest(const FragmentBlock& block, const BlockCoordinates& c, const TextureUnitConstants& t, const Levels& levels,
+                                        uint32_t* texel) {
+  alignas(64) int32_t x[kLanes], y[kLanes];
+  nearest_axis(block, t.wrap[0], c.s, [&](int i) { return levels.width(i); }, x);
+  nearest_axis(block, t.wrap[1], c.t, [&](int i) { return levels.height(i); }, y);
+  SOFTGL_FOR_LANES(block, i) x[i] += y[i] * levels.row(i);
+  for (int i = 0; i < block.lanes; ++i)
+    texel[i] = *reinterpret_cast<const AliasedWord*>(levels.texels(i) + size_t(uint32_t(x[i])) * 4);
+}
+
+/// One level (or level + 1) with one filter.
+static inline void sample_fixed_level(const FragmentBlock& block, const BlockCoordinates& c, const TextureUnitConstants& t, const int32_t* level,
+                                      int add, bool one_level, bool linear, uint32_t* texel) {
+  if (one_level) {
+    const FixedLevels<true> levels(block, t, level, add);
+    linear ? sample_fixed_linear(block, c, t, levels, texel) : sample_fixed_nearest(block, c, t, levels, texel);
+  } else {
+    const FixedLevels<false> levels(block, t, level, add);
+    linear ? sample_fixed_linear(block, c, t, levels, texel) : sample_fixed_nearest(block, c, t, levels, texel);
+  }
+}
+
+/// The filtered texels of a block as packed bytes r g b a.
+static inline void sample_fixed(const FragmentBlock& block, const BlockCoordinates& c, const TextureUnitConstants& t, uint32_t* texel) {
+  alignas(64) LaneLevels lod;
+  if (t.mip == TextureMip::None && t.min_linear == t.mag_linear) {
+    for (int i = 0; i < block.lanes; ++i) lod.level[i] = 0;
+    sample_fixed_level(block, c, t, lod.level, 0, true, t.min_linear, texel);
+    return;
+  }
+  find_levels(block, c, t, lod);
+  // One level for all live lanes is the usual case. Dead lanes may be anywhere: they follow the others.
+  alignas(64) uint32_t weight[kLanes];
+  uint32_t magnified = 0, minified = 0, weights = 0;
+  int32_t lowest = kTextureLevelLimit, highest = 0;
+  SOFTGL_FOR_LANES(block, i) {
+    const uint32_t live = block.live[i];
+    const uint32_t w = uint32_t(int32_t(lod.fraction[i] * 256.0f)) & live;
+    weight[i] = w | w << 16;
+    weights |= w;
+    magnified |= uint32_t(lod.magnified[i]) & live;
+    minified |= ~uint32_t(lod.magnified[i]) & live;
+    const int32_t low = select(int32_t(live), lod.level[i], kTextureLevelLimit), high = lod.level[i] & int32_t(live);
+    lowest = select(mask_of(low < lowest), low, lowest);
+    highest = select(mask_of(high > highest), high, highest);
+  }
+  const bool one_level = lowest >= highest;
+  if (one_level) lod.level[0] = highest;
+  const bool second = t.mip == TextureMip::Linear && weights != 0;
+  const bool mixed = t.min_linear != t.mag_linear;
+  const bool minifies = !mixed || minified != 0;
+  if (minifies) {
+    sample_fixed_level(block, c, t, lod.level, 0, one_level, t.min_linear, texel);
+    if (second) {
+      alignas(64) uint32_t next[kLanes];
+      sample_fixed_level(block, c, t, lod.level, 1, one_level, t.min_linear, next);
+      for (int i = 0; i < block.lanes; i += kWords) {
+        Words& a = *reinterpret_cast<Words*>(texel + i);
+        a = lerp_bytes(*reinterpret_cast<const Words*>(weight + i), a, *reinterpret_cast<const Words*>(next + i));
+      }
+    }
+  }
+  if (mixed && magnified != 0) {
+    alignas(64) uint32_t other[kLanes];
+    uint32_t* target = minifies ? other : texel;
+    int32_t base[kLanes];
+    base[0] = 0; // a magnified lane is at the base level
+    sample_fixed_level(block, c, t, base, 0, true, t.mag_linear, target);
+    if (minifies)
+      SOFTGL_FOR_LANES(block, i) texel[i] = (other[i] & uint32_t(lod.magnified[i])) | (texel[i] & ~uint32_t(lod.magnified[i]));
+  }
+}
+
+} // namespace SOFTGL_ISA
+} // namespace softgl

@@ -1,0 +1,63 @@
+// Loops over the lanes of a block, and the few operations on lanes that need an instruction of their own.
+#pragma once
+
+#include <immintrin.h>
+
+#include "fragment_block.h"
+#include "lane_math.h"
+
+// Lanes come in strips of 16: a constant inner count lets GCC vectorise without a tail.
+#define SOFTGL_FOR_LANES(block, i)                                                                                      \
+  for (int32_t strip_ = 0, lanes_ = (block).lanes; strip_ < lanes_; strip_ += kStripLanes)                              \
+    for (int32_t i = strip_; i < strip_ + kStripLanes; ++i)
+
+namespace softgl {
+namespace SOFTGL_ISA {
+
+/// Round to nearest even; what does not fit an int32_t becomes INT32_MIN.
+static inline void round_lanes(const FragmentBlock& block, const float* from, int32_t* to) {
+  for (int32_t i = 0; i < block.lanes; i += 16) {
+#if defined(__AVX512F__)
+    _mm512_store_si512(to + i, _mm512_maskz_cvtps_epi32(0xffff, _mm512_load_ps(from + i)));
+#elif defined(__AVX2__)
+    for (int k = 0; k < 16; k += 8) _mm256_store_si256(reinterpret_cast<__m256i*>(to + i + k), _mm256_cvtps_epi32(_mm256_load_ps(from + i + k)));
+#else
+    for (int k = 0; k < 16; k += 4) _mm_store_si128(reinterpret_cast<__m128i*>(to + i + k), _mm_cvtps_epi32(_mm_load_ps(from + i + k)));
+#endif
+  }
+}
+
+/// Floor as an integer.
+static inline __attribute__((always_inline)) int32_t floor_to_int(float a) {
+  const int32_t t = int32_t(a);
+  return int32_t(uint32_t(t) + uint32_t(mask_of(float(t) > a)));
+}
+static inline __attribute__((always_inline)) int32_t clamp_int(int32_t a, int32_t low, int32_t high) {
+  a = select(mask_of(a < high), a, high);
+  return select(mask_of(a > low), a, low);
+}
+
+// A register of words or halves; unaligned and aliasing, because they view arrays of other types.
+#if defined(__AVX512BW__)
+#define SOFTGL_REGISTER_BYTES 64
+#elif defined(__AVX2__)
+#define SOFTGL_REGISTER_BYTES 32
+#else
+#define SOFTGL_REGISTER_BYTES 16
+#endif
+typedef uint32_t Words __attribute__((vector_size(SOFTGL_REGISTER_BYTES), may_alias, aligned(4)));
+typedef uint16_t Halves __attribute__((vector_size(SOFTGL_REGISTER_BYTES), may_alias, aligned(4)));
+constexpr int kWords = SOFTGL_REGISTER_BYTES / 4;
+
+/// a + ((w * (b - a) + 128) >> 8) for each of four bytes per word; `weight` holds w in both halves of each word. Modulo
+/// 65536 this needs 16 bits only, so every instruction set has it.
+static inline __attribute__((always_inline)) Words lerp_bytes(Words weight, Words a, Words b) {
+  const Words even = Words{} + 0x00ff00ffu;
+  const Halves a0 = (Halves)(a & even), b0 = (Halves)(b & even), a1 = (Halves)((a >> 8) & even), b1 = (Halves)((b >> 8) & even);
+  const Halves w = (Halves)weight;
+  const Halves r0 = ((a0 << 8) + w * (b0 - a0) + 128) >> 8, r1 = ((a1 << 8) + w * (b1 - a1) + 128) >> 8;
+  return (Words)r0 | ((Words)r1 << 8);
+}
+
+} // namespace SOFTGL_ISA
+} // namespace softgl

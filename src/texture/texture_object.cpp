@@ -1,0 +1,91 @@
+#include "texture/texture_object.h"
+
+#include <algorithm>
+#include <cstring>
+#include <mutex>
+
+#include "state/context.h"
+
+namespace softgl {
+
+uint64_t image_bytes(const TexelFormat& format, int width, int height, int depth) {
+  return uint64_t(width + 1) * uint64_t(height + 1) * uint64_t(depth) * uint64_t(format.bytes());
+}
+
+std::shared_ptr<TextureImage> make_image(const TexelFormat& format, GLint internal_format, int width, int height, int depth) {
+  auto image = std::make_shared<TextureImage>();
+  image->format = &format;
+  image->internal_format = internal_format;
+  image->width = width;
+  image->height = height;
+  image->depth = depth;
+  image->row_bytes = size_t(width + 1) * size_t(format.bytes());
+  image->slice_bytes = size_t(height + 1) * image->row_bytes;
+  if (!image->empty()) image->texels.resize(image->slice_bytes * size_t(depth) + 16);
+  return image;
+}
+
+void TextureImage::repeat_edges() {
+  if (empty()) return;
+  const size_t texel = size_t(format->bytes());
+  for (int z = 0; z < depth; ++z) {
+    for (int y = 0; y < height; ++y) std::memcpy(at(width, y, z), at(0, y, z), texel);
+    std::memcpy(at(0, height, z), at(0, 0, z), row_bytes);
+  }
+}
+
+TextureImage& TextureObject::writable(int face, int level) {
+  auto& pointer = image[face][level];
+  if (pointer.use_count() > 1) pointer = std::make_shared<TextureImage>(*pointer);
+  return *pointer;
+}
+
+std::shared_ptr<TextureObject> default_texture(const Context& c, TextureTarget target) {
+  static std::mutex mutex; // contexts of one share group may ask at once
+  std::lock_guard lock(mutex);
+  auto& object = c.shared->default_texture[target];
+  if (!object) object = std::make_shared<TextureObject>(0, target);
+  return object;
+}
+
+std::shared_ptr<TextureObject> proxy_texture(Context& c, TextureTarget target) {
+  auto& object = c.proxy_texture[target];
+  if (!object) object = std::make_shared<TextureObject>(0, target);
+  return object;
+}
+
+std::shared_ptr<TextureObject> bound_texture(const Context& c, int unit, TextureTarget target) {
+  if (const GLuint name = c.state.texture.unit[unit].bound[target])
+    if (auto object = c.shared->textures.find(name); object && object->target == target) return object;
+  return default_texture(c, target);
+}
+
+bool uses_mipmaps(GLenum min_filter) { return min_filter != GL_NEAREST && min_filter != GL_LINEAR; }
+
+CompleteLevels complete_levels(const TextureObject& object) {
+  const TextureParameters& p = object.parameters;
+  if (p.base_level < 0 || p.base_level >= kMaxTextureLevels) return {};
+  const TextureImage* base = object.image[0][p.base_level].get();
+  if (!base || base->empty()) return {};
+  const int faces = object.target == kTextureCube ? 6 : 1;
+  if (faces == 6 && base->width != base->height) return {};
+  const int size = std::max({base->width, base->height, base->depth});
+  int last = p.base_level;
+  if (uses_mipmaps(p.min_filter)) {
+    if (object.target == kTextureRectangle || p.max_level < p.base_level) return {};
+    for (int s = size; s > 1 && last < p.max_level; s >>= 1) ++last;
+    if (last >= kMaxTextureLevels) return {};
+  }
+  for (int face = 0; face < faces; ++face)
+    for (int level = p.base_level; level <= last; ++level) {
+      const TextureImage* image = object.image[face][level].get();
+      const int shift = level - p.base_level;
+      if (!image || image->format != base->format || image->internal_format != base->internal_format) return {};
+      if (image->width != std::max(1, base->width >> shift) || image->height != std::max(1, base->height >> shift) ||
+          image->depth != std::max(1, base->depth >> shift))
+        return {};
+    }
+  return {p.base_level, last - p.base_level + 1};
+}
+
+} // namespace softgl

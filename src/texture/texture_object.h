@@ -1,0 +1,80 @@
+// Texture objects and images (GL 1.5, 3.8.1, 3.8.11, 3.8.12).
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "state/state.h"
+#include "texture/texel_format.h"
+
+namespace softgl {
+
+struct Context;
+
+/// One image of a level (and face). Rows are padded: texel (width, y) repeats (0, y), row `height` repeats row 0, and 8
+/// spare bytes follow, so that a 2x2 footprint is two 8-byte loads whatever the wrap mode. Immutable while anybody but
+/// its texture object holds it.
+struct TextureImage {
+  const TexelFormat* format = nullptr;
+  GLint internal_format = 1; // as the client named it
+  int width = 0, height = 0, depth = 0;
+  size_t row_bytes = 0, slice_bytes = 0;
+  std::vector<unsigned char> texels; // zeros where nothing was stored
+
+  bool empty() const { return width == 0 || height == 0 || depth == 0; }
+  unsigned char* at(int x, int y, int z) { return texels.data() + size_t(z) * slice_bytes + size_t(y) * row_bytes + size_t(x) * size_t(format->bytes()); }
+  const unsigned char* at(int x, int y, int z) const { return const_cast<TextureImage*>(this)->at(x, y, z); }
+  /// Makes column `width` and row `height` repeat the first ones; after every change of texels.
+  void repeat_edges();
+};
+
+/// A zeroed image. Throws std::bad_alloc.
+std::shared_ptr<TextureImage> make_image(const TexelFormat& format, GLint internal_format, int width, int height, int depth);
+/// The size that an image takes; the limit of OSMesa is 1 GiB.
+uint64_t image_bytes(const TexelFormat& format, int width, int height, int depth);
+constexpr uint64_t kMaxImageBytes = uint64_t(1) << 30;
+
+/// Table 3.19 and the level of detail bias; what GL_TEXTURE_BIT saves of an object.
+struct TextureParameters {
+  GLenum wrap[3] = {GL_REPEAT, GL_REPEAT, GL_REPEAT}; // s, t, r
+  GLenum min_filter = GL_NEAREST_MIPMAP_LINEAR, mag_filter = GL_LINEAR;
+  Vec4 border_color{0, 0, 0, 0};
+  float priority = 1, min_lod = -1000, max_lod = 1000, lod_bias = 0;
+  GLint base_level = 0, max_level = 1000;
+  GLenum depth_mode = GL_LUMINANCE, compare_mode = GL_NONE, compare_function = GL_LEQUAL;
+  bool generate_mipmap = false;
+};
+
+struct TextureObject {
+  TextureObject(GLuint name, TextureTarget target) : name(name), target(target) {
+    if (target == kTextureRectangle) { // GL_ARB_texture_rectangle
+      parameters.wrap[0] = parameters.wrap[1] = parameters.wrap[2] = GL_CLAMP_TO_EDGE;
+      parameters.min_filter = GL_LINEAR;
+    }
+  }
+  GLuint name;
+  TextureTarget target;
+  TextureParameters parameters;
+  std::shared_ptr<TextureImage> image[6][kMaxTextureLevels]; // [face][level]; null = never specified
+
+  /// The image for a change: a copy of its own if somebody else holds it.
+  TextureImage& writable(int face, int level);
+};
+
+/// The object bound to a target of a unit; never null. A name that no longer exists means the default object.
+std::shared_ptr<TextureObject> bound_texture(const Context& c, int unit, TextureTarget target);
+/// The object that an image or parameter command means: of the active unit, or a proxy's. Null for an unknown target.
+std::shared_ptr<TextureObject> default_texture(const Context& c, TextureTarget target);
+std::shared_ptr<TextureObject> proxy_texture(Context& c, TextureTarget target);
+
+/// Sets all levels behind the base level from it (3.8.8, automatic mipmap generation).
+void generate_mipmaps(TextureObject& object, int face);
+
+/// What can be sampled: the levels of a complete texture (3.8.10). No levels: the texture is incomplete.
+struct CompleteLevels {
+  int first = 0, count = 0;
+};
+CompleteLevels complete_levels(const TextureObject& object);
+bool uses_mipmaps(GLenum min_filter);
+
+} // namespace softgl
