@@ -1,0 +1,154 @@
+#include "option_values.h"
+
+#include "number_parser.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+namespace softgl::cli {
+namespace {
+
+[[noreturn]] void refuse(const std::string& what, const std::string& text) {
+  throw std::invalid_argument("\"" + text + "\" is not " + what);
+}
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
+  return text;
+}
+
+bool parse_numbers(const std::string& text, std::vector<double>& values) {
+  size_t begin = 0;
+  for (;;) {
+    const size_t comma = std::min(text.find(',', begin), text.size());
+    const std::string part = text.substr(begin, comma - begin);
+    const char* cursor = part.c_str();
+    double value;
+    if (part.empty() || !read_number(cursor, value) || cursor != part.c_str() + part.size() || !std::isfinite(value))
+      return false;
+    values.push_back(value);
+    if (comma == text.size()) return true;
+    begin = comma + 1;
+  }
+}
+
+struct NamedColour {
+  const char* name;
+  uint32_t rgb;
+};
+constexpr NamedColour kColours[] = {
+    {"black", 0x000000},     {"white", 0xffffff},     {"red", 0xff0000},       {"green", 0x008000},
+    {"lime", 0x00ff00},      {"blue", 0x0000ff},      {"yellow", 0xffff00},    {"cyan", 0x00ffff},
+    {"magenta", 0xff00ff},   {"gray", 0x808080},      {"grey", 0x808080},      {"silver", 0xc0c0c0},
+    {"darkgray", 0xa9a9a9},  {"darkgrey", 0xa9a9a9},  {"lightgray", 0xd3d3d3}, {"lightgrey", 0xd3d3d3},
+    {"whitesmoke", 0xf5f5f5}, {"orange", 0xffa500},   {"gold", 0xffd700},      {"tomato", 0xff6347},
+    {"coral", 0xff7f50},     {"salmon", 0xfa8072},    {"crimson", 0xdc143c},   {"maroon", 0x800000},
+    {"brown", 0xa52a2a},     {"sienna", 0xa0522d},    {"tan", 0xd2b48c},       {"beige", 0xf5f5dc},
+    {"ivory", 0xfffff0},     {"olive", 0x808000},     {"teal", 0x008080},      {"navy", 0x000080},
+    {"purple", 0x800080},    {"violet", 0xee82ee},    {"indigo", 0x4b0082},    {"pink", 0xffc0cb},
+    {"hotpink", 0xff69b4},   {"turquoise", 0x40e0d0}, {"skyblue", 0x87ceeb},   {"steelblue", 0x4682b4},
+    {"royalblue", 0x4169e1}, {"slategray", 0x708090}, {"slategrey", 0x708090}, {"forestgreen", 0x228b22},
+    {"seagreen", 0x2e8b57},  {"darkgreen", 0x006400}, {"darkblue", 0x00008b},  {"darkred", 0x8b0000},
+    {"chocolate", 0xd2691e}, {"khaki", 0xf0e68c},     {"plum", 0xdda0dd},      {"orchid", 0xda70d6},
+};
+
+std::array<uint8_t, 3> split(uint32_t rgb) {
+  return {static_cast<uint8_t>(rgb >> 16), static_cast<uint8_t>(rgb >> 8), static_cast<uint8_t>(rgb)};
+}
+
+} // namespace
+
+std::array<uint8_t, 3> parse_colour(const std::string& text) {
+  static const std::string what = "a colour (#rrggbb, r,g,b from 0 to 1, or a name such as steelblue)";
+  const std::string name = lower(text);
+  for (const NamedColour& colour : kColours)
+    if (name == colour.name) return split(colour.rgb);
+  if (!name.empty() && name[0] == '#') {
+    if (name.find_first_not_of("0123456789abcdef", 1) != std::string::npos || (name.size() != 4 && name.size() != 7))
+      refuse(what, text);
+    uint32_t value = 0;
+    for (size_t i = 1; i < name.size(); ++i) {
+      const auto digit = static_cast<uint32_t>(name[i] <= '9' ? name[i] - '0' : name[i] - 'a' + 10);
+      value = name.size() == 4 ? value << 8 | digit * 17 : value << 4 | digit;
+    }
+    return split(value);
+  }
+  std::vector<double> values;
+  if (!parse_numbers(text, values) || values.size() != 3) refuse(what, text);
+  std::array<uint8_t, 3> result;
+  for (size_t i = 0; i < 3; ++i) {
+    if (values[i] < 0 || values[i] > 1) refuse(what, text);
+    result[i] = static_cast<uint8_t>(values[i] * 255 + 0.5);
+  }
+  return result;
+}
+
+void parse_size(const std::string& text, int& width, int& height) {
+  std::string commas = lower(text);
+  const size_t cross = commas.find('x');
+  if (cross != std::string::npos) commas[cross] = ',';
+  std::vector<double> values;
+  if (!parse_numbers(commas, values) || values.size() > 2) refuse("a size such as 800x600", text);
+  const double w = values[0], h = values.back();
+  if (w != std::floor(w) || h != std::floor(h) || w < 1 || h < 1 || w > 16384 || h > 16384)
+    refuse("a size from 1x1 to 16384x16384", text);
+  width = static_cast<int>(w);
+  height = static_cast<int>(h);
+}
+
+UpAxis parse_up_axis(const std::string& text) {
+  const std::string name = lower(text);
+  if (name == "auto") return UpAxis::kAuto;
+  const bool sign = !name.empty() && (name[0] == '+' || name[0] == '-');
+  const std::string axis = name.substr(sign ? 1 : 0);
+  if (axis.size() != 1 || axis[0] < 'x' || axis[0] > 'z') refuse("an axis such as +Y, -Z or auto", text);
+  return static_cast<UpAxis>(2 * (axis[0] - 'x') + (name[0] == '-'));
+}
+
+LightOptions parse_light(const std::string& text) {
+  static const std::string what = "a light: key, headlight, x,y,z, model:x,y,z, at:x,y,z or an axis such as +Y";
+  LightOptions light;
+  if (text == "key") return light;
+  light.kind = LightOptions::kHeadlight;
+  if (text == "headlight" || text == "head") return light;
+  light.kind = LightOptions::kDirection;
+  std::string rest = text;
+  if (text.rfind("model:", 0) == 0) {
+    light.kind = LightOptions::kModelDirection;
+    rest = text.substr(6);
+  } else if (text.rfind("at:", 0) == 0) {
+    light.kind = LightOptions::kModelPosition;
+    rest = text.substr(3);
+  }
+  if (rest.size() == 2 && (rest[0] == '+' || rest[0] == '-') && light.kind != LightOptions::kModelPosition) {
+    const char axis = lower(rest)[1];
+    if (axis < 'x' || axis > 'z') refuse(what, text);
+    light.kind = LightOptions::kModelDirection;
+    light.value[0] = light.value[1] = light.value[2] = 0;
+    light.value[axis - 'x'] = rest[0] == '-' ? -1 : 1;
+    return light;
+  }
+  std::vector<double> values;
+  if (!parse_numbers(rest, values) || values.size() != 3) refuse(what, text);
+  for (size_t i = 0; i < 3; ++i) light.value[i] = values[i];
+  if (light.kind == LightOptions::kModelPosition) return light;
+  const double largest = std::max({std::fabs(values[0]), std::fabs(values[1]), std::fabs(values[2])});
+  if (!(largest > 0)) refuse(what, text);
+  for (double& value : light.value) value /= largest;
+  return light;
+}
+
+Background parse_background(const std::string& text) {
+  Background background;
+  if (lower(text) == "transparent" || lower(text) == "none") {
+    background.transparent = true;
+    return background;
+  }
+  const std::array<uint8_t, 3> colour = parse_colour(text);
+  for (size_t i = 0; i < 3; ++i) background.colour[i] = colour[i];
+  return background;
+}
+
+} // namespace softgl::cli

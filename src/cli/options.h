@@ -1,0 +1,39 @@
+// The command line.
+#pragma once
+
+#include "camera.h"
+#include "image_writer.h"
+#include "normal_generator.h"
+#include "renderer.h"
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace softgl::cli {
+
+struct ProgramOptions {
+  enum Command { kRender, kInfo } command = kRender;
+  std::string model;
+  std::string output;
+  std::string format;
+  PngEffort png = PngEffort::kDefault;
+  CameraOptions camera;
+  RenderOptions render;
+  NormalOptions normals;
+  std::optional<std::array<float, 3>> colour; // instead of all materials
+  unsigned threads = 0;                       // 0: as many as the machine has
+  bool quiet = false, verbose = false, strict = false;
+  bool json = false; // info --json
+  bool stats = false;
+};
+
+// What main() is to do: options, or an end with that exit code (help, version, or a mistake already reported).
+struct ParsedOptions {
+  std::optional<ProgramOptions> options;
+  int exit_code = 0;
+};
+
+ParsedOptions parse_options(int argc, const char* const* argv);
+
+} // namespace softgl::cli

@@ -1,0 +1,203 @@
+#include "program.h"
+
+#include "face_triangulation.h"
+#include "options.h"
+#include "program_error.h"
+#include "report.h"
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <sys/resource.h>
+#include <thread>
+
+namespace softgl::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+struct LoadedModel {
+  ObjModel model;
+  MaterialLibrary library;
+  ModelReport report;
+};
+
+class Program {
+public:
+  explicit Program(const ProgramOptions& options) : options(options) {}
+
+  int run() {
+    const auto start = Clock::now();
+    const SourceText text = SourceText::open(options.model);
+    RemarkList remarks;
+    LoadedModel loaded = load(text, remarks);
+    times.read = since(start);
+    if (options.command == ProgramOptions::kInfo) {
+      info(loaded, text, remarks);
+    } else {
+      draw(loaded, text, remarks, start);
+    }
+    return options.strict && warnings.count() > 0 ? kCannotRead : kSuccess;
+  }
+
+  void print_messages() const {
+    if (!options.quiet)
+      for (const std::string& sentence : warnings.sentences()) std::fprintf(stderr, "softgl: warning: %s\n", sentence.c_str());
+    if (options.verbose)
+      for (const std::string& sentence : notes.sentences()) std::fprintf(stderr, "softgl: note: %s\n", sentence.c_str());
+  }
+
+private:
+  unsigned threads() const {
+    if (options.threads) return options.threads;
+    const unsigned count = std::thread::hardware_concurrency();
+    return count ? count : 1;
+  }
+
+  LoadedModel load(const SourceText& text, RemarkList& remarks) {
+    LoadedModel loaded;
+    loaded.model = read_obj(text, threads(), remarks);
+    ObjModel& model = loaded.model;
+    if (model.face_count == 0 && model.segment_count == 0 && model.point_count == 0) {
+      // What stands in a file that is no model is not worth a warning each.
+      const std::string sentence = explain_missing_geometry(text);
+      if (model.position_count > 0) warnings.add(remarks, text);
+      throw ProgramError(kCannotRead, sentence);
+    }
+    loaded.library.load_for(model, text, remarks, warnings, notes);
+    ModelReport& report = loaded.report;
+    report.name = text.name();
+    report.bytes = text.size();
+    report.positions = model.position_count;
+    report.texcoords = model.texcoord_count;
+    report.normals = model.normal_count;
+    report.faces = model.face_count;
+    report.segments = model.segment_count;
+    report.points = model.point_count;
+    report.objects = model.object_count;
+    report.groups = model.group_count;
+    report.materials = loaded.library.materials().size() - 1;
+    for (const Material& material : loaded.library.materials()) report.textures += !material.diffuse_map.file.empty();
+    report.vertex_colours = !model.colours.empty();
+    report.smoothing_groups = model.has_smoothing_groups;
+    triangulate_faces(model);
+    report.triangles = triangle_count(model);
+    return loaded;
+  }
+
+  void info(LoadedModel& loaded, const SourceText& text, RemarkList& remarks) {
+    const ModelFrame frame = frame_model(loaded.model);
+    for (int axis = 0; axis < 3; ++axis) {
+      loaded.report.low[axis] = frame.low[axis];
+      loaded.report.high[axis] = frame.high[axis];
+    }
+    loaded.report.area = surface_area(loaded.model);
+    build_mesh_for_remarks(loaded, frame, remarks);
+    warnings.add(remarks, text);
+    const std::string out = options.json ? as_json(loaded.report, warnings) : as_text(loaded.report);
+    if (std::fwrite(out.data(), 1, out.size(), stdout) != out.size() || std::fflush(stdout) != 0)
+      throw ProgramError(kCannotWrite, "standard output: cannot write");
+  }
+
+  // Materials are only looked up while the mesh is built.
+  void build_mesh_for_remarks(LoadedModel& loaded, const ModelFrame& frame, RemarkList& remarks) const {
+    MeshOptions mesh_options;
+    mesh_options.flat = true;
+    build_mesh(loaded.model, frame, loaded.library, mesh_options, remarks);
+  }
+
+  void draw(LoadedModel& loaded, const SourceText& text, RemarkList& remarks, Clock::time_point start) {
+    const auto prepare_start = Clock::now();
+    ObjModel& model = loaded.model;
+    if (options.colour) paint_over(loaded);
+    const ModelFrame frame = frame_model(model);
+    if (!options.render.flat) generate_normals(model, frame, options.normals);
+    MeshOptions mesh_options;
+    mesh_options.flat = options.render.flat;
+    mesh_options.with_texcoords = loaded.report.textures > 0 && !options.colour;
+    const Mesh mesh = build_mesh(model, frame, loaded.library, mesh_options, remarks);
+    model = ObjModel(); // the mesh is all that is needed from here on
+    warnings.add(remarks, text);
+    CameraOptions camera_options = options.camera;
+    if (camera_options.up == UpAxis::kAuto) camera_options.up = guess_up_axis(mesh);
+    const Camera camera = fit_camera(mesh, camera_options);
+    times.prepare = since(prepare_start);
+
+    RenderResult result = render(mesh, loaded.library.materials(), frame, camera, options.render, warnings);
+    times.upload = result.upload_seconds;
+    times.draw = result.draw_seconds;
+    times.resolve = result.resolve_seconds;
+    if (!result.visible)
+      throw ProgramError(kCannotRead, text.name() + ": nothing of the model is visible in this view; no picture written");
+    if (result.as_wireframe)
+      warnings.add(text.name(), "its surfaces have no visible area in this view; their edges are drawn instead");
+    if (options.strict && warnings.count() > 0)
+      throw ProgramError(kCannotRead, text.name() + ": " + std::to_string(warnings.count()) +
+                                          (warnings.count() == 1 ? " warning" : " warnings") +
+                                          " with --strict; no picture written");
+
+    const auto write_start = Clock::now();
+    write_file(options.output, encode_image(result.picture, options.format, options.png));
+    times.write = since(write_start);
+    times.total = since(start);
+    if (options.stats) print_stats(loaded.report);
+    if (options.verbose) std::fputs(as_text(loaded.report).c_str(), stderr);
+  }
+
+  void paint_over(LoadedModel& loaded) const {
+    const auto& colour = *options.colour;
+    loaded.model.colours.release();
+    for (Material& material : loaded.library.materials()) {
+      for (size_t i = 0; i < 3; ++i) material.ambient[i] = material.diffuse[i] = colour[i];
+      for (float& value : material.emission) value = 0;
+      material.diffuse_map = {};
+      material.opacity_map = {};
+      material.opacity = 1;
+    }
+  }
+
+  void print_stats(const ModelReport& report) {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    times.peak_kib = usage.ru_maxrss;
+    times.cpu = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    const std::string out = stats_as_json(report, times, options.render.width, options.render.height, warnings);
+    std::fputs(out.c_str(), options.output == "-" ? stderr : stdout);
+  }
+
+  const ProgramOptions& options;
+  Warnings warnings, notes;
+  RunTimes times;
+};
+
+} // namespace
+
+int run_program(int argc, const char* const* argv) {
+  try {
+    const ParsedOptions parsed = parse_options(argc, argv);
+    if (!parsed.options) return parsed.exit_code;
+    if (parsed.options->threads) ::setenv("SOFTGL_THREADS", std::to_string(parsed.options->threads).c_str(), 1);
+    Program program(*parsed.options);
+    try {
+      const int code = program.run();
+      program.print_messages();
+      return code;
+    } catch (...) {
+      program.print_messages();
+      throw;
+    }
+  } catch (const ProgramError& error) {
+    std::fprintf(stderr, "softgl: error: %s\n", error.what());
+    return error.code;
+  } catch (const std::bad_alloc&) {
+    std::fputs("softgl: error: out of memory\n", stderr);
+    return kCannotRead;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "softgl: error: %s\n", error.what());
+    return kCannotRead;
+  }
+}
+
+} // namespace softgl::cli
