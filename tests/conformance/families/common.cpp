@@ -10,7 +10,7 @@ void random_canvas(Stage& s) {
   s.gl.ClearDepth(s.random.chance(50) ? 1.0 : double(s.random.real(0, 1)));
   s.gl.ClearStencil(s.random.integer(0, 255));
   s.gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-  if (s.random.chance(20)) {
+  if (s.random.chance(15)) {
     const int x = s.random.integer(-20, 40), y = s.random.integer(-20, 40);
     const int w = s.random.integer(1, s.width * 2), h = s.random.integer(1, s.height * 2);
     s.gl.Viewport(x, y, w, h);
@@ -87,7 +87,8 @@ void random_modelview(Stage& s) {
   case 3: {
     const Float3 f{s.random.real(0.5f, 1.5f), s.random.real(0.5f, 1.5f), s.random.real(0.5f, 1.5f)};
     gl.Scaled(f[0], f[1], f[2]);
-    gl.Rotated(s.random.integer(-8, 8) * 45.0, 0, s.random.integer(0, 1), 1);
+    const double angle = s.random.integer(-8, 8) * 45.0;
+    gl.Rotated(angle, 0, s.random.integer(0, 1), 1);
     break;
   }
   default: break;

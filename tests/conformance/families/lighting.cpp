@@ -1,0 +1,146 @@
+// Lighting: every parameter of lights, light model and material, in every normal mode.
+#include "conformance/families/common.h"
+
+namespace softgl::test {
+
+static void random_material(Stage& s, GLenum face, bool shininess_may_be_zero) {
+  const Gl& gl = s.gl;
+  for (GLenum parameter : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION}) {
+    Float4 c = s.random.color();
+    if (parameter == GL_EMISSION)
+      for (float& x : c) x *= 0.2f;
+    if (s.random.chance(80)) gl.Materialfv(face, parameter, c.data());
+  }
+  const int kind = s.random.integer(0, 9);
+  const float shininess = kind == 0 && shininess_may_be_zero ? 0.0f : kind == 1 ? 128.0f : kind < 5 ? float(s.random.integer(1, 128)) : s.random.real(0.5f, 128);
+  gl.Materialf(face, GL_SHININESS, shininess);
+}
+
+// Returns true when the light is attenuated or a spot.
+static bool random_light(Stage& s, GLenum light) {
+  const Gl& gl = s.gl;
+  gl.Enable(light);
+  for (GLenum parameter : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR}) {
+    Float4 c = s.random.color();
+    const float f = parameter == GL_AMBIENT ? 0.3f : s.random.chance(10) ? 2.0f : 0.7f;
+    for (float& x : c) x *= f;
+    if (s.random.chance(85)) gl.Lightfv(light, parameter, c.data());
+  }
+  const Float3 d = s.random.direction();
+  const bool positional = s.random.chance(50);
+  const float distance = s.random.real(0.5f, 5);
+  Float4 position{d[0] * distance, d[1] * distance, d[2] * distance, positional ? s.random.chance(70) ? 1.0f : s.random.real(0.3f, 2) : 0.0f};
+  if (s.random.chance(60) && position[2] < 0) position[2] = -position[2];
+  const bool moved = s.random.chance(30);
+  if (moved) {
+    gl.PushMatrix();
+    rigid_modelview(s);
+  }
+  gl.Lightfv(light, GL_POSITION, position.data());
+  bool special = false;
+  if (s.random.chance(35)) {
+    const Float3 t = s.random.direction();
+    const Float3 toward = s.random.chance(70) ? Float3{-position[0], -position[1], -position[2] - 1} : t;
+    gl.Lightfv(light, GL_SPOT_DIRECTION, toward.data());
+    gl.Lightf(light, GL_SPOT_CUTOFF, s.random.chance(15) ? 90.0f : s.random.real(5, 90));
+    gl.Lightf(light, GL_SPOT_EXPONENT, s.random.chance(30) ? 0.0f : s.random.real(0, 128));
+    special = true;
+  }
+  if (moved) gl.PopMatrix();
+  if (s.random.chance(40)) {
+    gl.Lightf(light, GL_CONSTANT_ATTENUATION, s.random.chance(50) ? 1.0f : s.random.real(0.1f, 1.5f));
+    if (s.random.chance(60)) gl.Lightf(light, GL_LINEAR_ATTENUATION, s.random.real(0, 1));
+    if (s.random.chance(60)) gl.Lightf(light, GL_QUADRATIC_ATTENUATION, s.random.real(0, 1));
+    special = true;
+  }
+  return special;
+}
+
+struct LightingOptions {
+  bool modelview_any = true, color_material = true, materials_inside = true, secondary = true;
+};
+
+static void lit_batch(Stage& s, const LightingOptions& o) {
+  const Gl& gl = s.gl;
+  random_projection(s);
+  random_depth(s, 60);
+  random_culling(s);
+  gl.Enable(GL_LIGHTING);
+  for (int i = 0; i < 8; i++) gl.Disable(GL_LIGHT0 + GLenum(i));
+  bool special = false;
+  for (int i = s.random.chance(70) ? s.random.integer(1, 2) : s.random.integer(0, 8); i > 0; i--)
+    special |= random_light(s, GL_LIGHT0 + GLenum(s.random.integer(0, 7)));
+  const Float4 ambient = s.random.color();
+  gl.LightModelfv(GL_LIGHT_MODEL_AMBIENT, ambient.data());
+  gl.LightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, s.random.chance(40));
+  gl.LightModeli(GL_LIGHT_MODEL_TWO_SIDE, s.random.chance(40));
+  gl.LightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, o.secondary && s.random.chance(35) ? GL_SEPARATE_SPECULAR_COLOR : GL_SINGLE_COLOR);
+  if (s.random.chance(50)) {
+    random_material(s, GL_FRONT_AND_BACK, !special);
+  } else {
+    random_material(s, GL_FRONT, !special);
+    random_material(s, GL_BACK, !special);
+  }
+  const bool color_material = o.color_material && s.random.chance(35);
+  if (color_material) {
+    const GLenum face = GLenum(s.random.pick({GL_FRONT, GL_BACK, GL_FRONT_AND_BACK}));
+    gl.ColorMaterial(face, GLenum(s.random.pick({GL_EMISSION, GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_AMBIENT_AND_DIFFUSE})));
+    gl.Enable(GL_COLOR_MATERIAL);
+  } else {
+    gl.Disable(GL_COLOR_MATERIAL);
+  }
+  if (o.modelview_any) random_modelview(s);
+  else rigid_modelview(s);
+  gl.Disable(GL_NORMALIZE);
+  gl.Disable(GL_RESCALE_NORMAL);
+  switch (s.random.integer(0, 3)) {
+  case 0: case 1: gl.Enable(GL_NORMALIZE); break;
+  case 2: gl.Enable(GL_RESCALE_NORMAL); break;
+  default: break;
+  }
+  gl.ShadeModel(s.random.chance(75) ? GL_SMOOTH : GL_FLAT);
+  if (s.random.chance(40)) {
+    if (color_material) {
+      const Float4 c = s.random.color();
+      gl.Color4fv(c.data());
+    }
+    const int slices = s.random.integer(5, 20), stacks = s.random.integer(3, 12);
+    sphere(s, slices, stacks, s.random.real(0.5f, 1.1f), false);
+  } else {
+    PrimitiveOptions options;
+    options.mode = s.random.chance(10) ? GLenum(s.random.pick({GL_POINTS, GL_LINES, GL_LINE_STRIP})) : random_filled_mode(s);
+    options.normals = true;
+    options.colors = color_material || s.random.chance(20);
+    options.materials = o.materials_inside && s.random.chance(30);
+    options.spread = s.random.chance(70) ? Spread::View : Spread::Any;
+    gl.PointSize(7);
+    random_primitive(s, options);
+  }
+}
+
+static void draw_lit(Stage& s) {
+  random_canvas(s);
+  LightingOptions o;
+  o.modelview_any = o.color_material = o.materials_inside = o.secondary = false;
+  for (int batch = s.random.integer(1, 2); batch > 0; batch--) lit_batch(s, o);
+}
+
+static void draw_materials(Stage& s) {
+  random_canvas(s);
+  LightingOptions o;
+  o.modelview_any = false;
+  for (int batch = s.random.integer(1, 3); batch > 0; batch--) lit_batch(s, o);
+}
+
+static void draw_normals(Stage& s) {
+  random_canvas(s);
+  lit_batch(s, {});
+  if (s.random.chance(40)) {
+    if (s.random.chance(40)) random_fog(s);
+    lit_batch(s, {});
+  }
+}
+
+static SceneRegistration lit{{"lit", draw_lit, true}}, materials{{"materials", draw_materials, true}}, normals{{"normals", draw_normals, true}};
+
+} // namespace softgl::test
