@@ -21,7 +21,7 @@ struct BlockCoordinates {
 /// no stage may look at a neighbouring lane.
 struct alignas(64) FragmentBlock {
   int32_t lanes;
-  int32_t x[kLanes], y[kLanes];   // window coordinates of the pixel, y down
+  alignas(64) int32_t x[kLanes], y[kLanes];   // window coordinates of the pixel, y down
   uint32_t live[kLanes];          // ~0u: still to be written; 0: dead (its other values are finite but meaningless)
   uint32_t depth[kLanes];         // fragment depth in the depth buffer's integers
   float color[4][kLanes];         // running colour r g b a: primary, then after texturing, colour sum, fog

@@ -37,7 +37,7 @@ struct MaterialLanes {
 /// One block of lanes. Lanes [0, lanes) are computed; lanes is a multiple of kStripLanes.
 struct alignas(64) LightingBlock {
   int32_t lanes;
-  float normal[3][kLanes];
+  alignas(64) float normal[3][kLanes];
   float eye[4][kLanes];          // position, where a light is positional or the viewer is local
   float eye_unit[3][kLanes];     // position normalized, where the viewer is local
   float color[2][4][kLanes];     // out: [face]; back only when two-sided. Not clamped

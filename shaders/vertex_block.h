@@ -8,7 +8,7 @@ namespace softgl {
 
 struct alignas(64) VertexBlock {
   int32_t lanes;                    // multiple of kStripLanes; lanes behind the last vertex have inputs of zero
-  float position[4][kLanes];        // object coordinates
+  alignas(64) float position[4][kLanes];      // object coordinates
   float color[4][kLanes], secondary[3][kLanes], fog[kLanes];
   float clip[4][kLanes], window[4][kLanes], point[kLanes];
   int32_t mask[kLanes];             // ClipBit
