@@ -8,9 +8,7 @@
 #include "state/capabilities.h"
 #include "state/color_material.h"
 #include "state/context.h"
-#if __has_include("texture/texture_object.h")
 #include "texture/texture_object.h"
-#endif
 
 namespace softgl {
 namespace {
@@ -61,7 +59,6 @@ template <class Visit> void for_each_enable(Visit visit) {
     for (int unit = 0; unit < (capability.per_unit() ? kMaxTextureUnits : 1); ++unit) visit(capability, unit);
 }
 
-#if __has_include("texture/texture_object.h")
 void save_textures(Context& c, std::vector<SavedTexture>& saved) {
   for (int unit = 0; unit < kMaxTextureUnits; ++unit)
     for (int target = 0; target < kTextureTargets; ++target) {
@@ -82,10 +79,6 @@ void restore_textures(Context& c, const std::vector<SavedTexture>& saved) {
       texture.object->parameters = *texture.parameters;
   }
 }
-#else
-void save_textures(Context&, std::vector<SavedTexture>&) {}
-void restore_textures(Context&, const std::vector<SavedTexture>&) {}
-#endif
 
 } // namespace
 

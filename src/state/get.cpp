@@ -33,19 +33,15 @@ Vec4 fragment_color(const Context& c, const Vec4& color) {
 
 struct FramebufferBits { int red, green, blue, alpha, depth, stencil, accumulation; };
 FramebufferBits framebuffer_bits(const Context& c) {
-  FramebufferBits bits{8, 8, 8, 8, 0, 0, 0};
-  switch (c.framebuffer.surface.color_format) {
+  const Framebuffer& f = c.framebuffer;
+  int red = 8, green = 8;
+  switch (f.surface.color_format) {
   case ColorFormat::Rgba8: break;
-  case ColorFormat::Rgba16: bits = {16, 16, 16, 16, 0, 0, 0}; break;
-  case ColorFormat::RgbaFloat: bits = {32, 32, 32, 32, 0, 0, 0}; break;
-  case ColorFormat::Rgb565: bits = {5, 6, 5, 0, 0, 0, 0}; break;
+  case ColorFormat::Rgba16: red = green = 16; break;
+  case ColorFormat::RgbaFloat: red = green = 32; break;
+  case ColorFormat::Rgb565: red = 5, green = 6; break;
   }
-  switch (c.framebuffer.surface.depth_format) {
-  case DepthFormat::None: break;
-  case DepthFormat::Z16: bits.depth = 16; break;
-  case DepthFormat::Z24S8: bits.depth = 24, bits.stencil = 8; break;
-  }
-  return bits;
+  return {red, green, red, f.has_alpha ? red : 0, f.depth_bits, f.stencil_bits, f.accumulation_bits};
 }
 
 GLint stencil_reference(const Context& c) {
@@ -53,7 +49,9 @@ GLint stencil_reference(const Context& c) {
 }
 
 struct CompiledList { GLuint name; GLenum mode; };
-CompiledList list_being_compiled(const Context&) { return {0, 0}; }
+CompiledList list_being_compiled(const Context& c) {
+  return c.lists.list ? CompiledList{c.lists.name, c.lists.mode} : CompiledList{0, 0};
+}
 
 struct Row {
   GLenum token;

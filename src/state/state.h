@@ -183,7 +183,7 @@ struct StencilState {
   bool test = false;
   GLenum function = GL_ALWAYS, fail = GL_KEEP, depth_fail = GL_KEEP, depth_pass = GL_KEEP;
   GLint reference = 0;
-  GLuint value_mask = 0xffffffffu, write_mask = 0xffffffffu;
+  GLuint value_mask = 0xff, write_mask = 0xff; // all ones of the 8 bits there may be, as OSMesa answers
   GLint clear = 0;
 };
 struct AccumulationState {

@@ -1,0 +1,29 @@
+// GL 1.5, tables 6.5 to 6.37: every value of a new context.
+#include <catch2/catch.hpp>
+
+#include "spec/state_snapshot.h"
+
+using namespace softgl::test;
+
+TEST_CASE("every value of the state tables has its initial value", "[spec][state]") {
+  const Gl& gl = softgl_library();
+  CurrentContext context(gl);
+  for (const StateRow& row : state_rows()) {
+    if (row.initial.empty()) continue;
+    INFO(row.name);
+    double values[16] = {};
+    gl.GetDoublev(row.token, values);
+    REQUIRE(gl.GetError() == GL_NO_ERROR);
+    for (size_t i = 0; i < row.initial.size(); ++i) REQUIRE(values[i] == row.initial[i]);
+    if (row.kind == 'C') REQUIRE(gl.IsEnabled(row.token) == GLboolean(row.initial[0]));
+  }
+}
+
+TEST_CASE("a new context answers every query as OSMesa's does", "[spec][state]") {
+  for (GLenum type : {GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_FLOAT}) {
+    CurrentContext ours(softgl_library(), type), theirs(osmesa_library(), type);
+    const std::string difference = compare_snapshots(take_snapshot(softgl_library(), true), take_snapshot(osmesa_library(), true));
+    INFO(type << ": softgl | OSMesa\n" << difference);
+    REQUIRE(difference.empty());
+  }
+}
