@@ -32,6 +32,8 @@ public:
   void append(const DrawRecord* draw) { items_.push_back({draw, nullptr}); }
   void append(const ClearRecord* clear) { items_.push_back({nullptr, clear}); }
   bool empty() const { return items_.empty(); }
+  struct Item { const DrawRecord* draw; const ClearRecord* clear; }; // one of the two
+  const std::vector<Item>& items() const { return items_; }
   /// True when so much memory is in use that the owner should flush before more work is added.
   bool over_budget() const { return arena_.used() > kBudgetBytes; }
   /// Does all work on `surface` with all threads and forgets it; snapshots taken from State must be taken anew after
@@ -40,7 +42,6 @@ public:
 
 private:
   static constexpr size_t kBudgetBytes = 256u << 20;
-  struct Item { const DrawRecord* draw; const ClearRecord* clear; };
   friend class FrameWork;
   Arena arena_{1 << 20};
   std::vector<std::shared_ptr<const void>> retained_;

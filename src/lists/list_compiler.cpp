@@ -59,7 +59,7 @@ void remove_slot(VertexBuilder& b, int slot) {
 
 void forget_run(VertexBuilder& b) {
   std::free(b.base);
-  b.base = b.out = b.last = nullptr;
+  b.base = b.out = b.limit = nullptr;
   b.capacity = 0;
   b.mode = kNoPrimitive;
   b.slots = b.present = 1;
@@ -149,7 +149,7 @@ void* record(Context& c, uint16_t opcode, size_t bytes) {
     c.lists.scratch.resize((bytes + 7) / 8 + 1);
     return c.lists.scratch.data();
   }
-  if (b.last) close_loose_run(c, false);
+  if (b.limit) close_loose_run(c, false);
   close_compiled_run(c);
   return append(c, opcode, bytes ? bytes : 8);
 }
@@ -193,7 +193,7 @@ void close_compiled_run(Context& c) {
 
 void close_loose_run(Context& c, bool with_end) {
   c.lists.last_was_error = false;
-  if (c.builder.last) {
+  if (c.builder.limit) {
     c.builder.primitives.push_back({kNoPrimitive, 0, c.builder.vertex_count(), false, false});
     finish_run(c, true);
   }
@@ -213,7 +213,7 @@ void break_compiled_run(Context& c) {
     b.primitives.push_back({b.mode, b.first, b.vertex_count() - b.first, true, false});
     finish_run(c, true);
     finish_deferred(c);
-  } else if (b.last) {
+  } else if (b.limit) {
     close_loose_run(c, false);
   } else {
     close_compiled_run(c);

@@ -22,8 +22,8 @@ inline void set_attribute3(Context& c, int slot, float x, float y, float z) { se
 inline void emit_vertex4(Context& c, float x, float y, float z, float w) {
   VertexBuilder& b = c.builder;
   float* out = b.out;
-  // Outside Begin and End `last` is null; a chunk that is full looks the same.
-  if (__builtin_expect(out > b.last, 0)) return emit_vertex_without_room(c, x, y, z, w);
+  // Outside Begin and End `limit` is null; a chunk that is full looks the same.
+  if (__builtin_expect(out >= b.limit, 0)) return emit_vertex_without_room(c, x, y, z, w);
   const unsigned slots = b.slots;
   _mm_store_ps(out, _mm_setr_ps(x, y, z, w));
   for (unsigned i = 1; i < slots; ++i) _mm_store_ps(out + 4 * i, _mm_load_ps(b.value[i]));

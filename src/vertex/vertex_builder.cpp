@@ -1,5 +1,6 @@
 #include "vertex/vertex_builder.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <new>
@@ -15,7 +16,7 @@ constexpr size_t kSmallestChunk = 64 * 1024;
 // A new attribute between two primitives: up to here the waiting vertices are widened, above the run is closed.
 constexpr uint32_t kWidenLimit = 64;
 
-float* last_place(const VertexBuilder& b) { return b.base + b.capacity / sizeof(float) - 4 * b.slots; }
+float* room_end(const VertexBuilder& b) { return b.base + b.capacity / sizeof(float) - 4 * b.slots + 1; }
 
 void open_chunk(Context& c, size_t minimum = kSmallestChunk) {
   VertexBuilder& b = c.builder;
@@ -68,7 +69,7 @@ void add_slot(Context& c, int slot, const float* earlier) {
   b.slots = slots;
   b.present |= 1u << slot;
   b.first_set[slot] = count;
-  if (b.inside()) b.last = last_place(b);
+  if (b.inside()) b.limit = room_end(b);
 }
 
 /// Hands the chunk's primitives to the frame. Afterwards no chunk is open.
@@ -141,7 +142,7 @@ void split_run(Context& c) {
   open_chunk(c);
   for (uint32_t i = 0; i < carried; ++i, b.out += stride) std::memcpy(b.out, kept[i], stride * sizeof(float));
   b.first = 0;
-  b.last = last_place(b);
+  b.limit = room_end(b);
 }
 
 /// Attributes set since the last primitive get a slot where their value differs from the one before.
@@ -199,13 +200,13 @@ void gl::Begin(Context& c, GLenum mode) try {
   if (c.guard & kNoContext) return;
   if (mode > GL_POLYGON) return stream_error(c, GL_INVALID_ENUM);
   if (b.mode != kNoPrimitive) return stream_error(c, GL_INVALID_OPERATION);
-  if (b.last) close_loose_run(c, false);
+  if (b.limit) close_loose_run(c, false);
   if (!b.base) open_chunk(c);
   if (b.deferred) apply_deferred(c);
   b.mode = mode;
   b.first = b.vertex_count();
   b.continued = false;
-  b.last = last_place(b);
+  b.limit = room_end(b);
   c.guard |= kInsideBeginEnd | kRunPending;
 } catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
 
@@ -219,8 +220,10 @@ void gl::End(Context& c) try {
   const GLenum mode = b.mode;
   const uint32_t count = b.vertex_count() - b.first, kept = complete_vertices(mode, count, b.continued);
   b.out -= size_t(count - kept) * 4 * b.slots;
+  if (b.compiling && kept < count) // attributes set after vertices that are dropped now
+    for (uint32_t& first : b.first_set) first = std::min(first, b.first + kept);
   b.mode = kNoPrimitive;
-  b.last = nullptr;
+  b.limit = nullptr;
   c.guard &= ~kInsideBeginEnd;
   if (!kept) return;
   const bool independent = mode == GL_POINTS || mode == GL_LINES || mode == GL_TRIANGLES || mode == GL_QUADS;
@@ -296,16 +299,16 @@ void set_absent_attribute(Context& c, int slot, float x, float y, float z, float
 void emit_vertex_without_room(Context& c, float x, float y, float z, float w) try {
   VertexBuilder& b = c.builder;
   if (c.guard & kNoContext) return;
-  if (!b.last) {
+  if (!b.limit) {
     if (!b.compiling) return; // a vertex outside Begin and End is undefined: none
     // Perhaps the list will be called between Begin and End.
     b.close_run(c);
     open_chunk(c);
-    b.last = last_place(b);
+    b.limit = room_end(b);
     c.guard |= kRunPending;
   } else if (b.compiling) {
     grow_chunk(c, 2 * b.capacity);
-    b.last = last_place(b);
+    b.limit = room_end(b);
   } else {
     split_run(c);
   }

@@ -23,7 +23,7 @@ constexpr GLenum kNoPrimitive = 0xffff;
 struct VertexBuilder {
   // Touched by every call.
   float* out = nullptr;   // the next vertex
-  float* last = nullptr;  // a vertex fits while out <= last; null when no primitive is open
+  float* limit = nullptr; // a vertex fits while out < limit; null when no primitive is open
   uint32_t slots = 1;     // per vertex
   uint32_t present = 1;   // bit s: attribute s has a slot (the position always has)
   uint8_t place[kAttributeSlots + 6] = {}; // where attribute s is in a vertex; 0: absent
@@ -49,7 +49,7 @@ struct VertexBuilder {
   const Vec4* constants = nullptr; // State::current as last written to the arena (see current_constants)
 
   uint32_t vertex_count() const { return base ? uint32_t((out - base) / (4 * ptrdiff_t(slots))) : 0; }
-  bool inside() const { return mode != kNoPrimitive || last; }
+  bool inside() const { return mode != kNoPrimitive || limit; }
 
   /// Draws what waits (or hands it to the list that is being compiled) and makes the last attribute values current.
   /// Between Begin and End it does nothing.
