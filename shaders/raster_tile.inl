@@ -118,7 +118,7 @@ SOFTGL_INLINE void direct_strip(const RasterDraw& draw, const TileTarget& tile, 
       for (int k = 0; k < 4; ++k) c[k] = at(q[k], px, py) * w;
     }
     const IntV packed = pack_color(c[0], c[1], c[2], c[3]);
-    store(color + i * kWidth, choose(live, packed, load(color + i * kWidth)));
+    store(color + i * kWidth, choose(live & int32_t(draw.color_mask), packed, load(color + i * kWidth)));
   }
 }
 
@@ -215,12 +215,13 @@ static void tile_fragments(const TileTarget& tile, const RasterDraw& draw, const
   if (draw.direct && Compare(key.depth_function) == Compare::Less && key.depth_write) {
     auto* color = static_cast<uint32_t*>(tile.color);
     uint32_t* depth = tile.depth_stencil;
+    const uint32_t mask = draw.color_mask;
     for (int32_t i = 0; i < count; ++i) {
       const SmallFragment f = fragment[i];
       const uint32_t stored = depth[f.pixel];
       if (f.depth < (stored & 0xffffff)) {
         depth[f.pixel] = (stored & 0xff000000u) | f.depth;
-        color[f.pixel] = f.color;
+        color[f.pixel] = (color[f.pixel] & ~mask) | (f.color & mask);
       }
     }
     return;

@@ -108,11 +108,12 @@ const FragmentProgram* make_fragment_program(Context& context, Arena& arena) {
   k.alpha_reference_8 = unorm8(c.alpha_reference);
 
   key.depth_function = uint64_t(Compare::Always);
-  if (s.depth.test) {
+  // A plane of depth and stencil together may stand for a buffer that has only one of them.
+  if (s.depth.test && context.framebuffer.depth_bits > 0) {
     key.depth_function = compare(s.depth.function);
     key.depth_write = s.depth.mask;
   }
-  if (s.stencil.test) {
+  if (s.stencil.test && context.framebuffer.stencil_bits > 0) {
     key.stencil = 1;
     key.stencil_function = compare(s.stencil.function);
     key.stencil_fail = stencil_operation(s.stencil.fail);
@@ -140,6 +141,8 @@ const FragmentProgram* make_fragment_program(Context& context, Arena& arena) {
   }
   if (c.draw_buffer != GL_NONE)
     for (int i = 0; i < 4; ++i) key.color_mask |= uint64_t(c.mask[i]) << i;
+  // Surfaces without alpha keep it at 1, so that destination alpha reads as 1.
+  if (!context.framebuffer.has_alpha) key.color_mask &= 7;
 
   append_texture_stages(context, arena, program, k);
   key = simplify(key);
