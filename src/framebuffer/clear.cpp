@@ -26,6 +26,15 @@ void store_color(ColorFormat format, const Vec4& color, float (&value)[4]) {
   }
 }
 
+/// The depth in the surface's integers. OSMesa 22.3.6 clears a whole buffer in double; a part of it, or one whose stencil
+/// is masked, by drawing a rectangle, whose depth goes through float.
+uint32_t store_depth(DepthFormat format, double depth, bool drawn) {
+  const double one = format == DepthFormat::Z16 ? 65535.0 : 16777215.0;
+  if (!drawn) return uint32_t(std::nearbyint(depth * one));
+  const float z = float(depth * 2.0 - 1.0) * 0.5f + 0.5f;
+  return uint32_t(std::nearbyint(clamped(z) * float(one)));
+}
+
 } // namespace
 
 namespace gl {
@@ -33,6 +42,8 @@ namespace gl {
 void Clear(Context& c, GLbitfield mask) {
   if (mask & ~GLbitfield(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT))
     return set_error(c, GL_INVALID_VALUE);
+  if (mask == 0) return;
+  c.framebuffer.unresolved = true; // OSMesa: also when nothing is cleared in the end
   const Surface& surface = c.framebuffer.surface;
   const State& s = c.state;
   ClearRecord record{};
@@ -58,8 +69,11 @@ void Clear(Context& c, GLbitfield mask) {
     store_color(surface.color_format, s.color_buffer.clear_color, record.color_value);
   }
   if ((mask & GL_DEPTH_BUFFER_BIT) && c.framebuffer.depth_bits > 0 && s.depth.mask) {
+    const bool part = record.x0 > 0 || record.y0 > 0 || record.x1 < surface.width || record.y1 < surface.height;
+    const GLuint stencil_mask = s.stencil.write_mask & 0xff;
+    const bool with_masked_stencil = (mask & GL_STENCIL_BUFFER_BIT) && c.framebuffer.stencil_bits > 0 && stencil_mask != 0 && stencil_mask != 0xff;
     record.depth = true;
-    record.depth_value = uint32_t(std::nearbyint(s.depth.clear * (surface.depth_format == DepthFormat::Z16 ? 65535.0 : 16777215.0)));
+    record.depth_value = store_depth(surface.depth_format, s.depth.clear, part || with_masked_stencil);
   }
   if ((mask & GL_STENCIL_BUFFER_BIT) && c.framebuffer.stencil_bits > 0 && (s.stencil.write_mask & 0xff) != 0) {
     record.stencil = true;

@@ -38,7 +38,7 @@ bool needs_floats(const Context& c, const PixelFormat& f) {
   if (transfers_color(c.state.pixel_mode) || c.state.pixel_mode.map_color || f.luminance) return true;
   if (f.channel == PixelChannel::Packed && f.bits[0] > 8) return true;
   switch (c.framebuffer.surface.color_format) {
-    case ColorFormat::Rgba8: return false;
+    case ColorFormat::Rgba8: case ColorFormat::Rgba16: return false;
     case ColorFormat::Rgb565: return f.channel != PixelChannel::UnsignedByte && f.channel != PixelChannel::Packed;
     default: return true;
   }
@@ -66,9 +66,7 @@ void read_colors(const Context& c, const Target& t) {
   const Surface& s = c.framebuffer.surface;
   std::vector<unsigned char> row(size_t(t.count) * 16);
   const auto surface_row = [&](int r) { copy_color_row(s, t.x, s.height - 1 - (t.bottom + r), t.count, row.data()); };
-  const bool same_format = s.color_format == ColorFormat::Rgba16 && t.format.channel == PixelChannel::UnsignedShort &&
-                           !transfers_color(c.state.pixel_mode) && !c.state.pixel_mode.map_color && !t.format.luminance;
-  if (same_format) {
+  if (s.color_format == ColorFormat::Rgba16 && !needs_floats(c, t.format)) {
     for (int r = t.first_row; r < t.first_row + t.rows; ++r) {
       surface_row(r);
       pack_pixels(t.format, reinterpret_cast<const uint16_t(*)[4]>(row.data()), t.count, t.swap, t.pixels(r));
@@ -87,8 +85,9 @@ void read_colors(const Context& c, const Target& t) {
   }
   std::vector<float> floats(size_t(t.count) * 4);
   auto* rgba = reinterpret_cast<float(*)[4]>(floats.data());
-  // OSMesa: values of a floating-point surface stay as they are when they are read as floats.
-  const bool clamp = s.color_format != ColorFormat::RgbaFloat || t.format.channel != PixelChannel::Float;
+  // OSMesa 22.3.6: floating-point surfaces are clamped when read; of others a transfer may leave [0,1] when the result
+  // is signed or float, except where luminance is summed.
+  const bool clamp = s.color_format == ColorFormat::RgbaFloat || t.format.luminance;
   for (int r = t.first_row; r < t.first_row + t.rows; ++r) {
     surface_row(r);
     color_row_to_floats(s.color_format, row.data(), t.count, rgba);
@@ -168,13 +167,13 @@ void read_stencils(const Context& c, const Target& t) {
 /// The error that the arguments call for (4.3.2).
 GLenum check(const Context& c, GLsizei width, GLsizei height, GLenum format, GLenum type) {
   if (width < 0 || height < 0) return GL_INVALID_VALUE;
+  // A buffer that is missing comes before a type that does not fit, as in OSMesa.
+  if (format == GL_COLOR_INDEX) return GL_INVALID_OPERATION; // there are no colour index buffers
+  if (format == GL_DEPTH_COMPONENT && c.framebuffer.depth_bits == 0) return GL_INVALID_OPERATION;
+  if (format == GL_STENCIL_INDEX && c.framebuffer.stencil_bits == 0) return GL_INVALID_OPERATION;
   if (const GLenum error = check_pixel_format(format, type)) return error;
-  switch (format) {
-    case GL_COLOR_INDEX: return GL_INVALID_OPERATION; // there are no colour index buffers
-    case GL_DEPTH_COMPONENT: return c.framebuffer.depth_bits > 0 ? GL_NO_ERROR : GL_INVALID_OPERATION;
-    case GL_STENCIL_INDEX: return c.framebuffer.stencil_bits > 0 ? GL_NO_ERROR : GL_INVALID_OPERATION;
-    default: return c.state.pixel_mode.read_buffer == GL_NONE ? GL_INVALID_OPERATION : GL_NO_ERROR;
-  }
+  const bool color = format != GL_DEPTH_COMPONENT && format != GL_STENCIL_INDEX;
+  return color && c.state.pixel_mode.read_buffer == GL_NONE ? GL_INVALID_OPERATION : GL_NO_ERROR;
 }
 
 } // namespace

@@ -66,6 +66,13 @@ GLenum check_pixel_format(GLenum format, GLenum type) {
   const int packed = packed_components(type);
   if (packed == 0) return GL_INVALID_ENUM;
   if (packed != components || format == GL_BGR) return GL_INVALID_OPERATION;
+  if (format == GL_ABGR_EXT) { // OSMesa: with components of one size only
+    switch (type) {
+    case GL_UNSIGNED_SHORT_4_4_4_4: case GL_UNSIGNED_SHORT_4_4_4_4_REV:
+    case GL_UNSIGNED_INT_8_8_8_8: case GL_UNSIGNED_INT_8_8_8_8_REV: break;
+    default: return GL_INVALID_OPERATION;
+    }
+  }
   return GL_NO_ERROR;
 }
 
