@@ -245,17 +245,27 @@ std::vector<Float4> random_positions(Stage& s, GLenum mode, int count, Spread sp
   return p;
 }
 
-static void emit_color(Stage& s) {
+// All colours of a primitive have three components, or all have four: reference/DEVIATIONS.md.
+static void emit_color(Stage& s, bool alpha) {
   const Gl& gl = s.gl;
   const Float4 c = s.random.color();
-  switch (s.random.integer(0, 9)) {
-  case 0: gl.Color3f(c[0], c[1], c[2]); break;
-  case 1: gl.Color4ub(GLubyte(c[0] * 255), GLubyte(c[1] * 255), GLubyte(c[2] * 255), GLubyte(c[3] * 255)); break;
-  case 2: gl.Color4f(c[0] * 2 - 0.5f, c[1] * 2 - 0.5f, c[2] * 2 - 0.5f, c[3]); break;
-  case 3: gl.Color3us(GLushort(c[0] * 65535), GLushort(c[1] * 65535), GLushort(c[2] * 65535)); break;
-  case 4: gl.Color4b(GLbyte(c[0] * 255 - 128), GLbyte(c[1] * 255 - 128), GLbyte(c[2] * 255 - 128), GLbyte(c[3] * 127)); break;
-  case 5: gl.Color3d(c[0], c[1], c[2]); break;
-  default: gl.Color4fv(c.data()); break;
+  const int form = s.random.integer(0, 9);
+  if (alpha) {
+    switch (form) {
+    case 0: gl.Color4d(c[0], c[1], c[2], c[3]); break;
+    case 1: gl.Color4ub(GLubyte(c[0] * 255), GLubyte(c[1] * 255), GLubyte(c[2] * 255), GLubyte(c[3] * 255)); break;
+    case 2: gl.Color4f(c[0] * 2 - 0.5f, c[1] * 2 - 0.5f, c[2] * 2 - 0.5f, c[3]); break;
+    case 3: gl.Color4b(GLbyte(c[0] * 255 - 128), GLbyte(c[1] * 255 - 128), GLbyte(c[2] * 255 - 128), GLbyte(c[3] * 127)); break;
+    default: gl.Color4fv(c.data()); break;
+    }
+  } else {
+    switch (form) {
+    case 0: gl.Color3d(c[0], c[1], c[2]); break;
+    case 1: gl.Color3us(GLushort(c[0] * 65535), GLushort(c[1] * 65535), GLushort(c[2] * 65535)); break;
+    case 2: gl.Color3i(GLint(c[0] * 2147483000.0), GLint(c[1] * -2147483000.0), GLint(c[2] * 2147483000.0)); break;
+    case 3: gl.Color3ub(GLubyte(c[0] * 255), GLubyte(c[1] * 255), GLubyte(c[2] * 255)); break;
+    default: gl.Color3fv(c.data()); break;
+    }
   }
 }
 
@@ -295,11 +305,12 @@ void random_primitive(Stage& s, const PrimitiveOptions& o) {
   const int count = vertices_of(o.mode, primitives) + (s.random.chance(10) ? s.random.integer(0, 2) : 0);
   const std::vector<Float4> p = random_positions(s, o.mode, count, o.spread, o.planar);
   const int color_every = s.random.pick({1, 1, 1, 3});
+  const bool alpha = s.random.chance(70);
   if (in_list) gl.NewList(77, GL_COMPILE);
   gl.Begin(o.mode);
   for (int i = 0; i < count; i++) {
     const Float4& v = p[size_t(i)];
-    if (o.colors && i % color_every == 0) emit_color(s);
+    if (o.colors && i % color_every == 0) emit_color(s, alpha);
     if (o.normals) {
       const Float3 n = s.random.direction();
       gl.Normal3fv(n.data());
