@@ -113,7 +113,8 @@ void finish_run(Context& c, bool fragment) {
     if (b.base) {
       float* fitted = static_cast<float*>(std::realloc(b.base, size_t(count) * b.slots * 16 + 16));
       run->block->vertices = fitted ? fitted : b.base;
-      b.base = b.out = nullptr;
+      b.base = nullptr;
+      b.out = VertexBuilder::kNoChunk;
       describe_vertices(*run, run->block->vertices, run->block->source);
     }
     c.lists.list->runs.push_back(run);

@@ -78,7 +78,8 @@ void draw_chunk(Context& c) {
   const uint32_t count = b.vertex_count();
   Arena& arena = c.frame.arena();
   float* base = b.base;
-  b.base = b.out = nullptr;
+  b.base = nullptr;
+  b.out = VertexBuilder::kNoChunk;
   if (!base) return;
   arena.give_back(base, size_t(count) * b.slots * 16);
   if (b.primitives.empty()) return;

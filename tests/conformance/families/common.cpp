@@ -295,18 +295,17 @@ static void emit_material(Stage& s) {
 
 void random_primitive(Stage& s, const PrimitiveOptions& o) {
   const Gl& gl = s.gl;
+  // Smooth quads have a family of their own: where OSMesa cuts them depends on clipping, lists and indices.
   GLint shade_model = GL_FLAT;
-  bool in_list = false;
   if (o.mode == GL_QUADS) {
     gl.GetIntegerv(GL_SHADE_MODEL, &shade_model);
-    in_list = shade_model == GL_SMOOTH;
+    gl.ShadeModel(GL_FLAT);
   }
   const int primitives = o.primitives ? o.primitives : s.random.chance(70) ? s.random.integer(1, 6) : s.random.integer(7, 60);
   const int count = vertices_of(o.mode, primitives) + (s.random.chance(10) ? s.random.integer(0, 2) : 0);
   const std::vector<Float4> p = random_positions(s, o.mode, count, o.spread, o.planar);
   const int color_every = s.random.pick({1, 1, 1, 3});
   const bool alpha = s.random.chance(70);
-  if (in_list) gl.NewList(77, GL_COMPILE);
   gl.Begin(o.mode);
   for (int i = 0; i < count; i++) {
     const Float4& v = p[size_t(i)];
@@ -327,10 +326,7 @@ void random_primitive(Stage& s, const PrimitiveOptions& o) {
     else gl.Vertex3fv(v.data());
   }
   gl.End();
-  if (in_list) {
-    gl.EndList();
-    gl.CallList(77);
-  }
+  if (shade_model != GL_FLAT) gl.ShadeModel(GLenum(shade_model));
 }
 
 void backdrop(Stage& s) {

@@ -41,7 +41,7 @@ struct PrimitiveOptions {
 
 /// How many vertices `n` primitives of a mode need.
 int vertices_of(GLenum mode, int n);
-/// One Begin/End pair. Smooth quads go through a display list, because there OSMesa always cuts them along 1-3.
+/// One Begin/End pair. GL_QUADS are drawn flat.
 void random_primitive(Stage& s, const PrimitiveOptions& options);
 /// The positions of `count` vertices of a mode.
 std::vector<Float4> random_positions(Stage& s, GLenum mode, int count, Spread spread, bool planar);

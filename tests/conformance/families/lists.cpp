@@ -48,6 +48,7 @@ void list_content(Stage& s, GLuint call_below, bool partial_attributes) {
       const std::vector<Float4> p = random_positions(s, mode, count, Spread::View, false);
       // The first vertices take the colour and normal that are current when the list is called.
       const int color_from = partial_attributes ? r.integer(0, count) : 0, normal_from = partial_attributes ? r.integer(0, count) : 0;
+      if (mode == GL_QUADS) gl.ShadeModel(GL_FLAT);
       gl.Begin(mode);
       for (int k = 0; k < count; k++) {
         if (k >= color_from) {
