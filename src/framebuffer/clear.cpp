@@ -10,15 +10,17 @@ namespace {
 
 float clamped(float v) { return v > 0.0f ? (v < 1.0f ? v : 1.0f) : 0.0f; }
 
-/// OSMesa 22.3.6: float to integer rounds to nearest even; 5 and 6 bits are cut from the 8-bit value.
-void store_color(ColorFormat format, const Vec4& color, float (&value)[4]) {
+/// OSMesa 22.3.6: float to integer rounds to nearest even; where it clears by drawing a rectangle (a part of the surface or
+/// of its components), 5 and 6 bits are cut from the 8-bit value, as everything drawn is.
+void store_color(ColorFormat format, const Vec4& color, bool drawn, float (&value)[4]) {
   for (int i = 0; i < 4; ++i) {
     switch (format) {
       case ColorFormat::Rgba8: value[i] = std::nearbyint(clamped(color[i]) * 255.0f); break;
       case ColorFormat::Rgba16: value[i] = std::nearbyint(clamped(color[i]) * 65535.0f); break;
       case ColorFormat::Rgb565: {
         const int byte = int(std::nearbyint(clamped(color[i]) * 255.0f));
-        value[i] = float(i == 1 ? byte >> 2 : byte >> 3);
+        if (drawn) value[i] = float(i == 1 ? byte >> 2 : byte >> 3);
+        else value[i] = std::nearbyint(clamped(color[i]) * (i == 1 ? 63.0f : 31.0f));
         break;
       }
       case ColorFormat::RgbaFloat: value[i] = color[i]; break;
@@ -61,15 +63,16 @@ void Clear(Context& c, GLbitfield mask) {
   }
   if (record.x0 >= record.x1 || record.y0 >= record.y1) return;
 
+  const bool part = record.x0 > 0 || record.y0 > 0 || record.x1 < surface.width || record.y1 < surface.height;
   if ((mask & GL_COLOR_BUFFER_BIT) && s.color_buffer.draw_buffer != GL_NONE) {
     for (int i = 0; i < 4; ++i) {
       record.color_mask[i] = s.color_buffer.mask[i] && (i < 3 || c.framebuffer.has_alpha);
       record.color = record.color || record.color_mask[i];
     }
-    store_color(surface.color_format, s.color_buffer.clear_color, record.color_value);
+    const bool all = record.color_mask[0] && record.color_mask[1] && record.color_mask[2];
+    store_color(surface.color_format, s.color_buffer.clear_color, part || !all, record.color_value);
   }
   if ((mask & GL_DEPTH_BUFFER_BIT) && c.framebuffer.depth_bits > 0 && s.depth.mask) {
-    const bool part = record.x0 > 0 || record.y0 > 0 || record.x1 < surface.width || record.y1 < surface.height;
     const GLuint stencil_mask = s.stencil.write_mask & 0xff;
     const bool with_masked_stencil = (mask & GL_STENCIL_BUFFER_BIT) && c.framebuffer.stencil_bits > 0 && stencil_mask != 0 && stencil_mask != 0xff;
     record.depth = true;
