@@ -22,7 +22,7 @@ struct RasterDraw {
   int8_t secondary_plane, fog_plane, unit_plane[kBlockTextureUnits];
   uint8_t plane_count;
   bool small;  // triangles of few pixels become finished fragments
-  bool direct; // no stage runs and merging is only depth test and masked store: strips bypass the FragmentBlock
+  bool direct; // no stage runs, RGBA8, no stencil: blocks of pixels bypass the FragmentBlock
   uint32_t color_mask; // of an RGBA8 word
 };
 constexpr int kPlaneZ = 0, kPlaneW = 1, kPlaneColor = 2;

@@ -15,28 +15,12 @@ struct StripBatch {
 };
 
 SOFTGL_INLINE FloatV row_of_eight(int i) { // x offsets of the lanes of vector i of a strip
-  FloatV v;
-  for (int k = 0; k < kWidth; ++k) v[k] = float((i * kWidth + k) & 7);
-  return v;
+  alignas(64) static const float offset[16] = {0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7};
+  return load(offset + (i * kWidth & 7));
 }
 SOFTGL_INLINE FloatV row_number(int i) {
-  FloatV v;
-  for (int k = 0; k < kWidth; ++k) v[k] = float((i * kWidth + k) >> 3);
-  return v;
-}
-
-SOFTGL_INLINE IntV compare_depth(Compare function, IntV z, IntV stored) {
-  switch (function) {
-  case Compare::Never: return IntV{};
-  case Compare::Less: return z < stored;
-  case Compare::Equal: return z == stored;
-  case Compare::LessEqual: return z <= stored;
-  case Compare::Greater: return z > stored;
-  case Compare::NotEqual: return z != stored;
-  case Compare::GreaterEqual: return z >= stored;
-  case Compare::Always: break;
-  }
-  return splat(-1);
+  alignas(64) static const float row[16] = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1};
+  return kWidth == 16 ? load(row) : splat(float(i * kWidth >> 3));
 }
 
 /// Merges the strips of `block` whose colours are final.
@@ -86,49 +70,98 @@ static void run_strips(const RasterDraw& draw, const TileTarget& tile, const Ras
   batch.strips = 0;
 }
 
-/// A strip whose fragments need nothing but depth test and store (RGBA8, all channels).
-template <bool DepthTest>
-SOFTGL_INLINE void direct_strip(const RasterDraw& draw, const TileTarget& tile, const RasterPrimitive& p, int32_t x, int32_t y,
-                                int pixel, uint32_t mask, float scale) {
+/// How the colour of a direct block reaches the surface.
+enum class DirectColor { Store, Over, Any };
+
+/// Planes of a primitive with the x part at the columns of a block: a + gx * px.
+struct BlockPlane {
+  FloatV column[kWidth < 8 ? 2 : 1];
+  FloatV gy;
+};
+SOFTGL_INLINE BlockPlane block_plane(const Plane& p, int32_t x) {
+  BlockPlane b;
+  for (int i = 0; i < (kWidth < 8 ? 2 : 1); ++i) b.column[i] = splat(p.gx) * (splat(float(x)) + row_of_eight(i)) + splat(p.a);
+  b.gy = splat(p.gy);
+  return b;
+}
+
+/// An 8x8 block whose fragments need no stage (RGBA8, no stencil): depth test, colour, blending.
+template <bool DepthTest, DirectColor Color>
+SOFTGL_INLINE void direct_block(const RasterDraw& draw, const TileTarget& tile, const RasterPrimitive& p, int32_t x, int32_t y,
+                                int pixel, uint64_t mask, float scale) {
   const FragmentKey& key = draw.program->key;
+  const Compare function = Compare(key.depth_function);
+  const IntV depth_mask = splat(key.depth_write ? 0xffffff : 0), color_mask = splat(int32_t(draw.color_mask));
   auto* color = static_cast<uint32_t*>(tile.color) + pixel;
   uint32_t* depth = tile.depth_stencil + pixel;
-  const FloatV left = splat(float(x)), top = splat(float(y));
-  for (int i = 0; i < kStripLanes / kWidth; ++i) {
-    const uint32_t bits = mask >> (i * kWidth) & ((1u << (kWidth - 1) << 1) - 1u);
-    if (!bits) continue;
-    IntV live = mask_of_bits(bits);
-    const FloatV px = left + row_of_eight(i), py = top + row_number(i);
-    if constexpr (DepthTest) {
-      const FloatV z = at(p.plane[kPlaneZ], px, py) + p.depth_offset;
-      const IntV zi = depth_bits(z, scale);
-      const IntV stored = load(depth + i * kWidth);
-      live &= compare_depth(Compare(key.depth_function), zi, stored & 0xffffff);
-      if (!sign_bits(live)) continue;
-      if (key.depth_write) store(depth + i * kWidth, choose(live & 0xffffff, zi, stored));
-    }
-    FloatV c[4];
+  const bool flat = p.flat, divide = !p.flat && !p.w_is_one;
+  const FloatV offset = splat(p.depth_offset);
+  BlockPlane z, w, c[4];
+  if constexpr (DepthTest) z = block_plane(p.plane[kPlaneZ], x);
+  w = block_plane(p.plane[kPlaneW], x);
+  for (int k = 0; k < 4; ++k) c[k] = block_plane(p.plane[kPlaneColor + k], x);
+  IntV constant_color = IntV{};
+  if (flat) {
     const Plane* q = p.plane + kPlaneColor;
-    if (p.flat) {
-      for (int k = 0; k < 4; ++k) c[k] = splat(q[k].a);
-    } else if (p.w_is_one) {
-      for (int k = 0; k < 4; ++k) c[k] = at(q[k], px, py);
-    } else {
-      const FloatV w = splat(1.0f) / at(p.plane[kPlaneW], px, py);
-      for (int k = 0; k < 4; ++k) c[k] = at(q[k], px, py) * w;
+    constant_color = pack_color(splat(q[0].a), splat(q[1].a), splat(q[2].a), splat(q[3].a));
+  }
+  constexpr uint32_t kAll = (1u << (kWidth - 1) << 1) - 1u;
+  for (int i = 0; i < 64 / kWidth; ++i, mask >>= kWidth) {
+    const uint32_t bits = uint32_t(mask) & kAll;
+    if (!bits) continue;
+    const int half = kWidth < 8 ? i & 1 : 0;
+    const FloatV py = kWidth == 16 ? splat(float(y + 2 * i)) + row_number(0) : splat(float(y + (i * kWidth >> 3)));
+    IntV live = bits == kAll ? splat(-1) : mask_of_bits(bits);
+    if constexpr (DepthTest) {
+      const IntV zi = depth_bits(z.gy * py + z.column[half] + offset, scale);
+      const IntV stored = load(depth + i * kWidth), old = stored & 0xffffff;
+      live &= function == Compare::Less ? zi < old : compare_words(function, zi, old);
+      if (!sign_bits(live)) continue;
+      store(depth + i * kWidth, choose(live & depth_mask, zi, stored));
     }
-    const IntV packed = pack_color(c[0], c[1], c[2], c[3]);
-    store(color + i * kWidth, choose(live & int32_t(draw.color_mask), packed, load(color + i * kWidth)));
+    IntV source = constant_color;
+    if (!flat) {
+      FloatV v[4];
+      for (int k = 0; k < 4; ++k) v[k] = c[k].gy * py + c[k].column[half];
+      if (divide) {
+        const FloatV r = splat(1.0f) / (w.gy * py + w.column[half]);
+        for (int k = 0; k < 4; ++k) v[k] *= r;
+      }
+      source = pack_color(v[0], v[1], v[2], v[3]);
+    }
+    const IntV target = load(color + i * kWidth);
+    if constexpr (Color == DirectColor::Over) source = blend_over(source, target);
+    if constexpr (Color == DirectColor::Any) {
+      if (key.logic_op) source = logic_words(unsigned(key.blend_source_rgb), source, target);
+      else source = blend_words(key, *draw.program->constants, source, target);
+    }
+    store(color + i * kWidth, choose(live & color_mask, source, target));
   }
 }
 
-template <bool Direct, bool DepthTest>
-SOFTGL_INLINE void primitive_in_tile(const RasterDraw& draw, const TileTarget& tile, const RasterPrimitive& p, FragmentBlock& block) {
+template <bool DepthTest, DirectColor Color>
+static void direct_primitive(const RasterDraw& draw, const TileTarget& tile, const RasterPrimitive& p) {
+  TileEdges edges;
+  if (!clip_to_tile(p, tile.x, tile.y, edges)) return;
+  const float scale = depth_scale(draw.program->key);
+  EdgeSteps steps;
+  if (!edges.inside) edge_steps(edges, steps);
+  for (int by = edges.y0 & ~7; by < edges.y1; by += 8)
+    for (int bx = edges.x0 & ~7; bx < edges.x1; bx += 8) {
+      const uint64_t covered = edges.inside ? box_mask(edges, bx, by) : block_coverage(edges, steps, bx, by);
+      if (covered) direct_block<DepthTest, Color>(draw, tile, p, tile.x + bx, tile.y + by, pixel_in_tile(bx, by), covered, scale);
+    }
+}
+
+/// A primitive whose fragments go through the stages of its program.
+template <bool Depth>
+static void staged_primitive(const RasterDraw& draw, const TileTarget& tile, const RasterPrimitive& p, FragmentBlock& block) {
   TileEdges edges;
   if (!clip_to_tile(p, tile.x, tile.y, edges)) return;
   const FragmentKey& key = draw.program->key;
+  const Compare function = Compare(key.depth_function);
   const float scale = depth_scale(key);
-  const bool early = DepthTest && !key.stencil;
+  const bool early = Depth && !key.stencil;
   EdgeSteps steps;
   if (!edges.inside) edge_steps(edges, steps);
   StripBatch batch;
@@ -140,20 +173,15 @@ SOFTGL_INLINE void primitive_in_tile(const RasterDraw& draw, const TileTarget& t
         const uint32_t mask = uint32_t(covered) & 0xffff;
         if (!mask) continue;
         const int32_t x = tile.x + bx, y = tile.y + by + 2 * s;
-        if constexpr (Direct) {
-          direct_strip<DepthTest>(draw, tile, p, x, y, pixel + s * kStripLanes, mask, scale);
-          continue;
-        }
         const int lane = batch.strips * kStripLanes;
         uint32_t any = 0;
         for (int i = 0; i < kStripLanes / kWidth; ++i) {
           IntV live = mask_of_bits(mask >> (i * kWidth));
           const FloatV px = splat(float(x)) + row_of_eight(i), py = splat(float(y)) + row_number(i);
-          if constexpr (DepthTest) {
-            const FloatV z = at(p.plane[kPlaneZ], px, py) + p.depth_offset;
-            const IntV zi = depth_bits(z, scale);
+          if constexpr (Depth) {
+            const IntV zi = depth_bits(at(p.plane[kPlaneZ], px, py) + p.depth_offset, scale);
             store(block.depth + lane + i * kWidth, zi);
-            if (early) live &= compare_depth(Compare(key.depth_function), zi, load(tile.depth_stencil + pixel + s * kStripLanes + i * kWidth) & 0xffffff);
+            if (early) live &= compare_words(function, zi, load(tile.depth_stencil + pixel + s * kStripLanes + i * kWidth) & 0xffffff);
           }
           store(block.live + lane + i * kWidth, live);
           store(block.x + lane + i * kWidth, round_to_int(px));
@@ -169,21 +197,25 @@ SOFTGL_INLINE void primitive_in_tile(const RasterDraw& draw, const TileTarget& t
   if (batch.strips) run_strips(draw, tile, p, block, batch);
 }
 
+template <bool DepthTest> SOFTGL_INLINE void direct_primitives(const TileTarget& tile, const RasterDraw& draw, const RasterPrimitive* const* primitive, int32_t count) {
+  const FragmentKey& key = draw.program->key;
+  if (is_over(key)) for (int32_t i = 0; i < count; ++i) direct_primitive<DepthTest, DirectColor::Over>(draw, tile, *primitive[i]);
+  else if (key.blend || key.logic_op) for (int32_t i = 0; i < count; ++i) direct_primitive<DepthTest, DirectColor::Any>(draw, tile, *primitive[i]);
+  else for (int32_t i = 0; i < count; ++i) direct_primitive<DepthTest, DirectColor::Store>(draw, tile, *primitive[i]);
+}
+
 /// Draws primitives into a tile, in order.
 static void tile_primitives(const TileTarget& tile, const RasterDraw& draw, const RasterPrimitive* const* primitive, int32_t count,
                             FragmentBlock& block) {
   const FragmentKey& key = draw.program->key;
-  const bool depth = tile.depth_stencil && (Compare(key.depth_function) != Compare::Always || key.depth_write);
-  const bool any_depth = depth || (tile.depth_stencil && key.stencil);
-  for (int32_t i = 0; i < count; ++i) {
-    if (draw.direct) {
-      if (depth) primitive_in_tile<true, true>(draw, tile, *primitive[i], block);
-      else primitive_in_tile<true, false>(draw, tile, *primitive[i], block);
-    } else {
-      if (any_depth) primitive_in_tile<false, true>(draw, tile, *primitive[i], block);
-      else primitive_in_tile<false, false>(draw, tile, *primitive[i], block);
-    }
+  const bool depth = tile.depth_stencil && (Compare(key.depth_function) != Compare::Always || key.depth_write || key.stencil);
+  if (draw.direct) {
+    if (depth) direct_primitives<true>(tile, draw, primitive, count);
+    else direct_primitives<false>(tile, draw, primitive, count);
+    return;
   }
+  if (depth) for (int32_t i = 0; i < count; ++i) staged_primitive<true>(draw, tile, *primitive[i], block);
+  else for (int32_t i = 0; i < count; ++i) staged_primitive<false>(draw, tile, *primitive[i], block);
 }
 
 /// Merges fragments that share no pixel.
@@ -212,7 +244,7 @@ static void merge_fragments(const TileTarget& tile, const FragmentProgram& progr
 static void tile_fragments(const TileTarget& tile, const RasterDraw& draw, const SmallFragment* fragment, int32_t count) {
   const FragmentProgram& program = *draw.program;
   const FragmentKey& key = program.key;
-  if (draw.direct && Compare(key.depth_function) == Compare::Less && key.depth_write) {
+  if (draw.direct && !key.blend && !key.logic_op && Compare(key.depth_function) == Compare::Less && key.depth_write) {
     auto* color = static_cast<uint32_t*>(tile.color);
     uint32_t* depth = tile.depth_stencil;
     const uint32_t mask = draw.color_mask;

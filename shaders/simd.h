@@ -22,6 +22,7 @@ constexpr int kWidth = 4;
 typedef float FloatV __attribute__((vector_size(4 * kWidth), may_alias));
 typedef int32_t IntV __attribute__((vector_size(4 * kWidth), may_alias));
 typedef uint32_t UintV __attribute__((vector_size(4 * kWidth), may_alias));
+typedef uint16_t ShortV __attribute__((vector_size(4 * kWidth), may_alias)); // two 16-bit halves for each lane
 
 SOFTGL_INLINE FloatV load(const float* p) { FloatV v; memcpy(&v, p, sizeof v); return v; }
 SOFTGL_INLINE IntV load(const int32_t* p) { IntV v; memcpy(&v, p, sizeof v); return v; }

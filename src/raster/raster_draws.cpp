@@ -20,7 +20,7 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
   d.plane_count = uint8_t(planes);
   const auto format = static_cast<ColorFormat>(key.color_format);
   d.small = format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565;
-  d.direct = draw.fragment->step_count == 0 && format == ColorFormat::Rgba8 && !key.stencil && !key.blend && !key.logic_op;
+  d.direct = draw.fragment->step_count == 0 && format == ColorFormat::Rgba8 && !key.stencil;
   for (int c = 0; c < 4; ++c)
     if (key.color_mask >> c & 1) d.color_mask |= 0xffu << (8 * c);
   return d;
