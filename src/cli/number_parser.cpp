@@ -17,7 +17,7 @@ struct TokenEnds {
 
 template <class T> bool read_exactly(const char* first, const char* last, T& value) {
   if (first < last && *first == '+') ++first;
-  if (first < last && first[0] == '+') return false;
+  if (first < last && (first[0] == '+' || (first[-1] == '+' && first[0] == '-'))) return false;
   const auto result = std::from_chars(first, last, value);
   if (result.ptr != last) return false;
   if (result.ec == std::errc::result_out_of_range) {

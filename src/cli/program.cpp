@@ -1,9 +1,9 @@
 #include "program.h"
 
 #include "face_triangulation.h"
+#include "model_loader.h"
 #include "options.h"
 #include "program_error.h"
-#include "report.h"
 
 #include <chrono>
 #include <cstdio>
@@ -18,12 +18,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-struct LoadedModel {
-  ObjModel model;
-  MaterialLibrary library;
-  ModelReport report;
-};
-
 class Program {
 public:
   explicit Program(const ProgramOptions& options) : options(options) {}
@@ -32,7 +26,7 @@ public:
     const auto start = Clock::now();
     const SourceText text = SourceText::open(options.model);
     RemarkList remarks;
-    LoadedModel loaded = load(text, remarks);
+    LoadedModel loaded = load_model(text, threads(), remarks, warnings, notes);
     times.read = since(start);
     if (options.command == ProgramOptions::kInfo) {
       info(loaded, text, remarks);
@@ -54,37 +48,6 @@ private:
     if (options.threads) return options.threads;
     const unsigned count = std::thread::hardware_concurrency();
     return count ? count : 1;
-  }
-
-  LoadedModel load(const SourceText& text, RemarkList& remarks) {
-    LoadedModel loaded;
-    loaded.model = read_obj(text, threads(), remarks);
-    ObjModel& model = loaded.model;
-    if (model.face_count == 0 && model.segment_count == 0 && model.point_count == 0) {
-      // What stands in a file that is no model is not worth a warning each.
-      const std::string sentence = explain_missing_geometry(text);
-      if (model.position_count > 0) warnings.add(remarks, text);
-      throw ProgramError(kCannotRead, sentence);
-    }
-    loaded.library.load_for(model, text, remarks, warnings, notes);
-    ModelReport& report = loaded.report;
-    report.name = text.name();
-    report.bytes = text.size();
-    report.positions = model.position_count;
-    report.texcoords = model.texcoord_count;
-    report.normals = model.normal_count;
-    report.faces = model.face_count;
-    report.segments = model.segment_count;
-    report.points = model.point_count;
-    report.objects = model.object_count;
-    report.groups = model.group_count;
-    report.materials = loaded.library.materials().size() - 1;
-    for (const Material& material : loaded.library.materials()) report.textures += !material.diffuse_map.file.empty();
-    report.vertex_colours = !model.colours.empty();
-    report.smoothing_groups = model.has_smoothing_groups;
-    triangulate_faces(model);
-    report.triangles = triangle_count(model);
-    return loaded;
   }
 
   void info(LoadedModel& loaded, const SourceText& text, RemarkList& remarks) {

@@ -1,0 +1,88 @@
+#include "models/program_runner.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <sys/wait.h>
+#include <tuple>
+#include <unistd.h>
+
+namespace softgl::test {
+
+std::string read_bytes(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << file.rdbuf();
+  return bytes.str();
+}
+
+// Files instead of pipes: no deadlock, whatever the amount.
+ProgramRun run_softgl(const std::vector<std::string>& arguments, const std::string& input) {
+  const std::string folder = std::string(SOFTGL_TEST_OUTPUT) + "/program/";
+  std::filesystem::create_directories(folder);
+  const std::string stem = folder + std::to_string(::getpid());
+  const std::string paths[3] = {stem + ".in", stem + ".out", stem + ".err"};
+  std::ofstream(paths[0], std::ios::binary) << input;
+  const std::string program = std::string(SOFTGL_TEST_BINARY_DIR) + "/softgl";
+  std::vector<char*> argv{const_cast<char*>(program.c_str())};
+  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const int flags[3] = {O_RDONLY, O_WRONLY | O_CREAT | O_TRUNC, O_WRONLY | O_CREAT | O_TRUNC};
+    for (int i = 0; i < 3; ++i) {
+      const int file = ::open(paths[i].c_str(), flags[i], 0644);
+      if (file < 0 || ::dup2(file, i) < 0) ::_exit(127);
+    }
+    ::execv(argv[0], argv.data());
+    ::_exit(127);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ProgramRun run;
+  run.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  run.output = read_bytes(paths[1]);
+  run.errors = read_bytes(paths[2]);
+  for (const std::string& path : paths) std::filesystem::remove(path);
+  return run;
+}
+
+TestPicture parse_ppm(const std::string& bytes) {
+  TestPicture picture;
+  int used = 0;
+  if (std::sscanf(bytes.c_str(), "P6 %d %d 255%n", &picture.width, &picture.height, &used) != 2)
+    throw std::runtime_error("not a PPM picture");
+  const auto size = size_t(3) * static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height);
+  const auto start = static_cast<size_t>(used) + 1;
+  if (bytes.size() != start + size) throw std::runtime_error("a PPM picture of the wrong size");
+  picture.rgb.assign(bytes.begin() + static_cast<long>(start), bytes.end());
+  return picture;
+}
+
+TestPicture read_ppm(const std::string& path) { return parse_ppm(read_bytes(path)); }
+
+size_t TestPicture::colours() const {
+  std::set<std::tuple<uint8_t, uint8_t, uint8_t>> seen;
+  for (size_t i = 0; i < rgb.size(); i += 3) seen.emplace(rgb[i], rgb[i + 1], rgb[i + 2]);
+  return seen.size();
+}
+
+TestPicture::Box TestPicture::drawn() const {
+  Box box{width, -1, height, -1};
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      if (std::equal(at(x, y), at(x, y) + 3, at(0, 0))) continue;
+      box.left = std::min(box.left, x);
+      box.right = std::max(box.right, x);
+      box.top = std::min(box.top, y);
+      box.bottom = std::max(box.bottom, y);
+    }
+  return box;
+}
+
+} // namespace softgl::test

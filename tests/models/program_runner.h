@@ -1,0 +1,35 @@
+// The softgl program as its users run it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace softgl::test {
+
+struct ProgramRun {
+  int exit_code = -1; // -1: ended by a signal
+  std::string output, errors;
+};
+
+ProgramRun run_softgl(const std::vector<std::string>& arguments, const std::string& input = {});
+
+struct TestPicture {
+  int width = 0, height = 0;
+  std::vector<uint8_t> rgb;
+
+  const uint8_t* at(int x, int y) const { return &rgb[3 * (static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x))]; }
+  size_t colours() const; // how many different ones
+  // First and last column and row that differ from the top left pixel.
+  struct Box {
+    int left, right, top, bottom;
+  };
+  Box drawn() const;
+};
+
+TestPicture parse_ppm(const std::string& bytes);
+TestPicture read_ppm(const std::string& path);
+
+std::string read_bytes(const std::string& path);
+
+} // namespace softgl::test
