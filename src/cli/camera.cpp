@@ -63,13 +63,23 @@ struct Extremes {
   double low[3] = {1e300, 1e300, 1e300}, high[3] = {-1e300, -1e300, -1e300};
 };
 
-// Centre and distance from which the view pyramid of slopes tx, ty just holds all points: each side of the pyramid
-// touches a point, so the answer is exact and needs no search.
 struct Placement {
   double x, y, distance;
 };
 
-Placement place_perspective(const Mesh& mesh, const Axes& axes, double tx, double ty) {
+// The bounds between which the camera may move sideways without cutting the model.
+struct Interval {
+  double low, high;
+};
+
+struct Fit {
+  Placement place;
+  Interval x, y;
+};
+
+// Centre and distance from which the view pyramid of slopes tx, ty just holds all points: two opposite sides of the
+// pyramid touch a point each, so the answer is exact and needs no search.
+Fit place_perspective(const Mesh& mesh, const Axes& axes, double tx, double ty) {
   double right = -1e300, left = -1e300, top = -1e300, bottom = -1e300;
   for_each_position(mesh, [&](const float* p) {
     const double x = along(axes.right, p), y = along(axes.up, p), z = along(axes.back, p);
@@ -78,26 +88,31 @@ Placement place_perspective(const Mesh& mesh, const Axes& axes, double tx, doubl
     top = std::max(top, y + z * ty);
     bottom = std::max(bottom, -y + z * ty);
   });
-  return {(right - left) / 2, (top - bottom) / 2, std::max((right + left) / (2 * tx), (top + bottom) / (2 * ty))};
+  const double distance = std::max((right + left) / (2 * tx), (top + bottom) / (2 * ty));
+  return {{(right - left) / 2, (top - bottom) / 2, distance},
+          {right - distance * tx, distance * tx - left},
+          {top - distance * ty, distance * ty - bottom}};
 }
 
-// The axis that does not fill the picture is centred as seen: some steps of moving by the asymmetry.
-void centre(const Mesh& mesh, const Axes& axes, double tx, double ty, Placement& place) {
-  for (int step = 0; step < 4; ++step) {
-    double low_x = 1e300, high_x = -1e300, low_y = 1e300, high_y = -1e300, depth_x = 0, depth_y = 0;
+// The axis that does not fill the picture is centred as seen: both outermost points at the same distance from the
+// middle. Their two lines cross where the next guess lies; bisection where that leaves the interval.
+double centred(const Mesh& mesh, const double* axis, const double* back, double distance, double slope, double start,
+               Interval bounds) {
+  double place = start;
+  for (int step = 0; step < 16 && bounds.high - bounds.low > 0.001 * slope * distance; ++step) {
+    double low = 1e300, high = -1e300, low_inverse = 1, high_inverse = 1;
     for_each_position(mesh, [&](const float* p) {
-      const double depth = place.distance - along(axes.back, p);
-      const double x = (along(axes.right, p) - place.x) / depth, y = (along(axes.up, p) - place.y) / depth;
-      if (x < low_x) low_x = x, depth_x = depth;
-      if (x > high_x) high_x = x;
-      if (y < low_y) low_y = y, depth_y = depth;
-      if (y > high_y) high_y = y;
+      const double inverse = 1 / (distance - along(back, p));
+      const double seen = (along(axis, p) - place) * inverse;
+      if (seen < low) low = seen, low_inverse = inverse;
+      if (seen > high) high = seen, high_inverse = inverse;
     });
-    const double shift_x = (low_x + high_x) / 2, shift_y = (low_y + high_y) / 2;
-    if (std::fabs(shift_x) < 0.002 * tx && std::fabs(shift_y) < 0.002 * ty) return;
-    if (std::max(-low_x, high_x) < tx * 0.999) place.x += shift_x * depth_x;
-    if (std::max(-low_y, high_y) < ty * 0.999) place.y += shift_y * depth_y;
+    if (std::fabs(low + high) < 0.004 * slope) break;
+    (low + high > 0 ? bounds.low : bounds.high) = place;
+    place += (low + high) / (low_inverse + high_inverse);
+    if (!(place > bounds.low && place < bounds.high)) place = (bounds.low + bounds.high) / 2;
   }
+  return place;
 }
 
 void set_view(Camera& camera, const Axes& axes, double x, double y, double z) {
@@ -162,13 +177,15 @@ Camera fit_camera(const Mesh& mesh, const CameraOptions& options) {
   }
 
   const double ty = tangent(options.field_of_view / 2), tx = ty * aspect;
-  Placement place = place_perspective(mesh, axes, tx * fill, ty * fill);
+  const Fit fit = place_perspective(mesh, axes, tx * fill, ty * fill);
+  Placement place = fit.place;
   if (single_place || mesh.empty()) {
     place = {(box.low[0] + box.high[0]) / 2, (box.low[1] + box.high[1]) / 2, box.high[2] + 1 / ty};
   } else if (!(place.distance - box.high[2] > 1e-6)) { // seen exactly along a line
     place.distance = box.high[2] + (box.high[2] - box.low[2]) / ty + 1e-3;
   } else {
-    centre(mesh, axes, tx * fill, ty * fill, place);
+    place.x = centred(mesh, axes.right, axes.back, place.distance, tx, place.x, fit.x);
+    place.y = centred(mesh, axes.up, axes.back, place.distance, ty, place.y, fit.y);
   }
   set_view(camera, axes, place.x, place.y, place.distance);
   double near_plane = place.distance - box.high[2], far_plane = place.distance - box.low[2];

@@ -16,8 +16,10 @@ struct TokenEnds {
 };
 
 template <class T> bool read_exactly(const char* first, const char* last, T& value) {
-  if (first < last && *first == '+') ++first;
-  if (first < last && (first[0] == '+' || (first[-1] == '+' && first[0] == '-'))) return false;
+  if (last - first >= 2 && *first == '+') { // from_chars knows no plus
+    ++first;
+    if (*first == '+' || *first == '-') return false;
+  }
   const auto result = std::from_chars(first, last, value);
   if (result.ptr != last) return false;
   if (result.ec == std::errc::result_out_of_range) {

@@ -1,5 +1,7 @@
 #include "models/hard_files.h"
 
+#include "test_paths.h"
+
 #include "image_writer.h"
 
 #include <cmath>

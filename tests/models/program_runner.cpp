@@ -1,5 +1,7 @@
 #include "models/program_runner.h"
 
+#include "test_paths.h"
+
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
