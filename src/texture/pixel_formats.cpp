@@ -144,9 +144,16 @@ ImageLayout layout_image(const PixelStore& store, int dimensions, int width, int
 uint32_t float_to_unorm(float x, int bits) {
   const float max = float((uint64_t(1) << bits) - 1);
   if (!(x > 0.0f)) return 0;
-  if (x > 1.0f) return uint32_t((uint64_t(1) << bits) - 1);
-  // The product can be 2^32 for 32 bits: OSMesa lets it wrap to 0.
+  // The 32-bit product of 1.0f is 2^32, which OSMesa lets wrap to 0; here it stays the maximum.
+  if (x >= 1.0f) return uint32_t((uint64_t(1) << bits) - 1);
   return uint32_t(uint64_t(std::nearbyintf(x * max)));
+}
+
+uint32_t pack_unorm(float x, int bits) {
+  if (bits == 8) return float_to_unorm(x, bits);
+  if (!(x > 0.0f)) return 0;
+  const float clamped = x < 1.0f ? x : 1.0f;
+  return uint32_t(clamped * float((1u << bits) - 1) + 0.5f);
 }
 
 namespace {
@@ -154,7 +161,7 @@ namespace {
 int32_t float_to_snorm(float x, int bits) {
   const int32_t max = int32_t((uint32_t(1) << (bits - 1)) - 1);
   if (!(x >= -1.0f)) return x < -1.0f ? -max : 0;
-  if (x > 1.0f) return max;
+  if (x >= 1.0f) return max;
   return int32_t(int64_t(std::nearbyintf(x * float(max))));
 }
 float snorm_to_float(int32_t x, int bits) {
@@ -245,9 +252,9 @@ template <class In> void pack_packed(const PixelFormat& f, const In (*rgba)[4], 
       const int bits = f.bits[k];
       const In in = (*rgba)[f.target[k]];
       uint32_t v;
-      if constexpr (std::is_same_v<In, float>) v = float_to_unorm(in, bits);
+      if constexpr (std::is_same_v<In, float>) v = pack_unorm(in, bits);
       else if constexpr (sizeof(In) == 1) v = convert_unorm(in, 8, bits);
-      else v = wide_packed(f) ? float_to_unorm(unorm_to_float(in, 16), bits) : convert_unorm(convert_unorm(in, 16, 8), 8, bits);
+      else v = wide_packed(f) ? pack_unorm(unorm_to_float(in, 16), bits) : convert_unorm(convert_unorm(in, 16, 8), 8, bits);
       word |= v << f.shift[k];
     }
     store_packed(f, p, word, swap);

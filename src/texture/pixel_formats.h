@@ -69,6 +69,8 @@ constexpr uint32_t convert_unorm(uint32_t x, int from, int to) {
 }
 /// Round to nearest even of clamped x * (2^bits - 1); not a number gives 0 (as everywhere in softgl).
 uint32_t float_to_unorm(float x, int bits);
+/// The other rounding of OSMesa, used when a whole RGBA group of floats is packed at once: halves go up, except to 8 bits.
+uint32_t pack_unorm(float x, int bits);
 inline float unorm_to_float(uint32_t x, int bits) { return float(x) * (1.0f / float((uint64_t(1) << bits) - 1)); }
 
 } // namespace softgl

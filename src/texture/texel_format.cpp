@@ -130,7 +130,7 @@ void store_rgba8(const TexelFormat& to, uint8_t (*texel)[4], const PixelFormat& 
     unpack_pixels(from, pixels, count, swap, v);
     if (transfers) transfer_color(transfer, v, count);
     for (int i = 0; i < count; ++i)
-      for (int k = 0; k < 4; ++k) texel[i][k] = fill_byte(float_to_unorm(v[i][k], stored_bits(to, k)), stored_bits(to, k));
+      for (int k = 0; k < 4; ++k) texel[i][k] = fill_byte(pack_unorm(v[i][k], stored_bits(to, k)), stored_bits(to, k));
   } else {
     unpack_pixels(from, pixels, count, swap, texel);
     if (!to.array)
@@ -145,7 +145,8 @@ void store_rgba16(const TexelFormat& to, uint16_t (*texel)[4], const PixelFormat
                   const PixelModeState& transfer) {
   const bool transfers = transfers_color(transfer);
   const bool bytes = from.format == GL_RGBA && from.channel == PixelChannel::UnsignedByte;
-  if (to.array && !transfers) {
+  const bool floats = from.format == GL_RGBA && from.channel == PixelChannel::Float;
+  if (to.array && !transfers && !floats) {
     unpack_pixels(from, pixels, count, swap, texel);
   } else if (bytes && !transfers) {
     uint8_t v[kRow][4];
@@ -157,7 +158,7 @@ void store_rgba16(const TexelFormat& to, uint16_t (*texel)[4], const PixelFormat
     unpack_pixels(from, pixels, count, swap, v);
     if (transfers) transfer_color(transfer, v, count);
     for (int i = 0; i < count; ++i)
-      for (int k = 0; k < 4; ++k) texel[i][k] = uint16_t(to.array || to.bits[k] ? float_to_unorm(v[i][k], to.array ? 16 : to.bits[k]) : 0);
+      for (int k = 0; k < 4; ++k) texel[i][k] = uint16_t(to.array || to.bits[k] ? pack_unorm(v[i][k], to.array ? 16 : to.bits[k]) : 0);
   }
   if (to.base != GL_RGBA)
     for (int i = 0; i < count; ++i) spread<uint16_t>(to.base, texel[i], 1);
@@ -223,9 +224,7 @@ bool wide_or_signed(const PixelFormat& f) {
   return f.channel != PixelChannel::UnsignedByte;
 }
 
-void load_color(const TexelFormat& from, const unsigned char* texels, const PixelFormat& to, void* pixels, int count, bool swap,
-                const PixelModeState& transfer) {
-  const bool transfers = transfers_color(transfer);
+void load_color(const TexelFormat& from, const unsigned char* texels, const PixelFormat& to, void* pixels, int count, bool swap) {
   const bool narrow = from.layout == TexelLayout::Rgba8;
   auto stored = [&](int i, int k) -> uint32_t { // the stored integer
     if (narrow) {
@@ -237,14 +236,16 @@ void load_color(const TexelFormat& from, const unsigned char* texels, const Pixe
     return v;
   };
   const bool exact_bytes = from.array && from.base == GL_RGBA;
-  const bool floats = transfers || (from.array ? (narrow ? wide_packed(to) && !exact_bytes : wide_packed(to)) : wide_or_signed(to));
+  // OSMesa clamps luminance for unsigned types, and does so in floats.
+  const bool clamps = to.luminance && to.channel != PixelChannel::Float && to.channel != PixelChannel::Byte && to.channel != PixelChannel::Short &&
+                      to.channel != PixelChannel::Int;
+  const bool floats = clamps || (from.array ? (narrow ? wide_packed(to) && !exact_bytes : wide_packed(to)) : wide_or_signed(to));
   if (floats) {
     float v[kRow][4];
     for (int i = 0; i < count; ++i) {
       for (int k = 0; k < 4; ++k) v[i][k] = from.bits[k] ? unorm_to_float(stored(i, k), from.bits[k]) : float(stored(i, k));
       gather<float>(from.base, v[i], 1.0f);
     }
-    if (transfers) transfer_color(transfer, v, count);
     pack_pixels(to, v, count, swap, pixels);
   } else if (!narrow && from.array) {
     uint16_t v[kRow][4];
@@ -267,8 +268,7 @@ void load_color(const TexelFormat& from, const unsigned char* texels, const Pixe
 
 } // namespace
 
-void load_texels(const TexelFormat& from, const void* texels, const PixelFormat& to, void* pixels, int count, bool swap_bytes,
-                 const PixelModeState& transfer) {
+void load_texels(const TexelFormat& from, const void* texels, const PixelFormat& to, void* pixels, int count, bool swap_bytes) {
   auto t = static_cast<const unsigned char*>(texels);
   auto p = static_cast<unsigned char*>(pixels);
   for (int done = 0; done < count; done += kRow) {
@@ -276,16 +276,19 @@ void load_texels(const TexelFormat& from, const void* texels, const PixelFormat&
     const unsigned char* source = t + size_t(done) * size_t(from.bytes());
     unsigned char* target = p + size_t(done) * to.bytes;
     if (from.layout != TexelLayout::Depth) {
-      load_color(from, source, to, target, n, swap_bytes, transfer);
+      load_color(from, source, to, target, n, swap_bytes);
+      continue;
+    }
+    const int bits = from.bits[0];
+    if (!swap_bytes && ((bits == 32 && to.channel == PixelChannel::UnsignedInt) || (bits == 16 && to.channel == PixelChannel::UnsignedShort))) {
+      for (int i = 0; i < n; ++i) std::memcpy(target + size_t(i) * to.bytes, source + i * 4, to.bytes); // the stored integer itself
       continue;
     }
     float d[kRow];
     for (int i = 0; i < n; ++i) {
       uint32_t v;
       std::memcpy(&v, source + i * 4, 4);
-      d[i] = from.bits[0] == 16 ? float(v) * (1.0f / 65535.0f) : float(double(v) * (1.0 / double((uint64_t(1) << from.bits[0]) - 1)));
-      if (transfer.depth_scale != 1.0f || transfer.depth_bias != 0.0f)
-        d[i] = std::clamp(d[i] * transfer.depth_scale + transfer.depth_bias, 0.0f, 1.0f);
+      d[i] = bits == 16 ? float(v) * (1.0f / 65535.0f) : float(double(v) * (1.0 / double((uint64_t(1) << bits) - 1)));
     }
     pack_depth(to, d, n, swap_bytes, target);
   }

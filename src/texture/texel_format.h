@@ -35,8 +35,7 @@ struct PixelModeState;
 /// Stores a row of client pixels. Pixel transfer operations are applied.
 void store_texels(const TexelFormat& to, void* texels, const PixelFormat& from, const void* pixels, int count, bool swap_bytes,
                   const PixelModeState& transfer);
-/// Reads a row of texels into client pixels (GetTexImage, 6.1.4).
-void load_texels(const TexelFormat& from, const void* texels, const PixelFormat& to, void* pixels, int count, bool swap_bytes,
-                 const PixelModeState& transfer);
+/// Reads a row of texels into client pixels (GetTexImage, 6.1.4); no pixel transfer takes place.
+void load_texels(const TexelFormat& from, const void* texels, const PixelFormat& to, void* pixels, int count, bool swap_bytes);
 
 } // namespace softgl

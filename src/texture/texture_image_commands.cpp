@@ -168,7 +168,7 @@ void GetTexImage(Context& c, GLenum target, GLint level, GLenum format, GLenum t
   for (int z = 0; z < image->depth; ++z)
     for (int y = 0; y < image->height; ++y)
       load_texels(*image->format, image->at(0, y, z), f, p + size_t(z) * layout.image_stride + size_t(y) * layout.row_stride, image->width,
-                  c.client.pixel_store.pack.swap_bytes, c.state.pixel_mode);
+                  c.client.pixel_store.pack.swap_bytes);
 }
 
 // Compressed images: no compressed format is advertised (GL_NUM_COMPRESSED_TEXTURE_FORMATS is 0), so none is known.
