@@ -52,16 +52,20 @@ private:
 
   void info(LoadedModel& loaded, const SourceText& text, RemarkList& remarks) {
     const ModelFrame frame = frame_model(loaded.model);
-    for (int axis = 0; axis < 3; ++axis) {
-      loaded.report.low[axis] = frame.low[axis];
-      loaded.report.high[axis] = frame.high[axis];
-    }
+    note_bounds(loaded.report, frame);
     loaded.report.area = surface_area(loaded.model);
     build_mesh_for_remarks(loaded, frame, remarks);
     warnings.add(remarks, text);
     const std::string out = options.json ? as_json(loaded.report, warnings) : as_text(loaded.report);
     if (std::fwrite(out.data(), 1, out.size(), stdout) != out.size() || std::fflush(stdout) != 0)
       throw ProgramError(kCannotWrite, "standard output: cannot write");
+  }
+
+  static void note_bounds(ModelReport& report, const ModelFrame& frame) {
+    for (int axis = 0; axis < 3; ++axis) {
+      report.low[axis] = frame.low[axis];
+      report.high[axis] = frame.high[axis];
+    }
   }
 
   // Materials are only looked up while the mesh is built.
@@ -76,6 +80,8 @@ private:
     ObjModel& model = loaded.model;
     if (options.colour) paint_over(loaded);
     const ModelFrame frame = frame_model(model);
+    note_bounds(loaded.report, frame);
+    if (options.verbose) loaded.report.area = surface_area(model);
     if (!options.render.flat) generate_normals(model, frame, options.normals);
     MeshOptions mesh_options;
     mesh_options.flat = options.render.flat;

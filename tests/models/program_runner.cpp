@@ -2,6 +2,7 @@
 
 #include "test_paths.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>

@@ -4,6 +4,8 @@
 #include "models/program_runner.h"
 #include "test_paths.h"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 
@@ -224,4 +226,16 @@ TEST_CASE("program: info", "[models][program]") {
   }
   CHECK(has(run_softgl({"info", model}).output, "2 triangles from 1 faces, 4 vertices"));
   CHECK(run_softgl({"info", folder() + "absent.obj"}).exit_code == 3);
+}
+
+TEST_CASE("program: the model that comes with softgl", "[models][program]") {
+  const std::string model = std::string(SOFTGL_TEST_SOURCE_DIR) + "/reference/models/lantern.obj";
+  const ProgramRun run = run_softgl({model, "-o", "-", "--format", "ppm", "--size", "300x375", "--strict"});
+  CHECK(run.exit_code == 0);
+  CHECK(run.errors.empty());
+  const TestPicture picture = parse_ppm(run.output);
+  CHECK(picture.colours() > 5000); // texture, glass and highlights are all there
+  const auto box = picture.drawn();
+  CHECK(box.top <= 6);
+  CHECK(box.bottom >= 375 - 7);
 }
