@@ -28,14 +28,14 @@ struct RasterDraw {
 constexpr int kPlaneZ = 0, kPlaneW = 1, kPlaneColor = 2;
 constexpr int kMaxPlanes = 2 + 4 + 3 + 1 + 4 * kBlockTextureUnits;
 
-/// A set-up triangle, line or point: convex, 3 or 4 edges. A pixel is covered iff c - a * px + b * py >= 0 for all edges;
+/// A set-up triangle, line or point: convex, 3 or 4 edges or, for points, none but the box (unused edges accept all). A pixel is covered iff c - a * px + b * py >= 0 for all edges;
 /// a and b are in 1/256 pixel, c = floor((c' - 1) / 256) of the exact edge function c' (with its tie rule), which is
 /// the same test because a * 256 * px is a multiple of 256.
 struct alignas(16) RasterPrimitive {
   int64_t c[4];
   int32_t a[4], b[4];
   int32_t x0, y0, x1, y1; // pixels that may be covered, half open, clipped
-  int32_t edges;
+  int32_t edges; // 0, 3 or 4
   float depth_offset;
   bool w_is_one;         // the plane of 1/w is exactly 1 everywhere, so the division changes nothing
   bool flat;             // colour planes hold constants

@@ -85,89 +85,111 @@ SOFTGL_INLINE BlockPlane block_plane(const Plane& p, int32_t x) {
   return b;
 }
 
-/// An 8x8 block whose fragments need no stage (RGBA8, no stencil): depth test, colour, blending.
-template <bool DepthTest, DirectColor Color>
-SOFTGL_INLINE void direct_block(const RasterDraw& draw, const TileTarget& tile, const RasterPrimitive& p, int32_t x, int32_t y,
-                                int pixel, uint64_t mask, float scale) {
+/// A primitive whose fragments need no stage (RGBA8, no stencil): coverage, depth test, colour, blending, row by row.
+template <bool DepthTest, DirectColor Color, int Edges>
+static void direct_primitive(const RasterDraw& draw, const TileTarget& tile, const RasterPrimitive& p) {
+  TileEdges edges;
+  if (!clip_to_tile<Edges>(p, tile.x, tile.y, edges)) return;
+  EdgeSteps<Edges> steps;
+  if (!edges.inside) edge_steps<Edges>(edges, steps);
   const FragmentKey& key = draw.program->key;
+  const float scale = depth_scale(key);
   const Compare function = Compare(key.depth_function);
   const IntV depth_mask = splat(key.depth_write ? 0xffffff : 0), color_mask = splat(int32_t(draw.color_mask));
-  auto* color = static_cast<uint32_t*>(tile.color) + pixel;
-  uint32_t* depth = tile.depth_stencil + pixel;
   const bool flat = p.flat, divide = !p.flat && !p.w_is_one;
   const FloatV offset = splat(p.depth_offset);
-  BlockPlane z, w, c[4];
-  if constexpr (DepthTest) z = block_plane(p.plane[kPlaneZ], x);
-  w = block_plane(p.plane[kPlaneW], x);
-  for (int k = 0; k < 4; ++k) c[k] = block_plane(p.plane[kPlaneColor + k], x);
   IntV constant_color = IntV{};
   if (flat) {
     const Plane* q = p.plane + kPlaneColor;
     constant_color = pack_color(splat(q[0].a), splat(q[1].a), splat(q[2].a), splat(q[3].a));
   }
-  constexpr uint32_t kAll = (1u << (kWidth - 1) << 1) - 1u;
-  for (int i = 0; i < 64 / kWidth; ++i, mask >>= kWidth) {
-    const uint32_t bits = uint32_t(mask) & kAll;
-    if (!bits) continue;
-    const int half = kWidth < 8 ? i & 1 : 0;
-    const FloatV py = kWidth == 16 ? splat(float(y + 2 * i)) + row_number(0) : splat(float(y + (i * kWidth >> 3)));
-    IntV live = bits == kAll ? splat(-1) : mask_of_bits(bits);
-    if constexpr (DepthTest) {
-      const IntV zi = depth_bits(z.gy * py + z.column[half] + offset, scale);
-      const IntV stored = load(depth + i * kWidth), old = stored & 0xffffff;
-      live &= function == Compare::Less ? zi < old : compare_words(function, zi, old);
-      if (!sign_bits(live)) continue;
-      store(depth + i * kWidth, choose(live & depth_mask, zi, stored));
-    }
-    IntV source = constant_color;
-    if (!flat) {
-      FloatV v[4];
-      for (int k = 0; k < 4; ++k) v[k] = c[k].gy * py + c[k].column[half];
-      if (divide) {
-        const FloatV r = splat(1.0f) / (w.gy * py + w.column[half]);
-        for (int k = 0; k < 4; ++k) v[k] *= r;
-      }
-      source = pack_color(v[0], v[1], v[2], v[3]);
-    }
-    const IntV target = load(color + i * kWidth);
-    if constexpr (Color == DirectColor::Over) source = blend_over(source, target);
-    if constexpr (Color == DirectColor::Any) {
-      if (key.logic_op) source = logic_words(unsigned(key.blend_source_rgb), source, target);
-      else source = blend_words(key, *draw.program->constants, source, target);
-    }
-    store(color + i * kWidth, choose(live & color_mask, source, target));
-  }
-}
-
-template <bool DepthTest, DirectColor Color>
-static void direct_primitive(const RasterDraw& draw, const TileTarget& tile, const RasterPrimitive& p) {
-  TileEdges edges;
-  if (!clip_to_tile(p, tile.x, tile.y, edges)) return;
-  const float scale = depth_scale(draw.program->key);
-  EdgeSteps steps;
-  if (!edges.inside) edge_steps(edges, steps);
-  for (int by = edges.y0 & ~7; by < edges.y1; by += 8)
+  constexpr int kHalves = kWidth < 8 ? 2 : 1;       // vectors of a row
+  constexpr int kRows = kWidth < 8 ? 1 : kWidth / 8; // rows of a vector
+  for (int by = edges.y0 & ~7; by < edges.y1; by += 8) {
+    const int first = edges.y0 > by ? (edges.y0 - by) & ~(kRows - 1) : 0, last = edges.y1 < by + 8 ? edges.y1 - by : 8;
     for (int bx = edges.x0 & ~7; bx < edges.x1; bx += 8) {
-      const uint64_t covered = edges.inside ? box_mask(edges, bx, by) : block_coverage(edges, steps, bx, by);
-      if (covered) direct_block<DepthTest, Color>(draw, tile, p, tile.x + bx, tile.y + by, pixel_in_tile(bx, by), covered, scale);
+      int32_t e[4] = {};
+      const BlockPlace place = edges.inside ? BlockPlace::Inside : place_block<Edges>(edges, bx, by, e);
+      if (place == BlockPlace::Outside) continue;
+      // The box limits columns only where it has been clipped or the edges do not: always applied, it costs one AND.
+      const uint64_t box = box_mask(edges, bx, by);
+      IntV v[Edges][kHalves] = {};
+      if (place == BlockPlace::Cut)
+        for (int i = 0; i < Edges; ++i)
+          for (int h = 0; h < kHalves; ++h) v[i][h] = steps.column[i][h] + (e[i] + edges.b[i] * first);
+      const int32_t x = tile.x + bx, y = tile.y + by;
+      BlockPlane z, w, c[4];
+      if constexpr (DepthTest) z = block_plane(p.plane[kPlaneZ], x);
+      if (!flat) {
+        w = block_plane(p.plane[kPlaneW], x);
+        for (int k = 0; k < 4; ++k) c[k] = block_plane(p.plane[kPlaneColor + k], x);
+      }
+      const int pixel = pixel_in_tile(bx, by);
+      uint32_t* color = static_cast<uint32_t*>(tile.color) + pixel;
+      uint32_t* depth = tile.depth_stencil + pixel;
+      for (int row = first; row < last; row += kRows) {
+        const FloatV py = kRows == 2 ? splat(float(y + row)) + row_number(0) : splat(float(y + row));
+        for (int h = 0; h < kHalves; ++h) {
+          const int at = row * 8 + h * kWidth;
+          const uint32_t bits = uint32_t(box >> at);
+          IntV live;
+          if (place == BlockPlace::Cut) {
+            IntV o = v[0][h];
+            v[0][h] += steps.row[0];
+            for (int i = 1; i < Edges; ++i) {
+              o |= v[i][h];
+              v[i][h] += steps.row[i];
+            }
+            live = mask_of_bits(bits) & (o >= 0);
+            if (!sign_bits(live)) continue;
+          } else {
+            live = mask_of_bits(bits);
+          }
+          if constexpr (DepthTest) {
+            const IntV zi = depth_bits(z.gy * py + z.column[h] + offset, scale);
+            const IntV stored = load(depth + at), old = stored & 0xffffff;
+            live &= function == Compare::Less ? zi < old : compare_words(function, zi, old);
+            if (!sign_bits(live)) continue;
+            store(depth + at, choose(live & depth_mask, zi, stored));
+          }
+          IntV source = constant_color;
+          if (!flat) {
+            FloatV a[4];
+            for (int k = 0; k < 4; ++k) a[k] = c[k].gy * py + c[k].column[h];
+            if (divide) {
+              const FloatV r = splat(1.0f) / (w.gy * py + w.column[h]);
+              for (int k = 0; k < 4; ++k) a[k] *= r;
+            }
+            source = pack_color(a[0], a[1], a[2], a[3]);
+          }
+          const IntV target = load(color + at);
+          if constexpr (Color == DirectColor::Over) source = blend_over(source, target);
+          if constexpr (Color == DirectColor::Any) {
+            if (key.logic_op) source = logic_words(unsigned(key.blend_source_rgb), source, target);
+            else source = blend_words(key, *draw.program->constants, source, target);
+          }
+          store(color + at, choose(live & color_mask, source, target));
+        }
+      }
     }
+  }
 }
 
 /// A primitive whose fragments go through the stages of its program.
 template <bool Depth>
 static void staged_primitive(const RasterDraw& draw, const TileTarget& tile, const RasterPrimitive& p, FragmentBlock& block) {
   TileEdges edges;
-  if (!clip_to_tile(p, tile.x, tile.y, edges)) return;
+  if (!clip_to_tile<4>(p, tile.x, tile.y, edges)) return;
   const FragmentKey& key = draw.program->key;
   const Compare function = Compare(key.depth_function);
   const float scale = depth_scale(key);
   const bool early = Depth && !key.stencil;
-  EdgeSteps steps;
-  if (!edges.inside) edge_steps(edges, steps);
+  EdgeSteps<4> steps;
+  if (!edges.inside) edge_steps<4>(edges, steps);
   StripBatch batch;
   for (int by = edges.y0 & ~7; by < edges.y1; by += 8) {
     for (int bx = edges.x0 & ~7; bx < edges.x1; bx += 8) {
-      uint64_t covered = edges.inside ? box_mask(edges, bx, by) : block_coverage(edges, steps, bx, by);
+      uint64_t covered = edges.inside ? box_mask(edges, bx, by) : block_coverage<4>(edges, steps, bx, by);
       const int pixel = pixel_in_tile(bx, by);
       for (int s = 0; covered; ++s, covered >>= kStripLanes) {
         const uint32_t mask = uint32_t(covered) & 0xffff;
@@ -197,11 +219,19 @@ static void staged_primitive(const RasterDraw& draw, const TileTarget& tile, con
   if (batch.strips) run_strips(draw, tile, p, block, batch);
 }
 
-template <bool DepthTest> SOFTGL_INLINE void direct_primitives(const TileTarget& tile, const RasterDraw& draw, const RasterPrimitive* const* primitive, int32_t count) {
+template <bool DepthTest, DirectColor Color>
+static void direct_primitives(const TileTarget& tile, const RasterDraw& draw, const RasterPrimitive* const* primitive, int32_t count) {
+  for (int32_t i = 0; i < count; ++i) {
+    if (primitive[i]->edges == 3) direct_primitive<DepthTest, Color, 3>(draw, tile, *primitive[i]);
+    else direct_primitive<DepthTest, Color, 4>(draw, tile, *primitive[i]);
+  }
+}
+
+template <bool DepthTest> static void direct_primitives(const TileTarget& tile, const RasterDraw& draw, const RasterPrimitive* const* primitive, int32_t count) {
   const FragmentKey& key = draw.program->key;
-  if (is_over(key)) for (int32_t i = 0; i < count; ++i) direct_primitive<DepthTest, DirectColor::Over>(draw, tile, *primitive[i]);
-  else if (key.blend || key.logic_op) for (int32_t i = 0; i < count; ++i) direct_primitive<DepthTest, DirectColor::Any>(draw, tile, *primitive[i]);
-  else for (int32_t i = 0; i < count; ++i) direct_primitive<DepthTest, DirectColor::Store>(draw, tile, *primitive[i]);
+  if (is_over(key)) direct_primitives<DepthTest, DirectColor::Over>(tile, draw, primitive, count);
+  else if (key.blend || key.logic_op) direct_primitives<DepthTest, DirectColor::Any>(tile, draw, primitive, count);
+  else direct_primitives<DepthTest, DirectColor::Store>(tile, draw, primitive, count);
 }
 
 /// Draws primitives into a tile, in order.

@@ -40,6 +40,7 @@ bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, Ras
   out.y0 = std::max(y0, r.y0), out.y1 = std::min(y1, r.y1);
   if (out.x0 >= out.x1 || out.y0 >= out.y1) return false;
   out.edges = 0; // the box is all
+  for (int i = 0; i < 4; ++i) out.a[i] = out.b[i] = 0, out.c[i] = 0;
 
   const float w = v[3];
   const bool flat = draw.program->key.flat;
