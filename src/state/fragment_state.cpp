@@ -172,4 +172,10 @@ void StencilMask(Context& c, GLuint mask) {
   c.dirty |= kDirtyFragment;
 }
 
+
+void ClearAccum(Context& c, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
+  const auto clamp = [](float v) { return v > -1.0f ? (v > 1.0f ? 1.0f : v) : -1.0f; };
+  c.state.accumulation.clear = {clamp(red), clamp(green), clamp(blue), clamp(alpha)};
+}
+
 } // namespace softgl::gl

@@ -156,18 +156,21 @@ void Material(Context& c, GLenum face, GLenum pname, const float* params) {
     if (face != GL_FRONT) c.state.lighting.material_indexes[1] = indexes;
     return;
   }
-  uint32_t slots = material_slots(face, pname);
+  const uint32_t slots = material_slots(face, pname);
   if (slots == 0) return set_error(c, GL_INVALID_ENUM);
+  Vec4 value(params[0], 0, 0, 1);
   if (pname == GL_SHININESS) {
     if (params[0] < 0.0f || params[0] > 128.0f) return set_error(c, GL_INVALID_VALUE);
-    for (int face_index = 0; face_index < 2; ++face_index) {
-      const int slot = material_slot(kMaterialShininess, face_index);
-      if (slots >> (slot - kMaterial0) & 1) set_attribute4(c, slot, params[0], 0, 0, 1);
-    }
-    return;
+  } else {
+    value = vector4(params);
   }
-  for (int i = 0; i < kMaterialSlots; ++i)
-    if (slots >> i & 1) set_attribute4(c, kMaterial0 + i, params[0], params[1], params[2], params[3]);
+  const bool inside = c.builder.inside();
+  if (!inside && (c.guard & kRunPending)) c.builder.close_run(c);
+  for (int i = 0; i < kMaterialSlots; ++i) {
+    if (!(slots >> i & 1)) continue;
+    if (inside) set_attribute4(c, kMaterial0 + i, value.x, value.y, value.z, value.w);
+    else set_current(c, kMaterial0 + i, &value.x);
+  }
 }
 
 namespace {

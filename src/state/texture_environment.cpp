@@ -135,11 +135,6 @@ void ActiveTexture(Context& c, GLenum texture) {
   if (texture - GL_TEXTURE0 >= GLenum(kMaxTextureUnits)) return set_error(c, GL_INVALID_ENUM);
   c.state.texture.active_unit = int(texture - GL_TEXTURE0);
 }
-void ClientActiveTexture(Context& c, GLenum texture) {
-  if (texture - GL_TEXTURE0 >= GLenum(kMaxTextureUnits)) return set_error(c, GL_INVALID_ENUM);
-  c.client.vertex_array.active_texture_unit = int(texture - GL_TEXTURE0);
-}
-
 void TexEnv(Context& c, GLenum target, GLenum pname, const GLfloat* params) {
   const int i = c.state.texture.active_unit;
   if (target == GL_TEXTURE_ENV) {

