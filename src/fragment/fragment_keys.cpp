@@ -29,8 +29,8 @@ FragmentKey simplify(FragmentKey k) {
   if (k.depth_function == value(Compare::Never)) k.depth_write = 0;
   if (k.stencil && k.stencil_function == always && k.stencil_depth_fail == keep && k.stencil_pass == keep) k.stencil = 0;
   if (!k.stencil) k.stencil_function = k.stencil_fail = k.stencil_depth_fail = k.stencil_pass = 0;
+  if (k.logic_op) k.blend = 0; // GL 1.5, 4.1.9: a logic operation disables blending, GL_COPY too
   if (k.logic_op && k.blend_source_rgb == 3) k.logic_op = k.blend_source_rgb = 0; // GL_COPY
-  if (k.logic_op) k.blend = 0;
   if (k.blend) {
     const uint64_t one = value(BlendFactor::One), zero = value(BlendFactor::Zero);
     if (k.blend_equation >= value(BlendEquation::Min)) // factors are not used
