@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/pages.h"
+
 namespace softgl {
 
 class Arena {
@@ -17,7 +19,7 @@ public:
   explicit Arena(size_t block_bytes = 256 * 1024) : block_bytes_(block_bytes) {}
   Arena(const Arena&) = delete;
   Arena& operator=(const Arena&) = delete;
-  ~Arena() { for (auto& b : blocks_) ::operator delete(b.memory, std::align_val_t(64)); }
+  ~Arena() { for (auto& b : blocks_) unmap_pages(b.memory, b.size); }
 
   /// `bytes` of uninitialised memory, aligned to 64 bytes. Throws std::bad_alloc.
   void* allocate(size_t bytes) {
@@ -59,9 +61,13 @@ private:
   void grow(size_t bytes) {
     while (current_ < blocks_.size() && blocks_[current_].size < bytes) ++current_;
     if (current_ == blocks_.size()) {
-      const size_t size = bytes > block_bytes_ ? bytes : block_bytes_;
+      // Blocks double, so that small contexts stay small and large frames live in huge pages.
+      const size_t size = bytes > block_bytes_ ? (bytes + 4095) & ~size_t(4095) : block_bytes_;
+      if (block_bytes_ < 2 * kHugePage) block_bytes_ *= 2;
       blocks_.reserve(blocks_.size() + 1);
-      blocks_.push_back({static_cast<std::byte*>(::operator new(size, std::align_val_t(64))), size});
+      auto* memory = static_cast<std::byte*>(map_pages(size));
+      if (!memory) throw std::bad_alloc();
+      blocks_.push_back({memory, size});
     }
     next_ = blocks_[current_].memory;
     end_ = next_ + blocks_[current_].size;

@@ -1,22 +1,11 @@
 #include "framebuffer/framebuffer.h"
 
-#include <sys/mman.h>
-
 #include <cstring>
+
+#include "base/pages.h"
 
 namespace softgl {
 namespace {
-
-/// Zeroed pages straight from the kernel: they cost nothing until they are touched, so that a 16384x16384 surface is
-/// possible, and large ones come in large pages.
-void* allocate_pages(size_t bytes) {
-  void* p = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  if (p == MAP_FAILED) return nullptr;
-#ifdef MADV_HUGEPAGE
-  madvise(p, bytes, MADV_HUGEPAGE);
-#endif
-  return p;
-}
 
 bool plane_bytes(int tiles_x, int tiles_y, size_t pixel_bytes, size_t& bytes) {
   size_t tiles = 0;
@@ -27,8 +16,8 @@ bool plane_bytes(int tiles_x, int tiles_y, size_t pixel_bytes, size_t& bytes) {
 } // namespace
 
 void Framebuffer::release() {
-  if (surface.color) munmap(surface.color, color_bytes_);
-  if (surface.depth_stencil) munmap(surface.depth_stencil, depth_bytes_);
+  unmap_pages(surface.color, color_bytes_);
+  unmap_pages(surface.depth_stencil, depth_bytes_);
   surface = Surface{};
   color_bytes_ = depth_bytes_ = 0;
 }
@@ -45,13 +34,13 @@ bool Framebuffer::allocate(int width, int height, ColorFormat color_format) {
                                                            : DepthFormat::Z24S8;
   size_t color_bytes = 0, depth_bytes = 0;
   if (!plane_bytes(s.tiles_x, s.tiles_y, size_t(bytes_per_pixel(color_format)), color_bytes)) return false;
-  s.color = allocate_pages(color_bytes);
+  s.color = map_pages(color_bytes);
   if (!s.color) return false;
   if (s.depth_format != DepthFormat::None) {
     if (plane_bytes(s.tiles_x, s.tiles_y, sizeof(uint32_t), depth_bytes))
-      s.depth_stencil = static_cast<uint32_t*>(allocate_pages(depth_bytes));
+      s.depth_stencil = static_cast<uint32_t*>(map_pages(depth_bytes));
     if (!s.depth_stencil) {
-      munmap(s.color, color_bytes);
+      unmap_pages(s.color, color_bytes);
       return false;
     }
   }

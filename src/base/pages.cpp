@@ -1,0 +1,27 @@
+#include "base/pages.h"
+
+#include <cstdint>
+#include <sys/mman.h>
+
+namespace softgl {
+
+void* map_pages(size_t bytes) {
+  const size_t length = (bytes + 4095) & ~size_t(4095);
+  const size_t spare = length < kHugePage ? 0 : kHugePage; // room to begin at a huge page
+  if (length < bytes || length + spare < length) return nullptr;
+  void* memory = mmap(nullptr, length + spare, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (memory == MAP_FAILED) return nullptr;
+  if (!spare) return memory;
+  auto* begin = static_cast<unsigned char*>(memory);
+  const size_t before = -reinterpret_cast<uintptr_t>(begin) % kHugePage;
+  if (before) munmap(begin, before);
+  if (before < spare) munmap(begin + before + length, spare - before);
+  madvise(begin + before, length, MADV_HUGEPAGE);
+  return begin + before;
+}
+
+void unmap_pages(void* memory, size_t bytes) {
+  if (memory) munmap(memory, (bytes + 4095) & ~size_t(4095));
+}
+
+} // namespace softgl
