@@ -7,7 +7,8 @@
 
 namespace softgl {
 
-/// One component of an integer or double array as float (GL 1.5, table 2.9).
+/// One component of an array as float (GL 1.5, table 2.9): unsigned types with OSMesa's rounding of arrays, signed ones as
+/// the entry points convert them (OSMesa's arrays divide by 2^(b-1) - 1, see reference/DEVIATIONS.md).
 static inline float convert_component(const unsigned char* p, ComponentType type, bool normalized, int component) {
   switch (type) {
   case ComponentType::Float: {
@@ -23,7 +24,7 @@ static inline float convert_component(const unsigned char* p, ComponentType type
   case ComponentType::Byte: {
     int8_t v;
     memcpy(&v, p + component, 1);
-    return normalized ? (2.0f * float(v) + 1.0f) / 255.0f : float(v);
+    return normalized ? (2.0f * float(v) + 1.0f) * (1.0f / 255.0f) : float(v);
   }
   case ComponentType::UnsignedByte: {
     const uint8_t v = p[component];
@@ -32,7 +33,7 @@ static inline float convert_component(const unsigned char* p, ComponentType type
   case ComponentType::Short: {
     int16_t v;
     memcpy(&v, p + 2 * component, 2);
-    return normalized ? (2.0f * float(v) + 1.0f) / 65535.0f : float(v);
+    return normalized ? (2.0f * float(v) + 1.0f) * (1.0f / 65535.0f) : float(v);
   }
   case ComponentType::UnsignedShort: {
     uint16_t v;
@@ -42,12 +43,13 @@ static inline float convert_component(const unsigned char* p, ComponentType type
   case ComponentType::Int: {
     int32_t v;
     memcpy(&v, p + 4 * component, 4);
-    return normalized ? float((2.0 * v + 1.0) / 4294967295.0) : float(v);
+    return normalized ? float(double(2.0f * float(v) + 1.0f) * (1.0 / 4294967294.0)) : float(v);
   }
   case ComponentType::UnsignedInt: {
     uint32_t v;
     memcpy(&v, p + 4 * component, 4);
-    return normalized ? float(v / 4294967295.0) : float(v);
+    // OSMesa keeps the upper 23 bits.
+    return normalized ? (float(v >> 9) * (1.0f / 8388608.0f)) * float(8388608.0 / 8388607.0) : float(v);
   }
   }
   return 0.0f;

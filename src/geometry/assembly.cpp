@@ -4,6 +4,7 @@
 #include "clipping.h"
 #include "geometry.h"
 #include "line_stipple.h"
+#include "raster_constants.h"
 
 namespace softgl {
 namespace {
@@ -27,7 +28,7 @@ struct TriangleIndices {
 
 /// Fills triangles [0, n) of steps [step, ...); returns n. Two triangles a step for quadrilaterals.
 template <class Elements>
-int triangle_indices(GLenum mode, const Elements& e, uint32_t step, uint32_t steps, TriangleIndices& out) {
+int triangle_indices(GLenum mode, bool right_first, const Elements& e, uint32_t step, uint32_t steps, TriangleIndices& out) {
   uint32_t *a = out.corner[0], *b = out.corner[1], *c = out.corner[2];
   const int n = int(steps);
   switch (mode) {
@@ -65,8 +66,9 @@ int triangle_indices(GLenum mode, const Elements& e, uint32_t step, uint32_t ste
   default: // GL_QUAD_STRIP
     for (int i = 0; i < n; ++i) {
       const uint32_t k = 2 * (step + uint32_t(i));
-      a[2 * i] = e[k + 2], b[2 * i] = e[k], c[2 * i] = e[k + 3];
-      a[2 * i + 1] = e[k], b[2 * i + 1] = e[k + 1], c[2 * i + 1] = e[k + 3];
+      const int left = 2 * i + right_first, right = 2 * i + !right_first;
+      a[left] = e[k + 2], b[left] = e[k], c[left] = e[k + 3];
+      a[right] = e[k], b[right] = e[k + 1], c[right] = e[k + 3];
     }
     return 2 * n;
   }
@@ -95,12 +97,13 @@ private:
   template <class Elements> void triangles(const Elements& e, uint32_t step, uint32_t steps) {
     const bool quads = range_.mode == GL_QUADS || range_.mode == GL_QUAD_STRIP;
     const uint32_t batch_steps = quads ? kAssemblyBatch / 2 : kAssemblyBatch;
+    const bool right_first = range_.mode == GL_QUAD_STRIP && !draw_.raster->flat && !any_clipped(e);
     TriangleIndices index;
     AssembledTriangles batch;
     for (int i = 0; i < kAssemblyBatch; ++i) batch.edge_flags[i] = 7;
     for (const uint32_t end = step + steps; step < end; step += batch_steps) {
       const uint32_t left = end - step;
-      const int n = triangle_indices(range_.mode, e, step, left < batch_steps ? left : batch_steps, index);
+      const int n = triangle_indices(range_.mode, right_first, e, step, left < batch_steps ? left : batch_steps, index);
       uint32_t any = 0;
       const uint16_t* masks = vertices_.clip_mask;
       const uint32_t first = vertices_.first;
@@ -116,6 +119,15 @@ private:
       }
       if (batch.count) sink_.triangles(draw_, batch);
     }
+  }
+
+  /// True if a vertex of the primitive is clipped; not asked of primitives longer than OSMesa's batches. OSMesa draws
+  /// the two triangles of a strip's quadrilaterals in an order that depends on it, seen where one overlaps itself.
+  template <class Elements> bool any_clipped(const Elements& e) const {
+    if (range_.count > 8192) return false;
+    uint32_t any = 0;
+    for (uint32_t i = 0; i < range_.count; ++i) any |= mask(e[i]);
+    return any != 0;
   }
 
   void add_triangle(AssembledTriangles& batch, const Slot* a, const Slot* b, const Slot* c) {
