@@ -56,9 +56,10 @@ public:
       throw ProgramError(kCannotRead, "GL error " + std::to_string(error) + " while drawing");
 
     const auto resolve_start = std::chrono::steady_clock::now();
-    result.picture = resolve(buffer.get(), options.width, options.height, options.samples_per_side,
-                             options.background.transparent);
     OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+    context.reset(); // nobody writes to the buffer any more
+    result.picture = resolve(std::move(buffer), options.width, options.height, options.samples_per_side,
+                             options.background.transparent);
     result.resolve_seconds = seconds_since(resolve_start);
     return result;
   }
@@ -70,9 +71,8 @@ private:
     context.reset(OSMesaCreateContextExt(OSMESA_RGBA, 24, 0, 0, nullptr));
     if (!context) throw ProgramError(kCannotRead, "cannot create a GL context");
     const size_t bytes = size_t(4) * static_cast<size_t>(width) * static_cast<size_t>(height);
-    buffer.reset(static_cast<uint8_t*>(std::malloc(bytes)));
-    if (!buffer) throw std::bad_alloc();
-    if (!OSMesaMakeCurrent(context.get(), buffer.get(), GL_UNSIGNED_BYTE, width, height))
+    buffer.extend(bytes);
+    if (!OSMesaMakeCurrent(context.get(), buffer.data(), GL_UNSIGNED_BYTE, width, height))
       throw ProgramError(kUsageError, "GL cannot draw a picture of " + std::to_string(width) + "x" +
                                           std::to_string(height) + " samples");
     OSMesaPixelStore(OSMESA_Y_UP, 0);
@@ -386,15 +386,11 @@ private:
 
   bool anything_drawn() const {
     const size_t count = static_cast<size_t>(width) * static_cast<size_t>(height);
-    const uint8_t* pixels = buffer.get();
+    const uint8_t* pixels = buffer.data();
     for (size_t i = 0; i < count; ++i)
       if (pixels[4 * i + 3]) return true;
     return false;
   }
-
-  struct Free {
-    void operator()(uint8_t* memory) const { std::free(memory); }
-  };
 
   const Mesh& mesh;
   const std::vector<Material>& materials;
@@ -403,7 +399,7 @@ private:
   const RenderOptions& options;
   Warnings& warnings;
   int width = 0, height = 0;
-  std::unique_ptr<uint8_t, Free> buffer; // outlives the context, which writes to it
+  GrowingArray<uint8_t> buffer; // outlives the context, which writes to it
   std::unique_ptr<osmesa_context, DestroyContext> context;
   std::vector<GlMaterial> gl_materials;
   GLuint vertex_buffer = 0, index_buffer = 0;
