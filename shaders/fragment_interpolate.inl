@@ -8,49 +8,117 @@ namespace SOFTGL_ISA {
 
 SOFTGL_INLINE FloatV at(const Plane& p, FloatV x, FloatV y) { return splat(p.gy) * y + (splat(p.gx) * x + splat(p.a)); }
 
-/// Left and right, upper and lower neighbours of each lane's 2x2 quad in a strip of 8x2 pixels.
+/// Differences across each 2x2 quad of a strip of 8x2 pixels, the same in all four lanes of a quad.
 SOFTGL_INLINE void quad_differences(const float* value, float* dx, float* dy) {
-  for (int q = 0; q < 8; q += 2) {
-    const float x = value[q + 1] - value[q], y = value[q + 8] - value[q];
-    dx[q] = dx[q + 1] = dx[q + 8] = dx[q + 9] = x;
-    dy[q] = dy[q + 1] = dy[q + 8] = dy[q + 9] = y;
+  if constexpr (kWidth == 16) {
+    const FloatV v = load(value), even = even_lanes(v), x = odd_lanes(v) - even;
+    alignas(64) float corner[16], across[16];
+    store(corner, even), store(across, x);
+    for (int i = 0; i < 8; ++i) {
+      dx[i] = dx[i + 8] = across[i];
+      dy[i] = dy[i + 8] = corner[i + 8] - corner[i];
+    }
+  } else {
+    for (int i = 0; i < 8; i += kWidth) {
+      const FloatV top = load(value + i), bottom = load(value + 8 + i), corner = even_lanes(top);
+      const FloatV x = odd_lanes(top) - corner, y = even_lanes(bottom) - corner;
+      store(dx + i, x), store(dx + 8 + i, x);
+      store(dy + i, y), store(dy + 8 + i, y);
+    }
   }
 }
 
-/// Fills the inputs of lanes [0, block.lanes); block.x and block.y are set.
+/// Coordinates of a unit that are read: s and t, or s, t and r.
+SOFTGL_INLINE int coordinates_read(const FragmentProgram& program, int unit) { return program.r_units >> unit & 1 ? 3 : 2; }
+
+/// Fills the inputs of lanes [0, block.lanes), which are strips of one primitive; block.x and block.y are set.
 static void interpolate_block(const RasterDraw& draw, const RasterPrimitive& p, FragmentBlock& block) {
   const FragmentProgram& program = *draw.program;
-  for (int i = 0; i < block.lanes; i += kWidth) {
-    const FloatV x = to_float(load(block.x + i)), y = to_float(load(block.y + i));
-    const FloatV w = splat(1.0f) / at(p.plane[kPlaneW], x, y);
-    const Plane* q = p.plane + kPlaneColor;
-    if (p.flat) {
-      for (int c = 0; c < 4; ++c) store(block.color[c] + i, splat(q[c].a));
-    } else {
-      for (int c = 0; c < 4; ++c) store(block.color[c] + i, at(q[c], x, y) * w);
-    }
-    if (draw.secondary_plane >= 0) {
-      q = p.plane + draw.secondary_plane;
-      for (int c = 0; c < 3; ++c) store(block.secondary[c] + i, p.flat ? splat(q[c].a) : at(q[c], x, y) * w);
-    }
-    if (draw.fog_plane >= 0) store(block.fog + i, at(p.plane[draw.fog_plane], x, y) * w);
-    for (int u = 0; u < kBlockTextureUnits; ++u) {
-      if (draw.unit_plane[u] < 0) continue;
-      q = p.plane + draw.unit_plane[u];
-      const FloatV rq = splat(1.0f) / (at(q[3], x, y) * w);
-      BlockCoordinates& t = block.unit[u];
-      store(t.s + i, (at(q[0], x, y) * w) * rq);
-      store(t.t + i, (at(q[1], x, y) * w) * rq);
-      store(t.r + i, (at(q[2], x, y) * w) * rq);
-    }
+  const int lanes = block.lanes;
+  alignas(64) float x[kLanes], y[kLanes], w[kLanes];
+  for (int i = 0; i < lanes; i += kWidth) {
+    const FloatV vx = to_float(load(block.x + i)), vy = to_float(load(block.y + i));
+    store(x + i, vx), store(y + i, vy);
+    store(w + i, p.w_is_one ? splat(1.0f) : splat(1.0f) / at(p.plane[kPlaneW], vx, vy));
   }
+  auto fill = [&](const Plane& plane, float* out, bool constant) {
+    const Plane q = plane;
+    if (constant) for (int i = 0; i < lanes; i += kWidth) store(out + i, splat(q.a));
+    else for (int i = 0; i < lanes; i += kWidth) store(out + i, at(q, load(x + i), load(y + i)) * load(w + i));
+  };
+  for (int c = 0; c < 4; ++c) fill(p.plane[kPlaneColor + c], block.color[c], p.flat);
+  if (draw.secondary_plane >= 0)
+    for (int c = 0; c < 3; ++c) fill(p.plane[draw.secondary_plane + c], block.secondary[c], p.flat);
+  if (draw.fog_plane >= 0) fill(p.plane[draw.fog_plane], block.fog, false);
   for (int u = 0; u < kBlockTextureUnits; ++u) {
     if (draw.unit_plane[u] < 0) continue;
+    const Plane* q = p.plane + draw.unit_plane[u];
     BlockCoordinates& t = block.unit[u];
-    for (int i = 0; i < block.lanes; i += kStripLanes) {
-      quad_differences(t.s + i, t.ds_dx + i, t.ds_dy + i);
-      quad_differences(t.t + i, t.dt_dx + i, t.dt_dy + i);
-      quad_differences(t.r + i, t.dr_dx + i, t.dr_dy + i);
+    float* value[3] = {t.s, t.t, t.r};
+    float* dx[3] = {t.ds_dx, t.dt_dx, t.dr_dx};
+    float* dy[3] = {t.ds_dy, t.dt_dy, t.dr_dy};
+    const int coordinates = coordinates_read(program, u);
+    for (int i = 0; i < lanes; i += kWidth) {
+      const FloatV vx = load(x + i), vy = load(y + i), vw = load(w + i);
+      const FloatV rq = splat(1.0f) / (at(q[3], vx, vy) * vw);
+      for (int k = 0; k < coordinates; ++k) store(value[k] + i, (at(q[k], vx, vy) * vw) * rq);
+    }
+    for (int k = 0; k < coordinates; ++k)
+      for (int i = 0; i < lanes; i += kStripLanes) quad_differences(value[k] + i, dx[k] + i, dy[k] + i);
+  }
+  if (program.keeps_primary) memcpy(block.primary, block.color, sizeof block.primary);
+}
+
+/// Coordinates of one unit for lanes [lane, lane + kWidth), each with its own planes: at the lane's pixel and at three
+/// corners of its 2x2 quad.
+SOFTGL_INLINE void interpolate_unit(BlockCoordinates& t, int lane, int coordinates, const PlaneV& w, const PlaneV q[4], IntV px, IntV py) {
+  float* value[3] = {t.s, t.t, t.r};
+  float* dx[3] = {t.ds_dx, t.dt_dx, t.dr_dx};
+  float* dy[3] = {t.ds_dy, t.dt_dy, t.dr_dy};
+  const FloatV x = to_float(px), y = to_float(py), x0 = to_float(px & ~1), y0 = to_float(py & ~1), x1 = x0 + 1.0f, y1 = y0 + 1.0f;
+  const FloatV one = splat(1.0f);
+  const FloatV w_here = one / value_at(w, x, y), w00 = one / value_at(w, x0, y0), w10 = one / value_at(w, x1, y0), w01 = one / value_at(w, x0, y1);
+  const FloatV q_here = one / (value_at(q[3], x, y) * w_here), q00 = one / (value_at(q[3], x0, y0) * w00);
+  const FloatV q10 = one / (value_at(q[3], x1, y0) * w10), q01 = one / (value_at(q[3], x0, y1) * w01);
+  for (int k = 0; k < coordinates; ++k) {
+    store(value[k] + lane, (value_at(q[k], x, y) * w_here) * q_here);
+    const FloatV v00 = (value_at(q[k], x0, y0) * w00) * q00;
+    store(dx[k] + lane, (value_at(q[k], x1, y0) * w10) * q10 - v00);
+    store(dy[k] + lane, (value_at(q[k], x0, y1) * w01) * q01 - v00);
+  }
+}
+
+/// Fills the inputs of lanes [0, block.lanes), each of its own primitive.
+static void interpolate_lanes(const RasterDraw& draw, const RasterPrimitive* const* primitive, FragmentBlock& block) {
+  const FragmentProgram& program = *draw.program;
+  const bool flat = program.key.flat;
+  for (int i = 0; i < block.lanes; i += kWidth) {
+    const IntV px = load(block.x + i), py = load(block.y + i);
+    const FloatV x = to_float(px), y = to_float(py);
+    auto plane = [&](int index) {
+      const float* place[kWidth];
+      for (int k = 0; k < kWidth; ++k) place[k] = &primitive[i + k]->plane[index].a;
+      FloatV v[4];
+      load_transposed(place, v);
+      return PlaneV{v[0], v[1], v[2]};
+    };
+    const PlaneV w = plane(kPlaneW);
+    const FloatV rw = splat(1.0f) / value_at(w, x, y);
+    auto put = [&](int index, float* out, bool constant) {
+      const PlaneV p = plane(index);
+      store(out + i, constant ? p.a : value_at(p, x, y) * rw);
+    };
+    for (int c = 0; c < 4; ++c) put(kPlaneColor + c, block.color[c], flat);
+    if (draw.secondary_plane >= 0)
+      for (int c = 0; c < 3; ++c) put(draw.secondary_plane + c, block.secondary[c], flat);
+    if (draw.fog_plane >= 0) put(draw.fog_plane, block.fog, false);
+    for (int u = 0; u < kBlockTextureUnits; ++u) {
+      if (draw.unit_plane[u] < 0) continue;
+      const int coordinates = coordinates_read(program, u);
+      PlaneV q[4];
+      for (int k = 0; k < coordinates; ++k) q[k] = plane(draw.unit_plane[u] + k);
+      q[3] = plane(draw.unit_plane[u] + 3);
+      interpolate_unit(block.unit[u], i, coordinates, w, q, px, py);
     }
   }
   if (program.keeps_primary) memcpy(block.primary, block.color, sizeof block.primary);

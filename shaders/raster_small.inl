@@ -49,31 +49,12 @@ static void shade_small(const RasterDraw& draw, const TriangleInput& in, Triangl
         load_slot(c, draw.layout.secondary, -1, false, a);
         store(block.fog + j, perspective(a[0][3], a[1][3], a[2][3]));
       }
-      if (key.texture_units) {
-        // Coordinates at the fragment and at three corners of its 2x2 quad.
-        const FloatV x0 = to_float(load(out.x + f) & ~1), y0 = to_float(load(out.y + f) & ~1);
-        const FloatV x1 = x0 + 1.0f, y1 = y0 + 1.0f;
-        const PlaneV wp = plane_of(basis, w0, w1, w2);
-        const FloatV w00 = splat(1.0f) / value_at(wp, x0, y0), w10 = splat(1.0f) / value_at(wp, x1, y0), w01 = splat(1.0f) / value_at(wp, x0, y1);
-        for (int u = 0; u < kBlockTextureUnits; ++u) {
-          if (draw.unit_plane[u] < 0) continue;
-          load_slot(c, draw.layout.texcoord[u], -1, false, a);
-          PlaneV q[4];
-          for (int k = 0; k < 4; ++k) q[k] = plane_of(basis, a[0][k] * w0, a[1][k] * w1, a[2][k] * w2);
-          const FloatV rq = splat(1.0f) / (value_at(q[3], x, y) * w);
-          const FloatV rq00 = splat(1.0f) / (value_at(q[3], x0, y0) * w00), rq10 = splat(1.0f) / (value_at(q[3], x1, y0) * w10);
-          const FloatV rq01 = splat(1.0f) / (value_at(q[3], x0, y1) * w01);
-          BlockCoordinates& t = block.unit[u];
-          float* value[3] = {t.s, t.t, t.r};
-          float* dx[3] = {t.ds_dx, t.dt_dx, t.dr_dx};
-          float* dy[3] = {t.ds_dy, t.dt_dy, t.dr_dy};
-          for (int k = 0; k < 3; ++k) {
-            store(value[k] + j, (value_at(q[k], x, y) * w) * rq);
-            const FloatV v00 = (value_at(q[k], x0, y0) * w00) * rq00;
-            store(dx[k] + j, (value_at(q[k], x1, y0) * w10) * rq10 - v00);
-            store(dy[k] + j, (value_at(q[k], x0, y1) * w01) * rq01 - v00);
-          }
-        }
+      for (int u = 0; u < kBlockTextureUnits; ++u) {
+        if (draw.unit_plane[u] < 0) continue;
+        load_slot(c, draw.layout.texcoord[u], -1, false, a);
+        PlaneV q[4];
+        for (int k = 0; k < 4; ++k) q[k] = plane_of(basis, a[0][k] * w0, a[1][k] * w1, a[2][k] * w2);
+        interpolate_unit(block.unit[u], j, coordinates_read(program, u), plane_of(basis, w0, w1, w2), q, load(out.x + f), load(out.y + f));
       }
       store(block.x + j, load(out.x + f));
       store(block.y + j, load(out.y + f));

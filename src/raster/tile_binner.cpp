@@ -8,7 +8,8 @@
 namespace softgl {
 
 RasterPrimitive* TileBinner::new_primitive() {
-  const size_t bytes = (offsetof(RasterPrimitive, plane) + sizeof(Plane) * draw_->plane_count + 15) & ~size_t(15);
+  // Planes are read by 16 bytes, 4 behind the last one.
+  const size_t bytes = (offsetof(RasterPrimitive, plane) + sizeof(Plane) * draw_->plane_count + 4 + 15) & ~size_t(15);
   if (static_cast<size_t>(end_ - next_) < bytes) {
     constexpr size_t kBlock = 16 * 1024;
     next_ = static_cast<uint8_t*>(arena_.allocate(kBlock));
