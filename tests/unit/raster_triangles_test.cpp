@@ -105,7 +105,7 @@ TEST_CASE("triangles equal the plain scalar rasterizer", "[raster]") {
 TEST_CASE("small triangles, blocks, units and instruction sets draw the same", "[raster]") {
   for (int category = 0; category < kCategories; ++category) {
     INFO("category " << category);
-    const Vertices v = random_triangles(uint32_t(7000 + category), Category(category), 8000, 157, 131);
+    const Vertices v = random_triangles(uint32_t(7000 + category), Category(category), 3000, 157, 131);
     const Canvas first = drawn(v, true);
     CHECK(drawn(v, false) == first);
     CHECK(drawn(v, true, 0, 0, kernels(), 777) == first);
@@ -129,4 +129,77 @@ TEST_CASE("coordinates that are not numbers or too large draw nothing and do no 
         v.push_back({{1, 1, 1, 1}});
       }
   CHECK(drawn(v, true) == Canvas(157, 131));
+}
+
+namespace {
+
+/// Alpha test, fog and blending, so that stages run and the order of fragments matters.
+Canvas staged(const Vertices& v, bool small, const Kernels& k, ColorFormat format = ColorFormat::Rgba8, bool stencil = false) {
+  Canvas canvas(157, 131, format);
+  Draw draw(canvas.surface);
+  FragmentKey& key = draw.program.key;
+  key.fog_mode = uint64_t(FogMode::Exp2), key.fog_coordinate = 1;
+  key.alpha_function = uint64_t(Compare::Greater);
+  key.depth_function = uint64_t(Compare::LessEqual);
+  key.blend = 1;
+  key.blend_source_rgb = key.blend_source_alpha = uint64_t(BlendFactor::SourceAlpha);
+  key.blend_destination_rgb = key.blend_destination_alpha = uint64_t(BlendFactor::OneMinusSourceColor);
+  if (stencil) {
+    key.stencil = 1;
+    key.stencil_function = uint64_t(Compare::NotEqual);
+    key.stencil_fail = uint64_t(StencilOperation::Increment), key.stencil_depth_fail = uint64_t(StencilOperation::Invert);
+    key.stencil_pass = uint64_t(StencilOperation::IncrementWrap);
+    draw.constants.stencil_reference = 3, draw.constants.stencil_value_mask = 7, draw.constants.stencil_write_mask = 0x3f;
+  }
+  draw.constants.alpha_reference = 0.2f, draw.constants.alpha_reference_8 = 51;
+  draw.constants.fog_scale = 0.9f;
+  draw.constants.fog_color[1] = 0.7f;
+  draw.record.layout.secondary = 1; // the colour's alpha serves as fog coordinate
+  draw.program.add(k.raster->fog_exp2);
+  draw.program.add(format == ColorFormat::Rgba8 ? k.raster->alpha_test_8 : k.raster->alpha_test_float, int32_t(Compare::Greater));
+  draw.derive();
+  draw.derived.small = draw.derived.small && small;
+  draw_triangles(canvas, draw, v, k);
+  return canvas;
+}
+
+} // namespace
+
+TEST_CASE("fragments of small, dense and wide primitives go through a program alike", "[raster]") {
+  for (int category = 0; category < kCategories; ++category)
+    for (int variant = 0; variant < 3; ++variant) {
+      INFO("category " << category << " variant " << variant);
+      const auto format = variant == 2 ? ColorFormat::Rgb565 : ColorFormat::Rgba8;
+      const Vertices v = random_triangles(uint32_t(9000 + category), Category(category), 1000, 157, 131);
+      const Canvas first = staged(v, true, kernels(), format, variant == 1);
+      CHECK(staged(v, false, kernels(), format, variant == 1) == first);
+      for (int isa = 0; isa <= int(detect_isa()); ++isa)
+        if (const Kernels* k = find_kernels(Isa(isa))) CHECK(staged(v, true, *k, format, variant == 1) == first);
+    }
+}
+
+TEST_CASE("blending and logic operations of plain blocks are those of staged ones", "[raster]") {
+  for (unsigned equation = 0; equation < 5; ++equation)
+    for (unsigned factor = 0; factor < 15; ++factor) {
+      const Vertices v = random_triangles(equation * 100 + factor, Mixed, 300, 157, 131);
+      auto draw_with = [&](bool direct, bool small) {
+        Canvas canvas(157, 131);
+        Draw draw(canvas.surface);
+        FragmentKey& key = draw.program.key;
+        key.blend = equation < 4, key.logic_op = equation == 4;
+        key.blend_equation = equation;
+        key.blend_source_rgb = factor, key.blend_destination_rgb = (factor * 7 + equation) % 15;
+        key.blend_source_alpha = (factor * 4 + 3) % 15, key.blend_destination_alpha = (factor + 5) % 15;
+        for (int i = 0; i < 4; ++i) draw.constants.blend_color_8[i] = uint8_t(40 * i + 9);
+        draw.derive();
+        draw.derived.direct = direct, draw.derived.small = small;
+        draw_triangles(canvas, draw, v);
+        return canvas;
+      };
+      INFO("equation " << equation << " factor " << factor);
+      const Canvas first = draw_with(true, true);
+      CHECK(draw_with(false, false) == first);
+      CHECK(draw_with(false, true) == first);
+      CHECK(draw_with(true, false) == first);
+    }
 }
