@@ -34,6 +34,11 @@ void bad_texture_unit(Context& c) {
   if (!(c.guard & kNoContext)) set_error(c, GL_INVALID_ENUM);
 }
 
+void out_of_memory() noexcept {
+  Context& c = *current_context;
+  if (!(c.guard & kNoContext)) set_error(c, GL_OUT_OF_MEMORY);
+}
+
 void unbuilt_command() {
   Context& c = *current_context;
   if (!(c.guard & kNoContext)) set_error(c, GL_INVALID_OPERATION);

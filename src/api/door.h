@@ -17,5 +17,7 @@ namespace softgl {
 /// A scalar form with a parameter that has several values: GL_INVALID_ENUM, or GL_INVALID_OPERATION between Begin and End.
 [[gnu::cold]] void bad_scalar_parameter(Context& c);
 [[gnu::cold]] void bad_texture_unit(Context& c);
+/// Nothing is thrown across a door: GL_OUT_OF_MEMORY in the current context.
+[[gnu::cold]] void out_of_memory() noexcept;
 
 } // namespace softgl

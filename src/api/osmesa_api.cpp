@@ -211,7 +211,7 @@ SOFTGL_EXPORT void OSMesaGetIntegerv(GLint pname, GLint* value) {
 SOFTGL_EXPORT GLboolean OSMesaGetDepthBuffer(OSMesaContext c, GLint* width, GLint* height, GLint* bytesPerValue, void** buffer) {
   GLint w = 0, h = 0, bytes = 0;
   void* data = nullptr;
-  if (c && c->framebuffer.surface.depth_stencil) {
+  if (c && c->framebuffer.surface.depth_stencil && depth_copy_bytes(c->framebuffer) > 0) {
     Framebuffer& f = c->framebuffer;
     try {
       if (f.depth_copy.empty()) {

@@ -47,7 +47,7 @@ private:
 
 /// Writes the surface to the caller's buffer with all threads.
 void resolve(const Surface& surface, const ClientBuffer& client);
-/// Bytes of a value in depth_copy: 4 (depth and stencil), 2 (Z16), 1 (stencil only) or 0.
+/// Bytes of a value in depth_copy: 4 (24 bits, stencil in the top byte), 2 (16 bits) or 0 (no depth).
 int depth_copy_bytes(const Framebuffer& framebuffer);
 /// Fills depth_copy from the surface, bottom row first.
 void copy_depth(Framebuffer& framebuffer);

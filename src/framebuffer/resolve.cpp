@@ -103,7 +103,7 @@ template <class Convert> void resolve_as(const Surface& s, const ClientBuffer& c
 } // namespace
 
 int depth_copy_bytes(const Framebuffer& f) {
-  if (f.depth_bits == 0) return f.stencil_bits == 0 ? 0 : 1;
+  if (f.depth_bits == 0) return 0;
   return f.surface.depth_format == DepthFormat::Z16 ? 2 : 4;
 }
 
@@ -116,8 +116,7 @@ void copy_depth(Framebuffer& f) {
     for (int x = 0; x < s.width; ++x, out += bytes) {
       const uint32_t word = s.depth_stencil[pixel_index(s, x, y)];
       if (bytes == 4) std::memcpy(out, &word, 4);
-      else if (bytes == 2) { const uint16_t depth = uint16_t(word); std::memcpy(out, &depth, 2); }
-      else *out = uint8_t(word >> 24);
+      else { const uint16_t depth = uint16_t(word); std::memcpy(out, &depth, 2); }
     }
 }
 

@@ -193,6 +193,23 @@ def default_return(returns):
     return "" if returns == "void" else " nullptr" if "*" in returns else " 0"
 
 
+# Pointers that may be null: an offset into a buffer, an image without contents, or errors have to be found first.
+NULL_IS_FINE = re.compile(r"Pointer$|PointerEXT$|^(Draw|MultiDraw)|BufferData$|^Compressed|Tex(Sub)?Image|^(Bitmap|DrawPixels|ReadPixels)")
+
+
+def null_check(row, command):
+    """A null pointer where values are expected is no error that GL names: the door ignores the call."""
+    if NULL_IS_FINE.search(row.name):
+        return ""
+    tests = []
+    for p in command.parameters:
+        if not p.pointer:
+            continue
+        counts = [q.name for q in command.parameters if q.name == p.length]
+        tests.append(f"(!{p.name} && {counts[0]} > 0)" if counts else f"!{p.name}")
+    return " || ".join(tests)
+
+
 def plain_door(row, door, command, export_name):
     head = (f"SOFTGL_EXPORT {command.returns} APIENTRY "
             f"gl{export_name}({', '.join(p.declaration() for p in command.parameters)})")
@@ -206,14 +223,18 @@ def plain_door(row, door, command, export_name):
     head = (f"SOFTGL_EXPORT {command.returns} APIENTRY gl{export_name}("
             f"{', '.join(p.declaration(p.name in re.findall(WORD, used)) for p in command.parameters)})")
     arguments = "".join(", " + g for g in given)
-    lines = [f"{head} {{\n", "  Context& c = *current_context;\n"]
+    lines = [f"{head} try {{\n", "  Context& c = *current_context;\n"]
     if row.built == "auto":
         fail = f"{{ unbuilt_command(); return{result}; }}" if result else "return unbuilt_command();"
         lines.append(f"  if (!gl::{row.name}) {fail}\n")
+    nulls = null_check(row, command)
+    if nulls:
+        lines.append(f"  if ({nulls}) [[unlikely]] return{result};\n")
     if prepare:
         lines.append("  if (c.guard & kNoContext) [[unlikely]] return" + result + ";\n")
         lines.append(prepare)
-    keep = " & ~kRunPending" if row.run == "keep" else ""
+    keep = row.run == "keep"
+    guard = "(c.guard & ~kRunPending)" if keep else "c.guard"
     if row.list == "record":
         lines.append(f"  if (c.guard) [[unlikely]] {{\n"
                      f"    if (c.guard & kCompilingList) return compile_{row.name}(c{arguments});\n"
@@ -222,12 +243,13 @@ def plain_door(row, door, command, export_name):
         lines.append(f"  if ((c.guard & (kCompilingList | kInsideBeginEnd)) == kCompilingList) [[unlikely]] "
                      f"return compile_{row.name}(c{arguments});\n")
     elif row.where == "out" and row.list == "self":
-        lines.append(f"  if ((c.guard{keep}) && !may_execute_or_compile(c)) [[unlikely]] return{result};\n")
+        lines.append(f"  if ({guard} && !may_execute_or_compile(c)) [[unlikely]] return{result};\n")
     elif row.where == "out":
-        lines.append(f"  if ((c.guard{keep}) && !may_execute{'_keeping_run' if keep else ''}(c)) [[unlikely]] return{result};\n")
+        lines.append(f"  if ({guard} && !may_execute{'_keeping_run' if keep else ''}(c)) [[unlikely]] return{result};\n")
     if row.where == "in" and not prepare:
         lines.append(f"  if (c.guard & kNoContext) [[unlikely]] return{result};\n")
-    lines.append(f"  {'return ' if row.returns != 'void' else ''}gl::{row.name}(c{arguments});\n}}\n")
+    lines.append(f"  {'return ' if row.returns != 'void' else ''}gl::{row.name}(c{arguments});\n"
+                 f"}} catch (...) {{\n  out_of_memory();\n{'  return' + result + ';' + chr(10) if result else ''}}}\n")
     return "".join(lines)
 
 

@@ -10,7 +10,7 @@ using namespace softgl;
 
 extern "C" {
 
-SOFTGL_EXPORT void APIENTRY glAccum(GLenum op, GLfloat value) {
+SOFTGL_EXPORT void APIENTRY glAccum(GLenum op, GLfloat value) try {
   Context& c = *current_context;
   if (!gl::Accum) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -18,8 +18,10 @@ SOFTGL_EXPORT void APIENTRY glAccum(GLenum op, GLfloat value) {
     if (!may_execute(c)) return;
   }
   gl::Accum(c, op, value);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glActiveTexture(GLenum texture) {
+SOFTGL_EXPORT void APIENTRY glActiveTexture(GLenum texture) try {
   Context& c = *current_context;
   if (!gl::ActiveTexture) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -27,8 +29,10 @@ SOFTGL_EXPORT void APIENTRY glActiveTexture(GLenum texture) {
     if (!may_execute(c)) return;
   }
   gl::ActiveTexture(c, texture);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glActiveTextureARB(GLenum texture) {
+SOFTGL_EXPORT void APIENTRY glActiveTextureARB(GLenum texture) try {
   Context& c = *current_context;
   if (!gl::ActiveTexture) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -36,8 +40,10 @@ SOFTGL_EXPORT void APIENTRY glActiveTextureARB(GLenum texture) {
     if (!may_execute(c)) return;
   }
   gl::ActiveTexture(c, texture);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glAlphaFunc(GLenum func, GLfloat ref) {
+SOFTGL_EXPORT void APIENTRY glAlphaFunc(GLenum func, GLfloat ref) try {
   Context& c = *current_context;
   if (!gl::AlphaFunc) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -45,32 +51,44 @@ SOFTGL_EXPORT void APIENTRY glAlphaFunc(GLenum func, GLfloat ref) {
     if (!may_execute(c)) return;
   }
   gl::AlphaFunc(c, func, ref);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT GLboolean APIENTRY glAreTexturesResident(GLsizei n, const GLuint* textures, GLboolean* residences) {
+SOFTGL_EXPORT GLboolean APIENTRY glAreTexturesResident(GLsizei n, const GLuint* textures, GLboolean* residences) try {
   Context& c = *current_context;
   if (!gl::AreTexturesResident) { unbuilt_command(); return 0; }
+  if ((!textures && n > 0) || (!residences && n > 0)) [[unlikely]] return 0;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
   return gl::AreTexturesResident(c, n, textures, residences);
+} catch (...) {
+  out_of_memory();
+  return 0;
 }
-SOFTGL_EXPORT void APIENTRY glArrayElement(GLint i) {
+SOFTGL_EXPORT void APIENTRY glArrayElement(GLint i) try {
   Context& c = *current_context;
   if (!gl::ArrayElement) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   gl::ArrayElement(c, i);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glArrayElementEXT(GLint i) {
+SOFTGL_EXPORT void APIENTRY glArrayElementEXT(GLint i) try {
   Context& c = *current_context;
   if (!gl::ArrayElement) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   gl::ArrayElement(c, i);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glBegin(GLenum mode) {
+SOFTGL_EXPORT void APIENTRY glBegin(GLenum mode) try {
   Context& c = *current_context;
   if (!gl::Begin) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   gl::Begin(c, mode);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glBeginQuery(GLenum target, GLuint id) {
+SOFTGL_EXPORT void APIENTRY glBeginQuery(GLenum target, GLuint id) try {
   Context& c = *current_context;
   if (!gl::BeginQuery) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -78,8 +96,10 @@ SOFTGL_EXPORT void APIENTRY glBeginQuery(GLenum target, GLuint id) {
     if (!may_execute(c)) return;
   }
   gl::BeginQuery(c, target, id);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glBeginQueryARB(GLenum target, GLuint id) {
+SOFTGL_EXPORT void APIENTRY glBeginQueryARB(GLenum target, GLuint id) try {
   Context& c = *current_context;
   if (!gl::BeginQuery) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -87,20 +107,26 @@ SOFTGL_EXPORT void APIENTRY glBeginQueryARB(GLenum target, GLuint id) {
     if (!may_execute(c)) return;
   }
   gl::BeginQuery(c, target, id);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glBindBuffer(GLenum target, GLuint buffer) {
+SOFTGL_EXPORT void APIENTRY glBindBuffer(GLenum target, GLuint buffer) try {
   Context& c = *current_context;
   if (!gl::BindBuffer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::BindBuffer(c, target, buffer);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glBindBufferARB(GLenum target, GLuint buffer) {
+SOFTGL_EXPORT void APIENTRY glBindBufferARB(GLenum target, GLuint buffer) try {
   Context& c = *current_context;
   if (!gl::BindBuffer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::BindBuffer(c, target, buffer);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glBindTexture(GLenum target, GLuint texture) {
+SOFTGL_EXPORT void APIENTRY glBindTexture(GLenum target, GLuint texture) try {
   Context& c = *current_context;
   if (!gl::BindTexture) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -108,8 +134,10 @@ SOFTGL_EXPORT void APIENTRY glBindTexture(GLenum target, GLuint texture) {
     if (!may_execute(c)) return;
   }
   gl::BindTexture(c, target, texture);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glBindTextureEXT(GLenum target, GLuint texture) {
+SOFTGL_EXPORT void APIENTRY glBindTextureEXT(GLenum target, GLuint texture) try {
   Context& c = *current_context;
   if (!gl::BindTexture) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -117,8 +145,10 @@ SOFTGL_EXPORT void APIENTRY glBindTextureEXT(GLenum target, GLuint texture) {
     if (!may_execute(c)) return;
   }
   gl::BindTexture(c, target, texture);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glBitmap(GLsizei width, GLsizei height, GLfloat xorig, GLfloat yorig, GLfloat xmove, GLfloat ymove, const GLubyte* bitmap) {
+SOFTGL_EXPORT void APIENTRY glBitmap(GLsizei width, GLsizei height, GLfloat xorig, GLfloat yorig, GLfloat xmove, GLfloat ymove, const GLubyte* bitmap) try {
   Context& c = *current_context;
   if (!gl::Bitmap) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -126,8 +156,10 @@ SOFTGL_EXPORT void APIENTRY glBitmap(GLsizei width, GLsizei height, GLfloat xori
     if (!may_execute(c)) return;
   }
   gl::Bitmap(c, width, height, xorig, yorig, xmove, ymove, bitmap);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glBlendColor(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
+SOFTGL_EXPORT void APIENTRY glBlendColor(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) try {
   Context& c = *current_context;
   if (!gl::BlendColor) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -135,8 +167,10 @@ SOFTGL_EXPORT void APIENTRY glBlendColor(GLfloat red, GLfloat green, GLfloat blu
     if (!may_execute(c)) return;
   }
   gl::BlendColor(c, red, green, blue, alpha);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glBlendColorEXT(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
+SOFTGL_EXPORT void APIENTRY glBlendColorEXT(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) try {
   Context& c = *current_context;
   if (!gl::BlendColor) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -144,8 +178,10 @@ SOFTGL_EXPORT void APIENTRY glBlendColorEXT(GLfloat red, GLfloat green, GLfloat 
     if (!may_execute(c)) return;
   }
   gl::BlendColor(c, red, green, blue, alpha);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glBlendEquation(GLenum mode) {
+SOFTGL_EXPORT void APIENTRY glBlendEquation(GLenum mode) try {
   Context& c = *current_context;
   if (!gl::BlendEquation) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -153,8 +189,10 @@ SOFTGL_EXPORT void APIENTRY glBlendEquation(GLenum mode) {
     if (!may_execute(c)) return;
   }
   gl::BlendEquation(c, mode);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glBlendEquationEXT(GLenum mode) {
+SOFTGL_EXPORT void APIENTRY glBlendEquationEXT(GLenum mode) try {
   Context& c = *current_context;
   if (!gl::BlendEquation) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -162,8 +200,10 @@ SOFTGL_EXPORT void APIENTRY glBlendEquationEXT(GLenum mode) {
     if (!may_execute(c)) return;
   }
   gl::BlendEquation(c, mode);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glBlendFunc(GLenum sfactor, GLenum dfactor) {
+SOFTGL_EXPORT void APIENTRY glBlendFunc(GLenum sfactor, GLenum dfactor) try {
   Context& c = *current_context;
   if (!gl::BlendFunc) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -171,8 +211,10 @@ SOFTGL_EXPORT void APIENTRY glBlendFunc(GLenum sfactor, GLenum dfactor) {
     if (!may_execute(c)) return;
   }
   gl::BlendFunc(c, sfactor, dfactor);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glBlendFuncSeparate(GLenum sfactorRGB, GLenum dfactorRGB, GLenum sfactorAlpha, GLenum dfactorAlpha) {
+SOFTGL_EXPORT void APIENTRY glBlendFuncSeparate(GLenum sfactorRGB, GLenum dfactorRGB, GLenum sfactorAlpha, GLenum dfactorAlpha) try {
   Context& c = *current_context;
   if (!gl::BlendFuncSeparate) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -180,8 +222,10 @@ SOFTGL_EXPORT void APIENTRY glBlendFuncSeparate(GLenum sfactorRGB, GLenum dfacto
     if (!may_execute(c)) return;
   }
   gl::BlendFuncSeparate(c, sfactorRGB, dfactorRGB, sfactorAlpha, dfactorAlpha);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glBlendFuncSeparateEXT(GLenum sfactorRGB, GLenum dfactorRGB, GLenum sfactorAlpha, GLenum dfactorAlpha) {
+SOFTGL_EXPORT void APIENTRY glBlendFuncSeparateEXT(GLenum sfactorRGB, GLenum dfactorRGB, GLenum sfactorAlpha, GLenum dfactorAlpha) try {
   Context& c = *current_context;
   if (!gl::BlendFuncSeparate) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -189,44 +233,61 @@ SOFTGL_EXPORT void APIENTRY glBlendFuncSeparateEXT(GLenum sfactorRGB, GLenum dfa
     if (!may_execute(c)) return;
   }
   gl::BlendFuncSeparate(c, sfactorRGB, dfactorRGB, sfactorAlpha, dfactorAlpha);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glBufferData(GLenum target, GLsizeiptr size, const void* data, GLenum usage) {
+SOFTGL_EXPORT void APIENTRY glBufferData(GLenum target, GLsizeiptr size, const void* data, GLenum usage) try {
   Context& c = *current_context;
   if (!gl::BufferData) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::BufferData(c, target, size, data, usage);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glBufferDataARB(GLenum target, GLsizeiptr size, const void* data, GLenum usage) {
+SOFTGL_EXPORT void APIENTRY glBufferDataARB(GLenum target, GLsizeiptr size, const void* data, GLenum usage) try {
   Context& c = *current_context;
   if (!gl::BufferData) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::BufferData(c, target, size, data, usage);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, const void* data) {
+SOFTGL_EXPORT void APIENTRY glBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, const void* data) try {
   Context& c = *current_context;
   if (!gl::BufferSubData) return unbuilt_command();
+  if ((!data && size > 0)) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::BufferSubData(c, target, offset, size, data);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glBufferSubDataARB(GLenum target, GLintptr offset, GLsizeiptr size, const void* data) {
+SOFTGL_EXPORT void APIENTRY glBufferSubDataARB(GLenum target, GLintptr offset, GLsizeiptr size, const void* data) try {
   Context& c = *current_context;
   if (!gl::BufferSubData) return unbuilt_command();
+  if ((!data && size > 0)) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::BufferSubData(c, target, offset, size, data);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glCallList(GLuint list) {
+SOFTGL_EXPORT void APIENTRY glCallList(GLuint list) try {
   Context& c = *current_context;
   if (!gl::CallList) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   gl::CallList(c, list);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glCallLists(GLsizei n, GLenum type, const void* lists) {
+SOFTGL_EXPORT void APIENTRY glCallLists(GLsizei n, GLenum type, const void* lists) try {
   Context& c = *current_context;
   if (!gl::CallLists) return unbuilt_command();
+  if (!lists) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   gl::CallLists(c, n, type, lists);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glClear(GLbitfield mask) {
+SOFTGL_EXPORT void APIENTRY glClear(GLbitfield mask) try {
   Context& c = *current_context;
   if (!gl::Clear) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -234,8 +295,10 @@ SOFTGL_EXPORT void APIENTRY glClear(GLbitfield mask) {
     if (!may_execute(c)) return;
   }
   gl::Clear(c, mask);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glClearAccum(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
+SOFTGL_EXPORT void APIENTRY glClearAccum(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) try {
   Context& c = *current_context;
   if (!gl::ClearAccum) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -243,8 +306,10 @@ SOFTGL_EXPORT void APIENTRY glClearAccum(GLfloat red, GLfloat green, GLfloat blu
     if (!may_execute(c)) return;
   }
   gl::ClearAccum(c, red, green, blue, alpha);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glClearColor(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
+SOFTGL_EXPORT void APIENTRY glClearColor(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) try {
   Context& c = *current_context;
   if (!gl::ClearColor) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -252,8 +317,10 @@ SOFTGL_EXPORT void APIENTRY glClearColor(GLfloat red, GLfloat green, GLfloat blu
     if (!may_execute(c)) return;
   }
   gl::ClearColor(c, red, green, blue, alpha);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glClearDepth(GLdouble depth) {
+SOFTGL_EXPORT void APIENTRY glClearDepth(GLdouble depth) try {
   Context& c = *current_context;
   if (!gl::ClearDepth) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -261,8 +328,10 @@ SOFTGL_EXPORT void APIENTRY glClearDepth(GLdouble depth) {
     if (!may_execute(c)) return;
   }
   gl::ClearDepth(c, depth);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glClearIndex(GLfloat value) {
+SOFTGL_EXPORT void APIENTRY glClearIndex(GLfloat value) try {
   Context& c = *current_context;
   if (!gl::ClearIndex) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -270,8 +339,10 @@ SOFTGL_EXPORT void APIENTRY glClearIndex(GLfloat value) {
     if (!may_execute(c)) return;
   }
   gl::ClearIndex(c, value);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glClearStencil(GLint s) {
+SOFTGL_EXPORT void APIENTRY glClearStencil(GLint s) try {
   Context& c = *current_context;
   if (!gl::ClearStencil) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -279,29 +350,38 @@ SOFTGL_EXPORT void APIENTRY glClearStencil(GLint s) {
     if (!may_execute(c)) return;
   }
   gl::ClearStencil(c, s);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glClientActiveTexture(GLenum texture) {
+SOFTGL_EXPORT void APIENTRY glClientActiveTexture(GLenum texture) try {
   Context& c = *current_context;
   if (!gl::ClientActiveTexture) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::ClientActiveTexture(c, texture);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glClientActiveTextureARB(GLenum texture) {
+SOFTGL_EXPORT void APIENTRY glClientActiveTextureARB(GLenum texture) try {
   Context& c = *current_context;
   if (!gl::ClientActiveTexture) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::ClientActiveTexture(c, texture);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glClipPlane(GLenum plane, const GLdouble* equation) {
+SOFTGL_EXPORT void APIENTRY glClipPlane(GLenum plane, const GLdouble* equation) try {
   Context& c = *current_context;
   if (!gl::ClipPlane) return unbuilt_command();
+  if (!equation) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_ClipPlane(c, plane, equation);
     if (!may_execute(c)) return;
   }
   gl::ClipPlane(c, plane, equation);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glColorMask(GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha) {
+SOFTGL_EXPORT void APIENTRY glColorMask(GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha) try {
   Context& c = *current_context;
   if (!gl::ColorMask) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -309,8 +389,10 @@ SOFTGL_EXPORT void APIENTRY glColorMask(GLboolean red, GLboolean green, GLboolea
     if (!may_execute(c)) return;
   }
   gl::ColorMask(c, red, green, blue, alpha);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glColorMaterial(GLenum face, GLenum mode) {
+SOFTGL_EXPORT void APIENTRY glColorMaterial(GLenum face, GLenum mode) try {
   Context& c = *current_context;
   if (!gl::ColorMaterial) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -318,20 +400,26 @@ SOFTGL_EXPORT void APIENTRY glColorMaterial(GLenum face, GLenum mode) {
     if (!may_execute(c)) return;
   }
   gl::ColorMaterial(c, face, mode);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glColorPointer(GLint size, GLenum type, GLsizei stride, const void* pointer) {
+SOFTGL_EXPORT void APIENTRY glColorPointer(GLint size, GLenum type, GLsizei stride, const void* pointer) try {
   Context& c = *current_context;
   if (!gl::ColorPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::ColorPointer(c, size, type, stride, pointer);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glColorPointerEXT(GLint size, GLenum type, GLsizei stride, GLsizei, const void* pointer) {
+SOFTGL_EXPORT void APIENTRY glColorPointerEXT(GLint size, GLenum type, GLsizei stride, GLsizei, const void* pointer) try {
   Context& c = *current_context;
   if (!gl::ColorPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::ColorPointer(c, size, type, stride, pointer);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glCompressedTexImage1D(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLint border, GLsizei imageSize, const void* data) {
+SOFTGL_EXPORT void APIENTRY glCompressedTexImage1D(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLint border, GLsizei imageSize, const void* data) try {
   Context& c = *current_context;
   if (!gl::CompressedTexImage1D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -339,8 +427,10 @@ SOFTGL_EXPORT void APIENTRY glCompressedTexImage1D(GLenum target, GLint level, G
     if (!may_execute(c)) return;
   }
   gl::CompressedTexImage1D(c, target, level, internalformat, width, border, imageSize, data);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glCompressedTexImage1DARB(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLint border, GLsizei imageSize, const void* data) {
+SOFTGL_EXPORT void APIENTRY glCompressedTexImage1DARB(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLint border, GLsizei imageSize, const void* data) try {
   Context& c = *current_context;
   if (!gl::CompressedTexImage1D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -348,8 +438,10 @@ SOFTGL_EXPORT void APIENTRY glCompressedTexImage1DARB(GLenum target, GLint level
     if (!may_execute(c)) return;
   }
   gl::CompressedTexImage1D(c, target, level, internalformat, width, border, imageSize, data);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glCompressedTexImage2D(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const void* data) {
+SOFTGL_EXPORT void APIENTRY glCompressedTexImage2D(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const void* data) try {
   Context& c = *current_context;
   if (!gl::CompressedTexImage2D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -357,8 +449,10 @@ SOFTGL_EXPORT void APIENTRY glCompressedTexImage2D(GLenum target, GLint level, G
     if (!may_execute(c)) return;
   }
   gl::CompressedTexImage2D(c, target, level, internalformat, width, height, border, imageSize, data);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glCompressedTexImage2DARB(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const void* data) {
+SOFTGL_EXPORT void APIENTRY glCompressedTexImage2DARB(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const void* data) try {
   Context& c = *current_context;
   if (!gl::CompressedTexImage2D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -366,8 +460,10 @@ SOFTGL_EXPORT void APIENTRY glCompressedTexImage2DARB(GLenum target, GLint level
     if (!may_execute(c)) return;
   }
   gl::CompressedTexImage2D(c, target, level, internalformat, width, height, border, imageSize, data);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glCompressedTexImage3D(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLsizei imageSize, const void* data) {
+SOFTGL_EXPORT void APIENTRY glCompressedTexImage3D(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLsizei imageSize, const void* data) try {
   Context& c = *current_context;
   if (!gl::CompressedTexImage3D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -375,8 +471,10 @@ SOFTGL_EXPORT void APIENTRY glCompressedTexImage3D(GLenum target, GLint level, G
     if (!may_execute(c)) return;
   }
   gl::CompressedTexImage3D(c, target, level, internalformat, width, height, depth, border, imageSize, data);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glCompressedTexImage3DARB(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLsizei imageSize, const void* data) {
+SOFTGL_EXPORT void APIENTRY glCompressedTexImage3DARB(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLsizei imageSize, const void* data) try {
   Context& c = *current_context;
   if (!gl::CompressedTexImage3D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -384,8 +482,10 @@ SOFTGL_EXPORT void APIENTRY glCompressedTexImage3DARB(GLenum target, GLint level
     if (!may_execute(c)) return;
   }
   gl::CompressedTexImage3D(c, target, level, internalformat, width, height, depth, border, imageSize, data);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage1D(GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLsizei imageSize, const void* data) {
+SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage1D(GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLsizei imageSize, const void* data) try {
   Context& c = *current_context;
   if (!gl::CompressedTexSubImage1D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -393,8 +493,10 @@ SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage1D(GLenum target, GLint level
     if (!may_execute(c)) return;
   }
   gl::CompressedTexSubImage1D(c, target, level, xoffset, width, format, imageSize, data);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage1DARB(GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLsizei imageSize, const void* data) {
+SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage1DARB(GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLsizei imageSize, const void* data) try {
   Context& c = *current_context;
   if (!gl::CompressedTexSubImage1D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -402,8 +504,10 @@ SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage1DARB(GLenum target, GLint le
     if (!may_execute(c)) return;
   }
   gl::CompressedTexSubImage1D(c, target, level, xoffset, width, format, imageSize, data);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLsizei imageSize, const void* data) {
+SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLsizei imageSize, const void* data) try {
   Context& c = *current_context;
   if (!gl::CompressedTexSubImage2D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -411,8 +515,10 @@ SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage2D(GLenum target, GLint level
     if (!may_execute(c)) return;
   }
   gl::CompressedTexSubImage2D(c, target, level, xoffset, yoffset, width, height, format, imageSize, data);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage2DARB(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLsizei imageSize, const void* data) {
+SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage2DARB(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLsizei imageSize, const void* data) try {
   Context& c = *current_context;
   if (!gl::CompressedTexSubImage2D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -420,8 +526,10 @@ SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage2DARB(GLenum target, GLint le
     if (!may_execute(c)) return;
   }
   gl::CompressedTexSubImage2D(c, target, level, xoffset, yoffset, width, height, format, imageSize, data);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage3D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLsizei imageSize, const void* data) {
+SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage3D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLsizei imageSize, const void* data) try {
   Context& c = *current_context;
   if (!gl::CompressedTexSubImage3D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -429,8 +537,10 @@ SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage3D(GLenum target, GLint level
     if (!may_execute(c)) return;
   }
   gl::CompressedTexSubImage3D(c, target, level, xoffset, yoffset, zoffset, width, height, depth, format, imageSize, data);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage3DARB(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLsizei imageSize, const void* data) {
+SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage3DARB(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLsizei imageSize, const void* data) try {
   Context& c = *current_context;
   if (!gl::CompressedTexSubImage3D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -438,8 +548,10 @@ SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage3DARB(GLenum target, GLint le
     if (!may_execute(c)) return;
   }
   gl::CompressedTexSubImage3D(c, target, level, xoffset, yoffset, zoffset, width, height, depth, format, imageSize, data);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glCopyPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum type) {
+SOFTGL_EXPORT void APIENTRY glCopyPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum type) try {
   Context& c = *current_context;
   if (!gl::CopyPixels) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -447,8 +559,10 @@ SOFTGL_EXPORT void APIENTRY glCopyPixels(GLint x, GLint y, GLsizei width, GLsize
     if (!may_execute(c)) return;
   }
   gl::CopyPixels(c, x, y, width, height, type);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glCopyTexImage1D(GLenum target, GLint level, GLenum internalformat, GLint x, GLint y, GLsizei width, GLint border) {
+SOFTGL_EXPORT void APIENTRY glCopyTexImage1D(GLenum target, GLint level, GLenum internalformat, GLint x, GLint y, GLsizei width, GLint border) try {
   Context& c = *current_context;
   if (!gl::CopyTexImage1D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -456,8 +570,10 @@ SOFTGL_EXPORT void APIENTRY glCopyTexImage1D(GLenum target, GLint level, GLenum 
     if (!may_execute(c)) return;
   }
   gl::CopyTexImage1D(c, target, level, internalformat, x, y, width, border);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glCopyTexImage2D(GLenum target, GLint level, GLenum internalformat, GLint x, GLint y, GLsizei width, GLsizei height, GLint border) {
+SOFTGL_EXPORT void APIENTRY glCopyTexImage2D(GLenum target, GLint level, GLenum internalformat, GLint x, GLint y, GLsizei width, GLsizei height, GLint border) try {
   Context& c = *current_context;
   if (!gl::CopyTexImage2D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -465,8 +581,10 @@ SOFTGL_EXPORT void APIENTRY glCopyTexImage2D(GLenum target, GLint level, GLenum 
     if (!may_execute(c)) return;
   }
   gl::CopyTexImage2D(c, target, level, internalformat, x, y, width, height, border);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glCopyTexSubImage1D(GLenum target, GLint level, GLint xoffset, GLint x, GLint y, GLsizei width) {
+SOFTGL_EXPORT void APIENTRY glCopyTexSubImage1D(GLenum target, GLint level, GLint xoffset, GLint x, GLint y, GLsizei width) try {
   Context& c = *current_context;
   if (!gl::CopyTexSubImage1D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -474,8 +592,10 @@ SOFTGL_EXPORT void APIENTRY glCopyTexSubImage1D(GLenum target, GLint level, GLin
     if (!may_execute(c)) return;
   }
   gl::CopyTexSubImage1D(c, target, level, xoffset, x, y, width);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glCopyTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint x, GLint y, GLsizei width, GLsizei height) {
+SOFTGL_EXPORT void APIENTRY glCopyTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint x, GLint y, GLsizei width, GLsizei height) try {
   Context& c = *current_context;
   if (!gl::CopyTexSubImage2D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -483,8 +603,10 @@ SOFTGL_EXPORT void APIENTRY glCopyTexSubImage2D(GLenum target, GLint level, GLin
     if (!may_execute(c)) return;
   }
   gl::CopyTexSubImage2D(c, target, level, xoffset, yoffset, x, y, width, height);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glCopyTexSubImage3D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLint x, GLint y, GLsizei width, GLsizei height) {
+SOFTGL_EXPORT void APIENTRY glCopyTexSubImage3D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLint x, GLint y, GLsizei width, GLsizei height) try {
   Context& c = *current_context;
   if (!gl::CopyTexSubImage3D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -492,8 +614,10 @@ SOFTGL_EXPORT void APIENTRY glCopyTexSubImage3D(GLenum target, GLint level, GLin
     if (!may_execute(c)) return;
   }
   gl::CopyTexSubImage3D(c, target, level, xoffset, yoffset, zoffset, x, y, width, height);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glCopyTexSubImage3DEXT(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLint x, GLint y, GLsizei width, GLsizei height) {
+SOFTGL_EXPORT void APIENTRY glCopyTexSubImage3DEXT(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLint x, GLint y, GLsizei width, GLsizei height) try {
   Context& c = *current_context;
   if (!gl::CopyTexSubImage3D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -501,8 +625,10 @@ SOFTGL_EXPORT void APIENTRY glCopyTexSubImage3DEXT(GLenum target, GLint level, G
     if (!may_execute(c)) return;
   }
   gl::CopyTexSubImage3D(c, target, level, xoffset, yoffset, zoffset, x, y, width, height);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glCullFace(GLenum mode) {
+SOFTGL_EXPORT void APIENTRY glCullFace(GLenum mode) try {
   Context& c = *current_context;
   if (!gl::CullFace) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -510,44 +636,63 @@ SOFTGL_EXPORT void APIENTRY glCullFace(GLenum mode) {
     if (!may_execute(c)) return;
   }
   gl::CullFace(c, mode);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glDeleteBuffers(GLsizei n, const GLuint* buffers) {
+SOFTGL_EXPORT void APIENTRY glDeleteBuffers(GLsizei n, const GLuint* buffers) try {
   Context& c = *current_context;
   if (!gl::DeleteBuffers) return unbuilt_command();
+  if ((!buffers && n > 0)) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::DeleteBuffers(c, n, buffers);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glDeleteBuffersARB(GLsizei n, const GLuint* buffers) {
+SOFTGL_EXPORT void APIENTRY glDeleteBuffersARB(GLsizei n, const GLuint* buffers) try {
   Context& c = *current_context;
   if (!gl::DeleteBuffers) return unbuilt_command();
+  if ((!buffers && n > 0)) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::DeleteBuffers(c, n, buffers);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glDeleteLists(GLuint list, GLsizei range) {
+SOFTGL_EXPORT void APIENTRY glDeleteLists(GLuint list, GLsizei range) try {
   Context& c = *current_context;
   if (!gl::DeleteLists) return unbuilt_command();
-  if ((c.guard) && !may_execute(c)) [[unlikely]] return;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::DeleteLists(c, list, range);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glDeleteQueries(GLsizei n, const GLuint* ids) {
+SOFTGL_EXPORT void APIENTRY glDeleteQueries(GLsizei n, const GLuint* ids) try {
   Context& c = *current_context;
   if (!gl::DeleteQueries) return unbuilt_command();
-  if ((c.guard) && !may_execute(c)) [[unlikely]] return;
+  if ((!ids && n > 0)) [[unlikely]] return;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::DeleteQueries(c, n, ids);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glDeleteQueriesARB(GLsizei n, const GLuint* ids) {
+SOFTGL_EXPORT void APIENTRY glDeleteQueriesARB(GLsizei n, const GLuint* ids) try {
   Context& c = *current_context;
   if (!gl::DeleteQueries) return unbuilt_command();
-  if ((c.guard) && !may_execute(c)) [[unlikely]] return;
+  if ((!ids && n > 0)) [[unlikely]] return;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::DeleteQueries(c, n, ids);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glDeleteTextures(GLsizei n, const GLuint* textures) {
+SOFTGL_EXPORT void APIENTRY glDeleteTextures(GLsizei n, const GLuint* textures) try {
   Context& c = *current_context;
   if (!gl::DeleteTextures) return unbuilt_command();
-  if ((c.guard) && !may_execute(c)) [[unlikely]] return;
+  if ((!textures && n > 0)) [[unlikely]] return;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::DeleteTextures(c, n, textures);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glDepthFunc(GLenum func) {
+SOFTGL_EXPORT void APIENTRY glDepthFunc(GLenum func) try {
   Context& c = *current_context;
   if (!gl::DepthFunc) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -555,8 +700,10 @@ SOFTGL_EXPORT void APIENTRY glDepthFunc(GLenum func) {
     if (!may_execute(c)) return;
   }
   gl::DepthFunc(c, func);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glDepthMask(GLboolean flag) {
+SOFTGL_EXPORT void APIENTRY glDepthMask(GLboolean flag) try {
   Context& c = *current_context;
   if (!gl::DepthMask) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -564,8 +711,10 @@ SOFTGL_EXPORT void APIENTRY glDepthMask(GLboolean flag) {
     if (!may_execute(c)) return;
   }
   gl::DepthMask(c, flag);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glDepthRange(GLdouble n, GLdouble f) {
+SOFTGL_EXPORT void APIENTRY glDepthRange(GLdouble n, GLdouble f) try {
   Context& c = *current_context;
   if (!gl::DepthRange) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -573,8 +722,10 @@ SOFTGL_EXPORT void APIENTRY glDepthRange(GLdouble n, GLdouble f) {
     if (!may_execute(c)) return;
   }
   gl::DepthRange(c, n, f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glDisable(GLenum cap) {
+SOFTGL_EXPORT void APIENTRY glDisable(GLenum cap) try {
   Context& c = *current_context;
   if (!gl::Disable) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -582,26 +733,34 @@ SOFTGL_EXPORT void APIENTRY glDisable(GLenum cap) {
     if (!may_execute(c)) return;
   }
   gl::Disable(c, cap);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glDisableClientState(GLenum array) {
+SOFTGL_EXPORT void APIENTRY glDisableClientState(GLenum array) try {
   Context& c = *current_context;
   if (!gl::DisableClientState) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::DisableClientState(c, array);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glDrawArrays(GLenum mode, GLint first, GLsizei count) {
+SOFTGL_EXPORT void APIENTRY glDrawArrays(GLenum mode, GLint first, GLsizei count) try {
   Context& c = *current_context;
   if (!gl::DrawArrays) return unbuilt_command();
-  if ((c.guard) && !may_execute_or_compile(c)) [[unlikely]] return;
+  if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;
   gl::DrawArrays(c, mode, first, count);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glDrawArraysEXT(GLenum mode, GLint first, GLsizei count) {
+SOFTGL_EXPORT void APIENTRY glDrawArraysEXT(GLenum mode, GLint first, GLsizei count) try {
   Context& c = *current_context;
   if (!gl::DrawArrays) return unbuilt_command();
-  if ((c.guard) && !may_execute_or_compile(c)) [[unlikely]] return;
+  if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;
   gl::DrawArrays(c, mode, first, count);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glDrawBuffer(GLenum buf) {
+SOFTGL_EXPORT void APIENTRY glDrawBuffer(GLenum buf) try {
   Context& c = *current_context;
   if (!gl::DrawBuffer) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -609,14 +768,18 @@ SOFTGL_EXPORT void APIENTRY glDrawBuffer(GLenum buf) {
     if (!may_execute(c)) return;
   }
   gl::DrawBuffer(c, buf);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glDrawElements(GLenum mode, GLsizei count, GLenum type, const void* indices) {
+SOFTGL_EXPORT void APIENTRY glDrawElements(GLenum mode, GLsizei count, GLenum type, const void* indices) try {
   Context& c = *current_context;
   if (!gl::DrawElements) return unbuilt_command();
-  if ((c.guard) && !may_execute_or_compile(c)) [[unlikely]] return;
+  if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;
   gl::DrawElements(c, mode, count, type, indices);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glDrawPixels(GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels) {
+SOFTGL_EXPORT void APIENTRY glDrawPixels(GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels) try {
   Context& c = *current_context;
   if (!gl::DrawPixels) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -624,32 +787,42 @@ SOFTGL_EXPORT void APIENTRY glDrawPixels(GLsizei width, GLsizei height, GLenum f
     if (!may_execute(c)) return;
   }
   gl::DrawPixels(c, width, height, format, type, pixels);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glDrawRangeElements(GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices) {
+SOFTGL_EXPORT void APIENTRY glDrawRangeElements(GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices) try {
   Context& c = *current_context;
   if (!gl::DrawRangeElements) return unbuilt_command();
-  if ((c.guard) && !may_execute_or_compile(c)) [[unlikely]] return;
+  if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;
   gl::DrawRangeElements(c, mode, start, end, count, type, indices);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glDrawRangeElementsEXT(GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices) {
+SOFTGL_EXPORT void APIENTRY glDrawRangeElementsEXT(GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices) try {
   Context& c = *current_context;
   if (!gl::DrawRangeElements) return unbuilt_command();
-  if ((c.guard) && !may_execute_or_compile(c)) [[unlikely]] return;
+  if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;
   gl::DrawRangeElements(c, mode, start, end, count, type, indices);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glEdgeFlagPointer(GLsizei stride, const void* pointer) {
+SOFTGL_EXPORT void APIENTRY glEdgeFlagPointer(GLsizei stride, const void* pointer) try {
   Context& c = *current_context;
   if (!gl::EdgeFlagPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::EdgeFlagPointer(c, stride, pointer);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glEdgeFlagPointerEXT(GLsizei stride, GLsizei, const GLboolean* pointer) {
+SOFTGL_EXPORT void APIENTRY glEdgeFlagPointerEXT(GLsizei stride, GLsizei, const GLboolean* pointer) try {
   Context& c = *current_context;
   if (!gl::EdgeFlagPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::EdgeFlagPointer(c, stride, pointer);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glEnable(GLenum cap) {
+SOFTGL_EXPORT void APIENTRY glEnable(GLenum cap) try {
   Context& c = *current_context;
   if (!gl::Enable) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -657,26 +830,34 @@ SOFTGL_EXPORT void APIENTRY glEnable(GLenum cap) {
     if (!may_execute(c)) return;
   }
   gl::Enable(c, cap);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glEnableClientState(GLenum array) {
+SOFTGL_EXPORT void APIENTRY glEnableClientState(GLenum array) try {
   Context& c = *current_context;
   if (!gl::EnableClientState) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::EnableClientState(c, array);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glEnd() {
+SOFTGL_EXPORT void APIENTRY glEnd() try {
   Context& c = *current_context;
   if (!gl::End) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   gl::End(c);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glEndList() {
+SOFTGL_EXPORT void APIENTRY glEndList() try {
   Context& c = *current_context;
   if (!gl::EndList) return unbuilt_command();
-  if ((c.guard) && !may_execute(c)) [[unlikely]] return;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::EndList(c);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glEndQuery(GLenum target) {
+SOFTGL_EXPORT void APIENTRY glEndQuery(GLenum target) try {
   Context& c = *current_context;
   if (!gl::EndQuery) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -684,8 +865,10 @@ SOFTGL_EXPORT void APIENTRY glEndQuery(GLenum target) {
     if (!may_execute(c)) return;
   }
   gl::EndQuery(c, target);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glEndQueryARB(GLenum target) {
+SOFTGL_EXPORT void APIENTRY glEndQueryARB(GLenum target) try {
   Context& c = *current_context;
   if (!gl::EndQuery) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -693,56 +876,78 @@ SOFTGL_EXPORT void APIENTRY glEndQueryARB(GLenum target) {
     if (!may_execute(c)) return;
   }
   gl::EndQuery(c, target);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glEvalCoord1d(GLdouble u) {
+SOFTGL_EXPORT void APIENTRY glEvalCoord1d(GLdouble u) try {
   Context& c = *current_context;
   if (!gl::EvalCoord1) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   gl::EvalCoord1(c, float(u));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glEvalCoord1dv(const GLdouble* u) {
+SOFTGL_EXPORT void APIENTRY glEvalCoord1dv(const GLdouble* u) try {
   Context& c = *current_context;
   if (!gl::EvalCoord1) return unbuilt_command();
+  if (!u) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   gl::EvalCoord1(c, float(u[0]));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glEvalCoord1f(GLfloat u) {
+SOFTGL_EXPORT void APIENTRY glEvalCoord1f(GLfloat u) try {
   Context& c = *current_context;
   if (!gl::EvalCoord1) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   gl::EvalCoord1(c, u);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glEvalCoord1fv(const GLfloat* u) {
+SOFTGL_EXPORT void APIENTRY glEvalCoord1fv(const GLfloat* u) try {
   Context& c = *current_context;
   if (!gl::EvalCoord1) return unbuilt_command();
+  if (!u) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   gl::EvalCoord1(c, u[0]);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glEvalCoord2d(GLdouble u, GLdouble v) {
+SOFTGL_EXPORT void APIENTRY glEvalCoord2d(GLdouble u, GLdouble v) try {
   Context& c = *current_context;
   if (!gl::EvalCoord2) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   gl::EvalCoord2(c, float(u), float(v));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glEvalCoord2dv(const GLdouble* u) {
+SOFTGL_EXPORT void APIENTRY glEvalCoord2dv(const GLdouble* u) try {
   Context& c = *current_context;
   if (!gl::EvalCoord2) return unbuilt_command();
+  if (!u) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   gl::EvalCoord2(c, float(u[0]), float(u[1]));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glEvalCoord2f(GLfloat u, GLfloat v) {
+SOFTGL_EXPORT void APIENTRY glEvalCoord2f(GLfloat u, GLfloat v) try {
   Context& c = *current_context;
   if (!gl::EvalCoord2) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   gl::EvalCoord2(c, u, v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glEvalCoord2fv(const GLfloat* u) {
+SOFTGL_EXPORT void APIENTRY glEvalCoord2fv(const GLfloat* u) try {
   Context& c = *current_context;
   if (!gl::EvalCoord2) return unbuilt_command();
+  if (!u) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   gl::EvalCoord2(c, u[0], u[1]);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glEvalMesh1(GLenum mode, GLint i1, GLint i2) {
+SOFTGL_EXPORT void APIENTRY glEvalMesh1(GLenum mode, GLint i1, GLint i2) try {
   Context& c = *current_context;
   if (!gl::EvalMesh1) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -750,8 +955,10 @@ SOFTGL_EXPORT void APIENTRY glEvalMesh1(GLenum mode, GLint i1, GLint i2) {
     if (!may_execute(c)) return;
   }
   gl::EvalMesh1(c, mode, i1, i2);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glEvalMesh2(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+SOFTGL_EXPORT void APIENTRY glEvalMesh2(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) try {
   Context& c = *current_context;
   if (!gl::EvalMesh2) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -759,50 +966,67 @@ SOFTGL_EXPORT void APIENTRY glEvalMesh2(GLenum mode, GLint i1, GLint i2, GLint j
     if (!may_execute(c)) return;
   }
   gl::EvalMesh2(c, mode, i1, i2, j1, j2);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glEvalPoint1(GLint i) {
+SOFTGL_EXPORT void APIENTRY glEvalPoint1(GLint i) try {
   Context& c = *current_context;
   if (!gl::EvalPoint1) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   gl::EvalPoint1(c, i);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glEvalPoint2(GLint i, GLint j) {
+SOFTGL_EXPORT void APIENTRY glEvalPoint2(GLint i, GLint j) try {
   Context& c = *current_context;
   if (!gl::EvalPoint2) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   gl::EvalPoint2(c, i, j);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glFeedbackBuffer(GLsizei size, GLenum type, GLfloat* buffer) {
+SOFTGL_EXPORT void APIENTRY glFeedbackBuffer(GLsizei size, GLenum type, GLfloat* buffer) try {
   Context& c = *current_context;
   if (!gl::FeedbackBuffer) return unbuilt_command();
-  if ((c.guard) && !may_execute(c)) [[unlikely]] return;
+  if ((!buffer && size > 0)) [[unlikely]] return;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::FeedbackBuffer(c, size, type, buffer);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glFinish() {
+SOFTGL_EXPORT void APIENTRY glFinish() try {
   Context& c = *current_context;
   if (!gl::Finish) return unbuilt_command();
-  if ((c.guard) && !may_execute(c)) [[unlikely]] return;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::Finish(c);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glFlush() {
+SOFTGL_EXPORT void APIENTRY glFlush() try {
   Context& c = *current_context;
   if (!gl::Flush) return unbuilt_command();
-  if ((c.guard) && !may_execute(c)) [[unlikely]] return;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::Flush(c);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glFogCoordPointer(GLenum type, GLsizei stride, const void* pointer) {
+SOFTGL_EXPORT void APIENTRY glFogCoordPointer(GLenum type, GLsizei stride, const void* pointer) try {
   Context& c = *current_context;
   if (!gl::FogCoordPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::FogCoordPointer(c, type, stride, pointer);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glFogCoordPointerEXT(GLenum type, GLsizei stride, const void* pointer) {
+SOFTGL_EXPORT void APIENTRY glFogCoordPointerEXT(GLenum type, GLsizei stride, const void* pointer) try {
   Context& c = *current_context;
   if (!gl::FogCoordPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::FogCoordPointer(c, type, stride, pointer);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glFogf(GLenum pname, GLfloat param) {
+SOFTGL_EXPORT void APIENTRY glFogf(GLenum pname, GLfloat param) try {
   Context& c = *current_context;
   if (!gl::Fog) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
@@ -813,17 +1037,22 @@ SOFTGL_EXPORT void APIENTRY glFogf(GLenum pname, GLfloat param) {
     if (!may_execute(c)) return;
   }
   gl::Fog(c, pname, values.v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glFogfv(GLenum pname, const GLfloat* params) {
+SOFTGL_EXPORT void APIENTRY glFogfv(GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
   if (!gl::Fog) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Fog(c, pname, params);
     if (!may_execute(c)) return;
   }
   gl::Fog(c, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glFogi(GLenum pname, GLint param) {
+SOFTGL_EXPORT void APIENTRY glFogi(GLenum pname, GLint param) try {
   Context& c = *current_context;
   if (!gl::Fog) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
@@ -834,10 +1063,13 @@ SOFTGL_EXPORT void APIENTRY glFogi(GLenum pname, GLint param) {
     if (!may_execute(c)) return;
   }
   gl::Fog(c, pname, values.v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glFogiv(GLenum pname, const GLint* params) {
+SOFTGL_EXPORT void APIENTRY glFogiv(GLenum pname, const GLint* params) try {
   Context& c = *current_context;
   if (!gl::Fog) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = vector_parameters(kCountOf_fog, pname, params);
   if (c.guard) [[unlikely]] {
@@ -845,8 +1077,10 @@ SOFTGL_EXPORT void APIENTRY glFogiv(GLenum pname, const GLint* params) {
     if (!may_execute(c)) return;
   }
   gl::Fog(c, pname, values.v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glFrontFace(GLenum mode) {
+SOFTGL_EXPORT void APIENTRY glFrontFace(GLenum mode) try {
   Context& c = *current_context;
   if (!gl::FrontFace) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -854,8 +1088,10 @@ SOFTGL_EXPORT void APIENTRY glFrontFace(GLenum mode) {
     if (!may_execute(c)) return;
   }
   gl::FrontFace(c, mode);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glFrustum(GLdouble left, GLdouble right, GLdouble bottom, GLdouble top, GLdouble zNear, GLdouble zFar) {
+SOFTGL_EXPORT void APIENTRY glFrustum(GLdouble left, GLdouble right, GLdouble bottom, GLdouble top, GLdouble zNear, GLdouble zFar) try {
   Context& c = *current_context;
   if (!gl::Frustum) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -863,44 +1099,64 @@ SOFTGL_EXPORT void APIENTRY glFrustum(GLdouble left, GLdouble right, GLdouble bo
     if (!may_execute(c)) return;
   }
   gl::Frustum(c, GLfloat(left), GLfloat(right), GLfloat(bottom), GLfloat(top), GLfloat(zNear), GLfloat(zFar));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGenBuffers(GLsizei n, GLuint* buffers) {
+SOFTGL_EXPORT void APIENTRY glGenBuffers(GLsizei n, GLuint* buffers) try {
   Context& c = *current_context;
   if (!gl::GenBuffers) return unbuilt_command();
+  if ((!buffers && n > 0)) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GenBuffers(c, n, buffers);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGenBuffersARB(GLsizei n, GLuint* buffers) {
+SOFTGL_EXPORT void APIENTRY glGenBuffersARB(GLsizei n, GLuint* buffers) try {
   Context& c = *current_context;
   if (!gl::GenBuffers) return unbuilt_command();
+  if ((!buffers && n > 0)) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GenBuffers(c, n, buffers);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT GLuint APIENTRY glGenLists(GLsizei range) {
+SOFTGL_EXPORT GLuint APIENTRY glGenLists(GLsizei range) try {
   Context& c = *current_context;
   if (!gl::GenLists) { unbuilt_command(); return 0; }
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
   return gl::GenLists(c, range);
+} catch (...) {
+  out_of_memory();
+  return 0;
 }
-SOFTGL_EXPORT void APIENTRY glGenQueries(GLsizei n, GLuint* ids) {
+SOFTGL_EXPORT void APIENTRY glGenQueries(GLsizei n, GLuint* ids) try {
   Context& c = *current_context;
   if (!gl::GenQueries) return unbuilt_command();
+  if ((!ids && n > 0)) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GenQueries(c, n, ids);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGenQueriesARB(GLsizei n, GLuint* ids) {
+SOFTGL_EXPORT void APIENTRY glGenQueriesARB(GLsizei n, GLuint* ids) try {
   Context& c = *current_context;
   if (!gl::GenQueries) return unbuilt_command();
+  if ((!ids && n > 0)) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GenQueries(c, n, ids);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGenTextures(GLsizei n, GLuint* textures) {
+SOFTGL_EXPORT void APIENTRY glGenTextures(GLsizei n, GLuint* textures) try {
   Context& c = *current_context;
   if (!gl::GenTextures) return unbuilt_command();
+  if ((!textures && n > 0)) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GenTextures(c, n, textures);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glHint(GLenum target, GLenum mode) {
+SOFTGL_EXPORT void APIENTRY glHint(GLenum target, GLenum mode) try {
   Context& c = *current_context;
   if (!gl::Hint) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -908,8 +1164,10 @@ SOFTGL_EXPORT void APIENTRY glHint(GLenum target, GLenum mode) {
     if (!may_execute(c)) return;
   }
   gl::Hint(c, target, mode);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glIndexMask(GLuint mask) {
+SOFTGL_EXPORT void APIENTRY glIndexMask(GLuint mask) try {
   Context& c = *current_context;
   if (!gl::IndexMask) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -917,20 +1175,26 @@ SOFTGL_EXPORT void APIENTRY glIndexMask(GLuint mask) {
     if (!may_execute(c)) return;
   }
   gl::IndexMask(c, mask);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glIndexPointer(GLenum type, GLsizei stride, const void* pointer) {
+SOFTGL_EXPORT void APIENTRY glIndexPointer(GLenum type, GLsizei stride, const void* pointer) try {
   Context& c = *current_context;
   if (!gl::IndexPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::IndexPointer(c, type, stride, pointer);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glIndexPointerEXT(GLenum type, GLsizei stride, GLsizei, const void* pointer) {
+SOFTGL_EXPORT void APIENTRY glIndexPointerEXT(GLenum type, GLsizei stride, GLsizei, const void* pointer) try {
   Context& c = *current_context;
   if (!gl::IndexPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::IndexPointer(c, type, stride, pointer);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glInitNames() {
+SOFTGL_EXPORT void APIENTRY glInitNames() try {
   Context& c = *current_context;
   if (!gl::InitNames) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -938,14 +1202,19 @@ SOFTGL_EXPORT void APIENTRY glInitNames() {
     if (!may_execute(c)) return;
   }
   gl::InitNames(c);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glInterleavedArrays(GLenum format, GLsizei stride, const void* pointer) {
+SOFTGL_EXPORT void APIENTRY glInterleavedArrays(GLenum format, GLsizei stride, const void* pointer) try {
   Context& c = *current_context;
   if (!gl::InterleavedArrays) return unbuilt_command();
+  if (!pointer) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::InterleavedArrays(c, format, stride, pointer);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glLightModelf(GLenum pname, GLfloat param) {
+SOFTGL_EXPORT void APIENTRY glLightModelf(GLenum pname, GLfloat param) try {
   Context& c = *current_context;
   if (!gl::LightModel) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
@@ -956,17 +1225,22 @@ SOFTGL_EXPORT void APIENTRY glLightModelf(GLenum pname, GLfloat param) {
     if (!may_execute(c)) return;
   }
   gl::LightModel(c, pname, values.v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glLightModelfv(GLenum pname, const GLfloat* params) {
+SOFTGL_EXPORT void APIENTRY glLightModelfv(GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
   if (!gl::LightModel) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_LightModel(c, pname, params);
     if (!may_execute(c)) return;
   }
   gl::LightModel(c, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glLightModeli(GLenum pname, GLint param) {
+SOFTGL_EXPORT void APIENTRY glLightModeli(GLenum pname, GLint param) try {
   Context& c = *current_context;
   if (!gl::LightModel) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
@@ -977,10 +1251,13 @@ SOFTGL_EXPORT void APIENTRY glLightModeli(GLenum pname, GLint param) {
     if (!may_execute(c)) return;
   }
   gl::LightModel(c, pname, values.v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glLightModeliv(GLenum pname, const GLint* params) {
+SOFTGL_EXPORT void APIENTRY glLightModeliv(GLenum pname, const GLint* params) try {
   Context& c = *current_context;
   if (!gl::LightModel) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = vector_parameters(kCountOf_light_model, pname, params);
   if (c.guard) [[unlikely]] {
@@ -988,8 +1265,10 @@ SOFTGL_EXPORT void APIENTRY glLightModeliv(GLenum pname, const GLint* params) {
     if (!may_execute(c)) return;
   }
   gl::LightModel(c, pname, values.v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glLightf(GLenum light, GLenum pname, GLfloat param) {
+SOFTGL_EXPORT void APIENTRY glLightf(GLenum light, GLenum pname, GLfloat param) try {
   Context& c = *current_context;
   if (!gl::Light) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
@@ -1000,17 +1279,22 @@ SOFTGL_EXPORT void APIENTRY glLightf(GLenum light, GLenum pname, GLfloat param) 
     if (!may_execute(c)) return;
   }
   gl::Light(c, light, pname, values.v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glLightfv(GLenum light, GLenum pname, const GLfloat* params) {
+SOFTGL_EXPORT void APIENTRY glLightfv(GLenum light, GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
   if (!gl::Light) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Light(c, light, pname, params);
     if (!may_execute(c)) return;
   }
   gl::Light(c, light, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glLighti(GLenum light, GLenum pname, GLint param) {
+SOFTGL_EXPORT void APIENTRY glLighti(GLenum light, GLenum pname, GLint param) try {
   Context& c = *current_context;
   if (!gl::Light) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
@@ -1021,10 +1305,13 @@ SOFTGL_EXPORT void APIENTRY glLighti(GLenum light, GLenum pname, GLint param) {
     if (!may_execute(c)) return;
   }
   gl::Light(c, light, pname, values.v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glLightiv(GLenum light, GLenum pname, const GLint* params) {
+SOFTGL_EXPORT void APIENTRY glLightiv(GLenum light, GLenum pname, const GLint* params) try {
   Context& c = *current_context;
   if (!gl::Light) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = vector_parameters(kCountOf_light, pname, params);
   if (c.guard) [[unlikely]] {
@@ -1032,8 +1319,10 @@ SOFTGL_EXPORT void APIENTRY glLightiv(GLenum light, GLenum pname, const GLint* p
     if (!may_execute(c)) return;
   }
   gl::Light(c, light, pname, values.v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glLineStipple(GLint factor, GLushort pattern) {
+SOFTGL_EXPORT void APIENTRY glLineStipple(GLint factor, GLushort pattern) try {
   Context& c = *current_context;
   if (!gl::LineStipple) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1041,8 +1330,10 @@ SOFTGL_EXPORT void APIENTRY glLineStipple(GLint factor, GLushort pattern) {
     if (!may_execute(c)) return;
   }
   gl::LineStipple(c, factor, pattern);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glLineWidth(GLfloat width) {
+SOFTGL_EXPORT void APIENTRY glLineWidth(GLfloat width) try {
   Context& c = *current_context;
   if (!gl::LineWidth) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1050,8 +1341,10 @@ SOFTGL_EXPORT void APIENTRY glLineWidth(GLfloat width) {
     if (!may_execute(c)) return;
   }
   gl::LineWidth(c, width);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glListBase(GLuint base) {
+SOFTGL_EXPORT void APIENTRY glListBase(GLuint base) try {
   Context& c = *current_context;
   if (!gl::ListBase) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1059,8 +1352,10 @@ SOFTGL_EXPORT void APIENTRY glListBase(GLuint base) {
     if (!may_execute(c)) return;
   }
   gl::ListBase(c, base);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glLoadIdentity() {
+SOFTGL_EXPORT void APIENTRY glLoadIdentity() try {
   Context& c = *current_context;
   if (!gl::LoadIdentity) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1068,10 +1363,13 @@ SOFTGL_EXPORT void APIENTRY glLoadIdentity() {
     if (!may_execute(c)) return;
   }
   gl::LoadIdentity(c);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glLoadMatrixd(const GLdouble* m) {
+SOFTGL_EXPORT void APIENTRY glLoadMatrixd(const GLdouble* m) try {
   Context& c = *current_context;
   if (!gl::LoadMatrix) return unbuilt_command();
+  if (!m) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = matrix_of(m);
   if (c.guard) [[unlikely]] {
@@ -1079,17 +1377,22 @@ SOFTGL_EXPORT void APIENTRY glLoadMatrixd(const GLdouble* m) {
     if (!may_execute(c)) return;
   }
   gl::LoadMatrix(c, values.m);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glLoadMatrixf(const GLfloat* m) {
+SOFTGL_EXPORT void APIENTRY glLoadMatrixf(const GLfloat* m) try {
   Context& c = *current_context;
   if (!gl::LoadMatrix) return unbuilt_command();
+  if (!m) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_LoadMatrix(c, m);
     if (!may_execute(c)) return;
   }
   gl::LoadMatrix(c, m);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glLoadName(GLuint name) {
+SOFTGL_EXPORT void APIENTRY glLoadName(GLuint name) try {
   Context& c = *current_context;
   if (!gl::LoadName) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1097,10 +1400,13 @@ SOFTGL_EXPORT void APIENTRY glLoadName(GLuint name) {
     if (!may_execute(c)) return;
   }
   gl::LoadName(c, name);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixd(const GLdouble* m) {
+SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixd(const GLdouble* m) try {
   Context& c = *current_context;
   if (!gl::LoadMatrix) return unbuilt_command();
+  if (!m) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = transposed(m);
   if (c.guard) [[unlikely]] {
@@ -1108,10 +1414,13 @@ SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixd(const GLdouble* m) {
     if (!may_execute(c)) return;
   }
   gl::LoadMatrix(c, values.m);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixdARB(const GLdouble* m) {
+SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixdARB(const GLdouble* m) try {
   Context& c = *current_context;
   if (!gl::LoadMatrix) return unbuilt_command();
+  if (!m) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = transposed(m);
   if (c.guard) [[unlikely]] {
@@ -1119,10 +1428,13 @@ SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixdARB(const GLdouble* m) {
     if (!may_execute(c)) return;
   }
   gl::LoadMatrix(c, values.m);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixf(const GLfloat* m) {
+SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixf(const GLfloat* m) try {
   Context& c = *current_context;
   if (!gl::LoadMatrix) return unbuilt_command();
+  if (!m) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = transposed(m);
   if (c.guard) [[unlikely]] {
@@ -1130,10 +1442,13 @@ SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixf(const GLfloat* m) {
     if (!may_execute(c)) return;
   }
   gl::LoadMatrix(c, values.m);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixfARB(const GLfloat* m) {
+SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixfARB(const GLfloat* m) try {
   Context& c = *current_context;
   if (!gl::LoadMatrix) return unbuilt_command();
+  if (!m) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = transposed(m);
   if (c.guard) [[unlikely]] {
@@ -1141,8 +1456,10 @@ SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixfARB(const GLfloat* m) {
     if (!may_execute(c)) return;
   }
   gl::LoadMatrix(c, values.m);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glLogicOp(GLenum opcode) {
+SOFTGL_EXPORT void APIENTRY glLogicOp(GLenum opcode) try {
   Context& c = *current_context;
   if (!gl::LogicOp) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1150,6 +1467,8 @@ SOFTGL_EXPORT void APIENTRY glLogicOp(GLenum opcode) {
     if (!may_execute(c)) return;
   }
   gl::LogicOp(c, opcode);
+} catch (...) {
+  out_of_memory();
 }
 
 }

@@ -10,311 +10,461 @@ using namespace softgl;
 
 extern "C" {
 
-SOFTGL_EXPORT void APIENTRY glGetBooleanv(GLenum pname, GLboolean* data) {
+SOFTGL_EXPORT void APIENTRY glGetBooleanv(GLenum pname, GLboolean* data) try {
   Context& c = *current_context;
   if (!gl::GetBooleanv) return unbuilt_command();
-  if ((c.guard) && !may_execute(c)) [[unlikely]] return;
+  if (!data) [[unlikely]] return;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetBooleanv(c, pname, data);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetBufferParameteriv(GLenum target, GLenum pname, GLint* params) {
+SOFTGL_EXPORT void APIENTRY glGetBufferParameteriv(GLenum target, GLenum pname, GLint* params) try {
   Context& c = *current_context;
   if (!gl::GetBufferParameteriv) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetBufferParameteriv(c, target, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetBufferParameterivARB(GLenum target, GLenum pname, GLint* params) {
+SOFTGL_EXPORT void APIENTRY glGetBufferParameterivARB(GLenum target, GLenum pname, GLint* params) try {
   Context& c = *current_context;
   if (!gl::GetBufferParameteriv) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetBufferParameteriv(c, target, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetBufferPointerv(GLenum target, GLenum pname, void** params) {
+SOFTGL_EXPORT void APIENTRY glGetBufferPointerv(GLenum target, GLenum pname, void** params) try {
   Context& c = *current_context;
   if (!gl::GetBufferPointerv) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetBufferPointerv(c, target, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetBufferPointervARB(GLenum target, GLenum pname, void** params) {
+SOFTGL_EXPORT void APIENTRY glGetBufferPointervARB(GLenum target, GLenum pname, void** params) try {
   Context& c = *current_context;
   if (!gl::GetBufferPointerv) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetBufferPointerv(c, target, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, void* data) {
+SOFTGL_EXPORT void APIENTRY glGetBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, void* data) try {
   Context& c = *current_context;
   if (!gl::GetBufferSubData) return unbuilt_command();
+  if ((!data && size > 0)) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetBufferSubData(c, target, offset, size, data);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetBufferSubDataARB(GLenum target, GLintptr offset, GLsizeiptr size, void* data) {
+SOFTGL_EXPORT void APIENTRY glGetBufferSubDataARB(GLenum target, GLintptr offset, GLsizeiptr size, void* data) try {
   Context& c = *current_context;
   if (!gl::GetBufferSubData) return unbuilt_command();
+  if ((!data && size > 0)) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetBufferSubData(c, target, offset, size, data);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetClipPlane(GLenum plane, GLdouble* equation) {
+SOFTGL_EXPORT void APIENTRY glGetClipPlane(GLenum plane, GLdouble* equation) try {
   Context& c = *current_context;
   if (!gl::GetClipPlane) return unbuilt_command();
+  if (!equation) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetClipPlane(c, plane, equation);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetCompressedTexImage(GLenum target, GLint level, void* img) {
+SOFTGL_EXPORT void APIENTRY glGetCompressedTexImage(GLenum target, GLint level, void* img) try {
   Context& c = *current_context;
   if (!gl::GetCompressedTexImage) return unbuilt_command();
-  if ((c.guard) && !may_execute(c)) [[unlikely]] return;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetCompressedTexImage(c, target, level, img);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetCompressedTexImageARB(GLenum target, GLint level, void* img) {
+SOFTGL_EXPORT void APIENTRY glGetCompressedTexImageARB(GLenum target, GLint level, void* img) try {
   Context& c = *current_context;
   if (!gl::GetCompressedTexImage) return unbuilt_command();
-  if ((c.guard) && !may_execute(c)) [[unlikely]] return;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetCompressedTexImage(c, target, level, img);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetDoublev(GLenum pname, GLdouble* data) {
+SOFTGL_EXPORT void APIENTRY glGetDoublev(GLenum pname, GLdouble* data) try {
   Context& c = *current_context;
   if (!gl::GetDoublev) return unbuilt_command();
-  if ((c.guard) && !may_execute(c)) [[unlikely]] return;
+  if (!data) [[unlikely]] return;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetDoublev(c, pname, data);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT GLenum APIENTRY glGetError() {
+SOFTGL_EXPORT GLenum APIENTRY glGetError() try {
   Context& c = *current_context;
   if (!gl::GetError) { unbuilt_command(); return 0; }
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
   return gl::GetError(c);
+} catch (...) {
+  out_of_memory();
+  return 0;
 }
-SOFTGL_EXPORT void APIENTRY glGetFloatv(GLenum pname, GLfloat* data) {
+SOFTGL_EXPORT void APIENTRY glGetFloatv(GLenum pname, GLfloat* data) try {
   Context& c = *current_context;
   if (!gl::GetFloatv) return unbuilt_command();
-  if ((c.guard) && !may_execute(c)) [[unlikely]] return;
+  if (!data) [[unlikely]] return;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetFloatv(c, pname, data);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetIntegerv(GLenum pname, GLint* data) {
+SOFTGL_EXPORT void APIENTRY glGetIntegerv(GLenum pname, GLint* data) try {
   Context& c = *current_context;
   if (!gl::GetIntegerv) return unbuilt_command();
-  if ((c.guard) && !may_execute(c)) [[unlikely]] return;
+  if (!data) [[unlikely]] return;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetIntegerv(c, pname, data);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetLightfv(GLenum light, GLenum pname, GLfloat* params) {
+SOFTGL_EXPORT void APIENTRY glGetLightfv(GLenum light, GLenum pname, GLfloat* params) try {
   Context& c = *current_context;
   if (!gl::GetLightfv) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetLightfv(c, light, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetLightiv(GLenum light, GLenum pname, GLint* params) {
+SOFTGL_EXPORT void APIENTRY glGetLightiv(GLenum light, GLenum pname, GLint* params) try {
   Context& c = *current_context;
   if (!gl::GetLightiv) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetLightiv(c, light, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetMapdv(GLenum target, GLenum query, GLdouble* v) {
+SOFTGL_EXPORT void APIENTRY glGetMapdv(GLenum target, GLenum query, GLdouble* v) try {
   Context& c = *current_context;
   if (!gl::GetMapdv) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetMapdv(c, target, query, v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetMapfv(GLenum target, GLenum query, GLfloat* v) {
+SOFTGL_EXPORT void APIENTRY glGetMapfv(GLenum target, GLenum query, GLfloat* v) try {
   Context& c = *current_context;
   if (!gl::GetMapfv) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetMapfv(c, target, query, v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetMapiv(GLenum target, GLenum query, GLint* v) {
+SOFTGL_EXPORT void APIENTRY glGetMapiv(GLenum target, GLenum query, GLint* v) try {
   Context& c = *current_context;
   if (!gl::GetMapiv) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetMapiv(c, target, query, v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetMaterialfv(GLenum face, GLenum pname, GLfloat* params) {
+SOFTGL_EXPORT void APIENTRY glGetMaterialfv(GLenum face, GLenum pname, GLfloat* params) try {
   Context& c = *current_context;
   if (!gl::GetMaterialfv) return unbuilt_command();
-  if ((c.guard) && !may_execute(c)) [[unlikely]] return;
+  if (!params) [[unlikely]] return;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetMaterialfv(c, face, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetMaterialiv(GLenum face, GLenum pname, GLint* params) {
+SOFTGL_EXPORT void APIENTRY glGetMaterialiv(GLenum face, GLenum pname, GLint* params) try {
   Context& c = *current_context;
   if (!gl::GetMaterialiv) return unbuilt_command();
-  if ((c.guard) && !may_execute(c)) [[unlikely]] return;
+  if (!params) [[unlikely]] return;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetMaterialiv(c, face, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetPixelMapfv(GLenum map, GLfloat* values) {
+SOFTGL_EXPORT void APIENTRY glGetPixelMapfv(GLenum map, GLfloat* values) try {
   Context& c = *current_context;
   if (!gl::GetPixelMapfv) return unbuilt_command();
+  if (!values) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetPixelMapfv(c, map, values);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetPixelMapuiv(GLenum map, GLuint* values) {
+SOFTGL_EXPORT void APIENTRY glGetPixelMapuiv(GLenum map, GLuint* values) try {
   Context& c = *current_context;
   if (!gl::GetPixelMapuiv) return unbuilt_command();
+  if (!values) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetPixelMapuiv(c, map, values);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetPixelMapusv(GLenum map, GLushort* values) {
+SOFTGL_EXPORT void APIENTRY glGetPixelMapusv(GLenum map, GLushort* values) try {
   Context& c = *current_context;
   if (!gl::GetPixelMapusv) return unbuilt_command();
+  if (!values) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetPixelMapusv(c, map, values);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetPointerv(GLenum pname, void** params) {
+SOFTGL_EXPORT void APIENTRY glGetPointerv(GLenum pname, void** params) try {
   Context& c = *current_context;
   if (!gl::GetPointerv) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetPointerv(c, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetPointervEXT(GLenum pname, void** params) {
+SOFTGL_EXPORT void APIENTRY glGetPointervEXT(GLenum pname, void** params) try {
   Context& c = *current_context;
   if (!gl::GetPointerv) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetPointerv(c, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetPolygonStipple(GLubyte* mask) {
+SOFTGL_EXPORT void APIENTRY glGetPolygonStipple(GLubyte* mask) try {
   Context& c = *current_context;
   if (!gl::GetPolygonStipple) return unbuilt_command();
+  if (!mask) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetPolygonStipple(c, mask);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetQueryObjectiv(GLuint id, GLenum pname, GLint* params) {
+SOFTGL_EXPORT void APIENTRY glGetQueryObjectiv(GLuint id, GLenum pname, GLint* params) try {
   Context& c = *current_context;
   if (!gl::GetQueryObjectiv) return unbuilt_command();
-  if ((c.guard) && !may_execute(c)) [[unlikely]] return;
+  if (!params) [[unlikely]] return;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetQueryObjectiv(c, id, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetQueryObjectivARB(GLuint id, GLenum pname, GLint* params) {
+SOFTGL_EXPORT void APIENTRY glGetQueryObjectivARB(GLuint id, GLenum pname, GLint* params) try {
   Context& c = *current_context;
   if (!gl::GetQueryObjectiv) return unbuilt_command();
-  if ((c.guard) && !may_execute(c)) [[unlikely]] return;
+  if (!params) [[unlikely]] return;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetQueryObjectiv(c, id, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetQueryObjectuiv(GLuint id, GLenum pname, GLuint* params) {
+SOFTGL_EXPORT void APIENTRY glGetQueryObjectuiv(GLuint id, GLenum pname, GLuint* params) try {
   Context& c = *current_context;
   if (!gl::GetQueryObjectuiv) return unbuilt_command();
-  if ((c.guard) && !may_execute(c)) [[unlikely]] return;
+  if (!params) [[unlikely]] return;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetQueryObjectuiv(c, id, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetQueryObjectuivARB(GLuint id, GLenum pname, GLuint* params) {
+SOFTGL_EXPORT void APIENTRY glGetQueryObjectuivARB(GLuint id, GLenum pname, GLuint* params) try {
   Context& c = *current_context;
   if (!gl::GetQueryObjectuiv) return unbuilt_command();
-  if ((c.guard) && !may_execute(c)) [[unlikely]] return;
+  if (!params) [[unlikely]] return;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetQueryObjectuiv(c, id, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetQueryiv(GLenum target, GLenum pname, GLint* params) {
+SOFTGL_EXPORT void APIENTRY glGetQueryiv(GLenum target, GLenum pname, GLint* params) try {
   Context& c = *current_context;
   if (!gl::GetQueryiv) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetQueryiv(c, target, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetQueryivARB(GLenum target, GLenum pname, GLint* params) {
+SOFTGL_EXPORT void APIENTRY glGetQueryivARB(GLenum target, GLenum pname, GLint* params) try {
   Context& c = *current_context;
   if (!gl::GetQueryiv) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetQueryiv(c, target, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT const GLubyte* APIENTRY glGetString(GLenum name) {
+SOFTGL_EXPORT const GLubyte* APIENTRY glGetString(GLenum name) try {
   Context& c = *current_context;
   if (!gl::GetString) { unbuilt_command(); return nullptr; }
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return nullptr;
   return gl::GetString(c, name);
+} catch (...) {
+  out_of_memory();
+  return nullptr;
 }
-SOFTGL_EXPORT void APIENTRY glGetTexEnvfv(GLenum target, GLenum pname, GLfloat* params) {
+SOFTGL_EXPORT void APIENTRY glGetTexEnvfv(GLenum target, GLenum pname, GLfloat* params) try {
   Context& c = *current_context;
   if (!gl::GetTexEnvfv) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetTexEnvfv(c, target, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetTexEnviv(GLenum target, GLenum pname, GLint* params) {
+SOFTGL_EXPORT void APIENTRY glGetTexEnviv(GLenum target, GLenum pname, GLint* params) try {
   Context& c = *current_context;
   if (!gl::GetTexEnviv) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetTexEnviv(c, target, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetTexGendv(GLenum coord, GLenum pname, GLdouble* params) {
+SOFTGL_EXPORT void APIENTRY glGetTexGendv(GLenum coord, GLenum pname, GLdouble* params) try {
   Context& c = *current_context;
   if (!gl::GetTexGendv) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetTexGendv(c, coord, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetTexGenfv(GLenum coord, GLenum pname, GLfloat* params) {
+SOFTGL_EXPORT void APIENTRY glGetTexGenfv(GLenum coord, GLenum pname, GLfloat* params) try {
   Context& c = *current_context;
   if (!gl::GetTexGenfv) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetTexGenfv(c, coord, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetTexGeniv(GLenum coord, GLenum pname, GLint* params) {
+SOFTGL_EXPORT void APIENTRY glGetTexGeniv(GLenum coord, GLenum pname, GLint* params) try {
   Context& c = *current_context;
   if (!gl::GetTexGeniv) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetTexGeniv(c, coord, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetTexImage(GLenum target, GLint level, GLenum format, GLenum type, void* pixels) {
+SOFTGL_EXPORT void APIENTRY glGetTexImage(GLenum target, GLint level, GLenum format, GLenum type, void* pixels) try {
   Context& c = *current_context;
   if (!gl::GetTexImage) return unbuilt_command();
-  if ((c.guard) && !may_execute(c)) [[unlikely]] return;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetTexImage(c, target, level, format, type, pixels);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetTexLevelParameterfv(GLenum target, GLint level, GLenum pname, GLfloat* params) {
+SOFTGL_EXPORT void APIENTRY glGetTexLevelParameterfv(GLenum target, GLint level, GLenum pname, GLfloat* params) try {
   Context& c = *current_context;
   if (!gl::GetTexLevelParameterfv) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetTexLevelParameterfv(c, target, level, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetTexLevelParameteriv(GLenum target, GLint level, GLenum pname, GLint* params) {
+SOFTGL_EXPORT void APIENTRY glGetTexLevelParameteriv(GLenum target, GLint level, GLenum pname, GLint* params) try {
   Context& c = *current_context;
   if (!gl::GetTexLevelParameteriv) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetTexLevelParameteriv(c, target, level, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetTexParameterfv(GLenum target, GLenum pname, GLfloat* params) {
+SOFTGL_EXPORT void APIENTRY glGetTexParameterfv(GLenum target, GLenum pname, GLfloat* params) try {
   Context& c = *current_context;
   if (!gl::GetTexParameterfv) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetTexParameterfv(c, target, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetTexParameteriv(GLenum target, GLenum pname, GLint* params) {
+SOFTGL_EXPORT void APIENTRY glGetTexParameteriv(GLenum target, GLenum pname, GLint* params) try {
   Context& c = *current_context;
   if (!gl::GetTexParameteriv) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetTexParameteriv(c, target, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT GLboolean APIENTRY glIsBuffer(GLuint buffer) {
+SOFTGL_EXPORT GLboolean APIENTRY glIsBuffer(GLuint buffer) try {
   Context& c = *current_context;
   if (!gl::IsBuffer) { unbuilt_command(); return 0; }
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
   return gl::IsBuffer(c, buffer);
+} catch (...) {
+  out_of_memory();
+  return 0;
 }
-SOFTGL_EXPORT GLboolean APIENTRY glIsBufferARB(GLuint buffer) {
+SOFTGL_EXPORT GLboolean APIENTRY glIsBufferARB(GLuint buffer) try {
   Context& c = *current_context;
   if (!gl::IsBuffer) { unbuilt_command(); return 0; }
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
   return gl::IsBuffer(c, buffer);
+} catch (...) {
+  out_of_memory();
+  return 0;
 }
-SOFTGL_EXPORT GLboolean APIENTRY glIsEnabled(GLenum cap) {
+SOFTGL_EXPORT GLboolean APIENTRY glIsEnabled(GLenum cap) try {
   Context& c = *current_context;
   if (!gl::IsEnabled) { unbuilt_command(); return 0; }
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
   return gl::IsEnabled(c, cap);
+} catch (...) {
+  out_of_memory();
+  return 0;
 }
-SOFTGL_EXPORT GLboolean APIENTRY glIsList(GLuint list) {
+SOFTGL_EXPORT GLboolean APIENTRY glIsList(GLuint list) try {
   Context& c = *current_context;
   if (!gl::IsList) { unbuilt_command(); return 0; }
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
   return gl::IsList(c, list);
+} catch (...) {
+  out_of_memory();
+  return 0;
 }
-SOFTGL_EXPORT GLboolean APIENTRY glIsQuery(GLuint id) {
+SOFTGL_EXPORT GLboolean APIENTRY glIsQuery(GLuint id) try {
   Context& c = *current_context;
   if (!gl::IsQuery) { unbuilt_command(); return 0; }
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
   return gl::IsQuery(c, id);
+} catch (...) {
+  out_of_memory();
+  return 0;
 }
-SOFTGL_EXPORT GLboolean APIENTRY glIsQueryARB(GLuint id) {
+SOFTGL_EXPORT GLboolean APIENTRY glIsQueryARB(GLuint id) try {
   Context& c = *current_context;
   if (!gl::IsQuery) { unbuilt_command(); return 0; }
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
   return gl::IsQuery(c, id);
+} catch (...) {
+  out_of_memory();
+  return 0;
 }
-SOFTGL_EXPORT GLboolean APIENTRY glIsTexture(GLuint texture) {
+SOFTGL_EXPORT GLboolean APIENTRY glIsTexture(GLuint texture) try {
   Context& c = *current_context;
   if (!gl::IsTexture) { unbuilt_command(); return 0; }
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
   return gl::IsTexture(c, texture);
+} catch (...) {
+  out_of_memory();
+  return 0;
 }
 
 }

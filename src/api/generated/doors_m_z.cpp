@@ -10,55 +10,73 @@ using namespace softgl;
 
 extern "C" {
 
-SOFTGL_EXPORT void APIENTRY glMap1d(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order, const GLdouble* points) {
+SOFTGL_EXPORT void APIENTRY glMap1d(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order, const GLdouble* points) try {
   Context& c = *current_context;
   if (!gl::Map1d) return unbuilt_command();
+  if (!points) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Map1d(c, target, u1, u2, stride, order, points);
     if (!may_execute(c)) return;
   }
   gl::Map1d(c, target, u1, u2, stride, order, points);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glMap1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points) {
+SOFTGL_EXPORT void APIENTRY glMap1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points) try {
   Context& c = *current_context;
   if (!gl::Map1f) return unbuilt_command();
+  if (!points) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Map1f(c, target, u1, u2, stride, order, points);
     if (!may_execute(c)) return;
   }
   gl::Map1f(c, target, u1, u2, stride, order, points);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glMap2d(GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1, GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points) {
+SOFTGL_EXPORT void APIENTRY glMap2d(GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1, GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points) try {
   Context& c = *current_context;
   if (!gl::Map2d) return unbuilt_command();
+  if (!points) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Map2d(c, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
     if (!may_execute(c)) return;
   }
   gl::Map2d(c, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glMap2f(GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2, GLint vstride, GLint vorder, const GLfloat* points) {
+SOFTGL_EXPORT void APIENTRY glMap2f(GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2, GLint vstride, GLint vorder, const GLfloat* points) try {
   Context& c = *current_context;
   if (!gl::Map2f) return unbuilt_command();
+  if (!points) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Map2f(c, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
     if (!may_execute(c)) return;
   }
   gl::Map2f(c, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void* APIENTRY glMapBuffer(GLenum target, GLenum access) {
+SOFTGL_EXPORT void* APIENTRY glMapBuffer(GLenum target, GLenum access) try {
   Context& c = *current_context;
   if (!gl::MapBuffer) { unbuilt_command(); return nullptr; }
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return nullptr;
   return gl::MapBuffer(c, target, access);
+} catch (...) {
+  out_of_memory();
+  return nullptr;
 }
-SOFTGL_EXPORT void* APIENTRY glMapBufferARB(GLenum target, GLenum access) {
+SOFTGL_EXPORT void* APIENTRY glMapBufferARB(GLenum target, GLenum access) try {
   Context& c = *current_context;
   if (!gl::MapBuffer) { unbuilt_command(); return nullptr; }
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return nullptr;
   return gl::MapBuffer(c, target, access);
+} catch (...) {
+  out_of_memory();
+  return nullptr;
 }
-SOFTGL_EXPORT void APIENTRY glMapGrid1d(GLint un, GLdouble u1, GLdouble u2) {
+SOFTGL_EXPORT void APIENTRY glMapGrid1d(GLint un, GLdouble u1, GLdouble u2) try {
   Context& c = *current_context;
   if (!gl::MapGrid1) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -66,8 +84,10 @@ SOFTGL_EXPORT void APIENTRY glMapGrid1d(GLint un, GLdouble u1, GLdouble u2) {
     if (!may_execute(c)) return;
   }
   gl::MapGrid1(c, un, GLfloat(u1), GLfloat(u2));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glMapGrid1f(GLint un, GLfloat u1, GLfloat u2) {
+SOFTGL_EXPORT void APIENTRY glMapGrid1f(GLint un, GLfloat u1, GLfloat u2) try {
   Context& c = *current_context;
   if (!gl::MapGrid1) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -75,8 +95,10 @@ SOFTGL_EXPORT void APIENTRY glMapGrid1f(GLint un, GLfloat u1, GLfloat u2) {
     if (!may_execute(c)) return;
   }
   gl::MapGrid1(c, un, u1, u2);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glMapGrid2d(GLint un, GLdouble u1, GLdouble u2, GLint vn, GLdouble v1, GLdouble v2) {
+SOFTGL_EXPORT void APIENTRY glMapGrid2d(GLint un, GLdouble u1, GLdouble u2, GLint vn, GLdouble v1, GLdouble v2) try {
   Context& c = *current_context;
   if (!gl::MapGrid2) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -84,8 +106,10 @@ SOFTGL_EXPORT void APIENTRY glMapGrid2d(GLint un, GLdouble u1, GLdouble u2, GLin
     if (!may_execute(c)) return;
   }
   gl::MapGrid2(c, un, GLfloat(u1), GLfloat(u2), vn, GLfloat(v1), GLfloat(v2));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glMapGrid2f(GLint un, GLfloat u1, GLfloat u2, GLint vn, GLfloat v1, GLfloat v2) {
+SOFTGL_EXPORT void APIENTRY glMapGrid2f(GLint un, GLfloat u1, GLfloat u2, GLint vn, GLfloat v1, GLfloat v2) try {
   Context& c = *current_context;
   if (!gl::MapGrid2) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -93,8 +117,10 @@ SOFTGL_EXPORT void APIENTRY glMapGrid2f(GLint un, GLfloat u1, GLfloat u2, GLint 
     if (!may_execute(c)) return;
   }
   gl::MapGrid2(c, un, u1, u2, vn, v1, v2);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glMaterialf(GLenum face, GLenum pname, GLfloat param) {
+SOFTGL_EXPORT void APIENTRY glMaterialf(GLenum face, GLenum pname, GLfloat param) try {
   Context& c = *current_context;
   if (!gl::Material) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
@@ -102,15 +128,20 @@ SOFTGL_EXPORT void APIENTRY glMaterialf(GLenum face, GLenum pname, GLfloat param
   if (!values.valid) [[unlikely]] return bad_scalar_parameter(c);
   if ((c.guard & (kCompilingList | kInsideBeginEnd)) == kCompilingList) [[unlikely]] return compile_Material(c, face, pname, values.v);
   gl::Material(c, face, pname, values.v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glMaterialfv(GLenum face, GLenum pname, const GLfloat* params) {
+SOFTGL_EXPORT void APIENTRY glMaterialfv(GLenum face, GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
   if (!gl::Material) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if ((c.guard & (kCompilingList | kInsideBeginEnd)) == kCompilingList) [[unlikely]] return compile_Material(c, face, pname, params);
   if (c.guard & kNoContext) [[unlikely]] return;
   gl::Material(c, face, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glMateriali(GLenum face, GLenum pname, GLint param) {
+SOFTGL_EXPORT void APIENTRY glMateriali(GLenum face, GLenum pname, GLint param) try {
   Context& c = *current_context;
   if (!gl::Material) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
@@ -118,16 +149,21 @@ SOFTGL_EXPORT void APIENTRY glMateriali(GLenum face, GLenum pname, GLint param) 
   if (!values.valid) [[unlikely]] return bad_scalar_parameter(c);
   if ((c.guard & (kCompilingList | kInsideBeginEnd)) == kCompilingList) [[unlikely]] return compile_Material(c, face, pname, values.v);
   gl::Material(c, face, pname, values.v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glMaterialiv(GLenum face, GLenum pname, const GLint* params) {
+SOFTGL_EXPORT void APIENTRY glMaterialiv(GLenum face, GLenum pname, const GLint* params) try {
   Context& c = *current_context;
   if (!gl::Material) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = vector_parameters(kCountOf_material, pname, params);
   if ((c.guard & (kCompilingList | kInsideBeginEnd)) == kCompilingList) [[unlikely]] return compile_Material(c, face, pname, values.v);
   gl::Material(c, face, pname, values.v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glMatrixMode(GLenum mode) {
+SOFTGL_EXPORT void APIENTRY glMatrixMode(GLenum mode) try {
   Context& c = *current_context;
   if (!gl::MatrixMode) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -135,10 +171,13 @@ SOFTGL_EXPORT void APIENTRY glMatrixMode(GLenum mode) {
     if (!may_execute(c)) return;
   }
   gl::MatrixMode(c, mode);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glMultMatrixd(const GLdouble* m) {
+SOFTGL_EXPORT void APIENTRY glMultMatrixd(const GLdouble* m) try {
   Context& c = *current_context;
   if (!gl::MultMatrix) return unbuilt_command();
+  if (!m) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = matrix_of(m);
   if (c.guard) [[unlikely]] {
@@ -146,19 +185,25 @@ SOFTGL_EXPORT void APIENTRY glMultMatrixd(const GLdouble* m) {
     if (!may_execute(c)) return;
   }
   gl::MultMatrix(c, values.m);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glMultMatrixf(const GLfloat* m) {
+SOFTGL_EXPORT void APIENTRY glMultMatrixf(const GLfloat* m) try {
   Context& c = *current_context;
   if (!gl::MultMatrix) return unbuilt_command();
+  if (!m) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_MultMatrix(c, m);
     if (!may_execute(c)) return;
   }
   gl::MultMatrix(c, m);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glMultTransposeMatrixd(const GLdouble* m) {
+SOFTGL_EXPORT void APIENTRY glMultTransposeMatrixd(const GLdouble* m) try {
   Context& c = *current_context;
   if (!gl::MultMatrix) return unbuilt_command();
+  if (!m) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = transposed(m);
   if (c.guard) [[unlikely]] {
@@ -166,10 +211,13 @@ SOFTGL_EXPORT void APIENTRY glMultTransposeMatrixd(const GLdouble* m) {
     if (!may_execute(c)) return;
   }
   gl::MultMatrix(c, values.m);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glMultTransposeMatrixdARB(const GLdouble* m) {
+SOFTGL_EXPORT void APIENTRY glMultTransposeMatrixdARB(const GLdouble* m) try {
   Context& c = *current_context;
   if (!gl::MultMatrix) return unbuilt_command();
+  if (!m) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = transposed(m);
   if (c.guard) [[unlikely]] {
@@ -177,10 +225,13 @@ SOFTGL_EXPORT void APIENTRY glMultTransposeMatrixdARB(const GLdouble* m) {
     if (!may_execute(c)) return;
   }
   gl::MultMatrix(c, values.m);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glMultTransposeMatrixf(const GLfloat* m) {
+SOFTGL_EXPORT void APIENTRY glMultTransposeMatrixf(const GLfloat* m) try {
   Context& c = *current_context;
   if (!gl::MultMatrix) return unbuilt_command();
+  if (!m) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = transposed(m);
   if (c.guard) [[unlikely]] {
@@ -188,10 +239,13 @@ SOFTGL_EXPORT void APIENTRY glMultTransposeMatrixf(const GLfloat* m) {
     if (!may_execute(c)) return;
   }
   gl::MultMatrix(c, values.m);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glMultTransposeMatrixfARB(const GLfloat* m) {
+SOFTGL_EXPORT void APIENTRY glMultTransposeMatrixfARB(const GLfloat* m) try {
   Context& c = *current_context;
   if (!gl::MultMatrix) return unbuilt_command();
+  if (!m) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = transposed(m);
   if (c.guard) [[unlikely]] {
@@ -199,50 +253,66 @@ SOFTGL_EXPORT void APIENTRY glMultTransposeMatrixfARB(const GLfloat* m) {
     if (!may_execute(c)) return;
   }
   gl::MultMatrix(c, values.m);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glMultiDrawArrays(GLenum mode, const GLint* first, const GLsizei* count, GLsizei drawcount) {
+SOFTGL_EXPORT void APIENTRY glMultiDrawArrays(GLenum mode, const GLint* first, const GLsizei* count, GLsizei drawcount) try {
   Context& c = *current_context;
   if (!gl::MultiDrawArrays) return unbuilt_command();
-  if ((c.guard) && !may_execute_or_compile(c)) [[unlikely]] return;
+  if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;
   gl::MultiDrawArrays(c, mode, first, count, drawcount);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glMultiDrawArraysEXT(GLenum mode, const GLint* first, const GLsizei* count, GLsizei drawcount) {
+SOFTGL_EXPORT void APIENTRY glMultiDrawArraysEXT(GLenum mode, const GLint* first, const GLsizei* count, GLsizei drawcount) try {
   Context& c = *current_context;
   if (!gl::MultiDrawArrays) return unbuilt_command();
-  if ((c.guard) && !may_execute_or_compile(c)) [[unlikely]] return;
+  if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;
   gl::MultiDrawArrays(c, mode, first, count, drawcount);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glMultiDrawElements(GLenum mode, const GLsizei* count, GLenum type, const void*const* indices, GLsizei drawcount) {
+SOFTGL_EXPORT void APIENTRY glMultiDrawElements(GLenum mode, const GLsizei* count, GLenum type, const void*const* indices, GLsizei drawcount) try {
   Context& c = *current_context;
   if (!gl::MultiDrawElements) return unbuilt_command();
-  if ((c.guard) && !may_execute_or_compile(c)) [[unlikely]] return;
+  if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;
   gl::MultiDrawElements(c, mode, count, type, indices, drawcount);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glMultiDrawElementsEXT(GLenum mode, const GLsizei* count, GLenum type, const void*const* indices, GLsizei drawcount) {
+SOFTGL_EXPORT void APIENTRY glMultiDrawElementsEXT(GLenum mode, const GLsizei* count, GLenum type, const void*const* indices, GLsizei drawcount) try {
   Context& c = *current_context;
   if (!gl::MultiDrawElements) return unbuilt_command();
-  if ((c.guard) && !may_execute_or_compile(c)) [[unlikely]] return;
+  if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;
   gl::MultiDrawElements(c, mode, count, type, indices, drawcount);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glNewList(GLuint list, GLenum mode) {
+SOFTGL_EXPORT void APIENTRY glNewList(GLuint list, GLenum mode) try {
   Context& c = *current_context;
   if (!gl::NewList) return unbuilt_command();
-  if ((c.guard) && !may_execute(c)) [[unlikely]] return;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::NewList(c, list, mode);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glNormalPointer(GLenum type, GLsizei stride, const void* pointer) {
+SOFTGL_EXPORT void APIENTRY glNormalPointer(GLenum type, GLsizei stride, const void* pointer) try {
   Context& c = *current_context;
   if (!gl::NormalPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::NormalPointer(c, type, stride, pointer);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glNormalPointerEXT(GLenum type, GLsizei stride, GLsizei, const void* pointer) {
+SOFTGL_EXPORT void APIENTRY glNormalPointerEXT(GLenum type, GLsizei stride, GLsizei, const void* pointer) try {
   Context& c = *current_context;
   if (!gl::NormalPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::NormalPointer(c, type, stride, pointer);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glOrtho(GLdouble left, GLdouble right, GLdouble bottom, GLdouble top, GLdouble zNear, GLdouble zFar) {
+SOFTGL_EXPORT void APIENTRY glOrtho(GLdouble left, GLdouble right, GLdouble bottom, GLdouble top, GLdouble zNear, GLdouble zFar) try {
   Context& c = *current_context;
   if (!gl::Ortho) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -250,8 +320,10 @@ SOFTGL_EXPORT void APIENTRY glOrtho(GLdouble left, GLdouble right, GLdouble bott
     if (!may_execute(c)) return;
   }
   gl::Ortho(c, GLfloat(left), GLfloat(right), GLfloat(bottom), GLfloat(top), GLfloat(zNear), GLfloat(zFar));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPassThrough(GLfloat token) {
+SOFTGL_EXPORT void APIENTRY glPassThrough(GLfloat token) try {
   Context& c = *current_context;
   if (!gl::PassThrough) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -259,47 +331,62 @@ SOFTGL_EXPORT void APIENTRY glPassThrough(GLfloat token) {
     if (!may_execute(c)) return;
   }
   gl::PassThrough(c, token);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPixelMapfv(GLenum map, GLsizei mapsize, const GLfloat* values) {
+SOFTGL_EXPORT void APIENTRY glPixelMapfv(GLenum map, GLsizei mapsize, const GLfloat* values) try {
   Context& c = *current_context;
   if (!gl::PixelMapfv) return unbuilt_command();
+  if ((!values && mapsize > 0)) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PixelMapfv(c, map, mapsize, values);
     if (!may_execute(c)) return;
   }
   gl::PixelMapfv(c, map, mapsize, values);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPixelMapuiv(GLenum map, GLsizei mapsize, const GLuint* values) {
+SOFTGL_EXPORT void APIENTRY glPixelMapuiv(GLenum map, GLsizei mapsize, const GLuint* values) try {
   Context& c = *current_context;
   if (!gl::PixelMapuiv) return unbuilt_command();
+  if ((!values && mapsize > 0)) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PixelMapuiv(c, map, mapsize, values);
     if (!may_execute(c)) return;
   }
   gl::PixelMapuiv(c, map, mapsize, values);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPixelMapusv(GLenum map, GLsizei mapsize, const GLushort* values) {
+SOFTGL_EXPORT void APIENTRY glPixelMapusv(GLenum map, GLsizei mapsize, const GLushort* values) try {
   Context& c = *current_context;
   if (!gl::PixelMapusv) return unbuilt_command();
+  if ((!values && mapsize > 0)) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PixelMapusv(c, map, mapsize, values);
     if (!may_execute(c)) return;
   }
   gl::PixelMapusv(c, map, mapsize, values);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPixelStoref(GLenum pname, GLfloat param) {
+SOFTGL_EXPORT void APIENTRY glPixelStoref(GLenum pname, GLfloat param) try {
   Context& c = *current_context;
   if (!gl::PixelStore) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::PixelStore(c, pname, round_to_int(param));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPixelStorei(GLenum pname, GLint param) {
+SOFTGL_EXPORT void APIENTRY glPixelStorei(GLenum pname, GLint param) try {
   Context& c = *current_context;
   if (!gl::PixelStore) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::PixelStore(c, pname, param);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPixelTransferf(GLenum pname, GLfloat param) {
+SOFTGL_EXPORT void APIENTRY glPixelTransferf(GLenum pname, GLfloat param) try {
   Context& c = *current_context;
   if (!gl::PixelTransfer) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -307,8 +394,10 @@ SOFTGL_EXPORT void APIENTRY glPixelTransferf(GLenum pname, GLfloat param) {
     if (!may_execute(c)) return;
   }
   gl::PixelTransfer(c, pname, param);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPixelTransferi(GLenum pname, GLint param) {
+SOFTGL_EXPORT void APIENTRY glPixelTransferi(GLenum pname, GLint param) try {
   Context& c = *current_context;
   if (!gl::PixelTransfer) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -316,8 +405,10 @@ SOFTGL_EXPORT void APIENTRY glPixelTransferi(GLenum pname, GLint param) {
     if (!may_execute(c)) return;
   }
   gl::PixelTransfer(c, pname, GLfloat(param));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPixelZoom(GLfloat xfactor, GLfloat yfactor) {
+SOFTGL_EXPORT void APIENTRY glPixelZoom(GLfloat xfactor, GLfloat yfactor) try {
   Context& c = *current_context;
   if (!gl::PixelZoom) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -325,8 +416,10 @@ SOFTGL_EXPORT void APIENTRY glPixelZoom(GLfloat xfactor, GLfloat yfactor) {
     if (!may_execute(c)) return;
   }
   gl::PixelZoom(c, xfactor, yfactor);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPointParameterf(GLenum pname, GLfloat param) {
+SOFTGL_EXPORT void APIENTRY glPointParameterf(GLenum pname, GLfloat param) try {
   Context& c = *current_context;
   if (!gl::PointParameter) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
@@ -337,8 +430,10 @@ SOFTGL_EXPORT void APIENTRY glPointParameterf(GLenum pname, GLfloat param) {
     if (!may_execute(c)) return;
   }
   gl::PointParameter(c, pname, values.v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPointParameterfARB(GLenum pname, GLfloat param) {
+SOFTGL_EXPORT void APIENTRY glPointParameterfARB(GLenum pname, GLfloat param) try {
   Context& c = *current_context;
   if (!gl::PointParameter) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
@@ -349,8 +444,10 @@ SOFTGL_EXPORT void APIENTRY glPointParameterfARB(GLenum pname, GLfloat param) {
     if (!may_execute(c)) return;
   }
   gl::PointParameter(c, pname, values.v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPointParameterfEXT(GLenum pname, GLfloat param) {
+SOFTGL_EXPORT void APIENTRY glPointParameterfEXT(GLenum pname, GLfloat param) try {
   Context& c = *current_context;
   if (!gl::PointParameter) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
@@ -361,35 +458,46 @@ SOFTGL_EXPORT void APIENTRY glPointParameterfEXT(GLenum pname, GLfloat param) {
     if (!may_execute(c)) return;
   }
   gl::PointParameter(c, pname, values.v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPointParameterfv(GLenum pname, const GLfloat* params) {
+SOFTGL_EXPORT void APIENTRY glPointParameterfv(GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
   if (!gl::PointParameter) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PointParameter(c, pname, params);
     if (!may_execute(c)) return;
   }
   gl::PointParameter(c, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPointParameterfvARB(GLenum pname, const GLfloat* params) {
+SOFTGL_EXPORT void APIENTRY glPointParameterfvARB(GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
   if (!gl::PointParameter) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PointParameter(c, pname, params);
     if (!may_execute(c)) return;
   }
   gl::PointParameter(c, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPointParameterfvEXT(GLenum pname, const GLfloat* params) {
+SOFTGL_EXPORT void APIENTRY glPointParameterfvEXT(GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
   if (!gl::PointParameter) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PointParameter(c, pname, params);
     if (!may_execute(c)) return;
   }
   gl::PointParameter(c, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPointParameteri(GLenum pname, GLint param) {
+SOFTGL_EXPORT void APIENTRY glPointParameteri(GLenum pname, GLint param) try {
   Context& c = *current_context;
   if (!gl::PointParameter) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
@@ -400,10 +508,13 @@ SOFTGL_EXPORT void APIENTRY glPointParameteri(GLenum pname, GLint param) {
     if (!may_execute(c)) return;
   }
   gl::PointParameter(c, pname, values.v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPointParameteriv(GLenum pname, const GLint* params) {
+SOFTGL_EXPORT void APIENTRY glPointParameteriv(GLenum pname, const GLint* params) try {
   Context& c = *current_context;
   if (!gl::PointParameter) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = vector_parameters(kCountOf_point, pname, params);
   if (c.guard) [[unlikely]] {
@@ -411,8 +522,10 @@ SOFTGL_EXPORT void APIENTRY glPointParameteriv(GLenum pname, const GLint* params
     if (!may_execute(c)) return;
   }
   gl::PointParameter(c, pname, values.v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPointSize(GLfloat size) {
+SOFTGL_EXPORT void APIENTRY glPointSize(GLfloat size) try {
   Context& c = *current_context;
   if (!gl::PointSize) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -420,8 +533,10 @@ SOFTGL_EXPORT void APIENTRY glPointSize(GLfloat size) {
     if (!may_execute(c)) return;
   }
   gl::PointSize(c, size);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPolygonMode(GLenum face, GLenum mode) {
+SOFTGL_EXPORT void APIENTRY glPolygonMode(GLenum face, GLenum mode) try {
   Context& c = *current_context;
   if (!gl::PolygonMode) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -429,8 +544,10 @@ SOFTGL_EXPORT void APIENTRY glPolygonMode(GLenum face, GLenum mode) {
     if (!may_execute(c)) return;
   }
   gl::PolygonMode(c, face, mode);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPolygonOffset(GLfloat factor, GLfloat units) {
+SOFTGL_EXPORT void APIENTRY glPolygonOffset(GLfloat factor, GLfloat units) try {
   Context& c = *current_context;
   if (!gl::PolygonOffset) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -438,17 +555,22 @@ SOFTGL_EXPORT void APIENTRY glPolygonOffset(GLfloat factor, GLfloat units) {
     if (!may_execute(c)) return;
   }
   gl::PolygonOffset(c, factor, units);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPolygonStipple(const GLubyte* mask) {
+SOFTGL_EXPORT void APIENTRY glPolygonStipple(const GLubyte* mask) try {
   Context& c = *current_context;
   if (!gl::PolygonStipple) return unbuilt_command();
+  if (!mask) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PolygonStipple(c, mask);
     if (!may_execute(c)) return;
   }
   gl::PolygonStipple(c, mask);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPopAttrib() {
+SOFTGL_EXPORT void APIENTRY glPopAttrib() try {
   Context& c = *current_context;
   if (!gl::PopAttrib) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -456,14 +578,18 @@ SOFTGL_EXPORT void APIENTRY glPopAttrib() {
     if (!may_execute(c)) return;
   }
   gl::PopAttrib(c);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPopClientAttrib() {
+SOFTGL_EXPORT void APIENTRY glPopClientAttrib() try {
   Context& c = *current_context;
   if (!gl::PopClientAttrib) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::PopClientAttrib(c);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPopMatrix() {
+SOFTGL_EXPORT void APIENTRY glPopMatrix() try {
   Context& c = *current_context;
   if (!gl::PopMatrix) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -471,8 +597,10 @@ SOFTGL_EXPORT void APIENTRY glPopMatrix() {
     if (!may_execute(c)) return;
   }
   gl::PopMatrix(c);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPopName() {
+SOFTGL_EXPORT void APIENTRY glPopName() try {
   Context& c = *current_context;
   if (!gl::PopName) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -480,26 +608,34 @@ SOFTGL_EXPORT void APIENTRY glPopName() {
     if (!may_execute(c)) return;
   }
   gl::PopName(c);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPrioritizeTextures(GLsizei n, const GLuint* textures, const GLfloat* priorities) {
+SOFTGL_EXPORT void APIENTRY glPrioritizeTextures(GLsizei n, const GLuint* textures, const GLfloat* priorities) try {
   Context& c = *current_context;
   if (!gl::PrioritizeTextures) return unbuilt_command();
+  if ((!textures && n > 0) || (!priorities && n > 0)) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PrioritizeTextures(c, n, textures, priorities);
     if (!may_execute(c)) return;
   }
   gl::PrioritizeTextures(c, n, textures, priorities);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPrioritizeTexturesEXT(GLsizei n, const GLuint* textures, const GLfloat* priorities) {
+SOFTGL_EXPORT void APIENTRY glPrioritizeTexturesEXT(GLsizei n, const GLuint* textures, const GLfloat* priorities) try {
   Context& c = *current_context;
   if (!gl::PrioritizeTextures) return unbuilt_command();
+  if ((!textures && n > 0) || (!priorities && n > 0)) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PrioritizeTextures(c, n, textures, priorities);
     if (!may_execute(c)) return;
   }
   gl::PrioritizeTextures(c, n, textures, priorities);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPushAttrib(GLbitfield mask) {
+SOFTGL_EXPORT void APIENTRY glPushAttrib(GLbitfield mask) try {
   Context& c = *current_context;
   if (!gl::PushAttrib) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -507,14 +643,18 @@ SOFTGL_EXPORT void APIENTRY glPushAttrib(GLbitfield mask) {
     if (!may_execute(c)) return;
   }
   gl::PushAttrib(c, mask);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPushClientAttrib(GLbitfield mask) {
+SOFTGL_EXPORT void APIENTRY glPushClientAttrib(GLbitfield mask) try {
   Context& c = *current_context;
   if (!gl::PushClientAttrib) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::PushClientAttrib(c, mask);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPushMatrix() {
+SOFTGL_EXPORT void APIENTRY glPushMatrix() try {
   Context& c = *current_context;
   if (!gl::PushMatrix) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -522,8 +662,10 @@ SOFTGL_EXPORT void APIENTRY glPushMatrix() {
     if (!may_execute(c)) return;
   }
   gl::PushMatrix(c);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPushName(GLuint name) {
+SOFTGL_EXPORT void APIENTRY glPushName(GLuint name) try {
   Context& c = *current_context;
   if (!gl::PushName) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -531,8 +673,10 @@ SOFTGL_EXPORT void APIENTRY glPushName(GLuint name) {
     if (!may_execute(c)) return;
   }
   gl::PushName(c, name);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRasterPos2d(GLdouble x, GLdouble y) {
+SOFTGL_EXPORT void APIENTRY glRasterPos2d(GLdouble x, GLdouble y) try {
   Context& c = *current_context;
   if (!gl::RasterPos) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -540,17 +684,22 @@ SOFTGL_EXPORT void APIENTRY glRasterPos2d(GLdouble x, GLdouble y) {
     if (!may_execute(c)) return;
   }
   gl::RasterPos(c, float(x), float(y), 0.0f, 1.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRasterPos2dv(const GLdouble* v) {
+SOFTGL_EXPORT void APIENTRY glRasterPos2dv(const GLdouble* v) try {
   Context& c = *current_context;
   if (!gl::RasterPos) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_RasterPos(c, float(v[0]), float(v[1]), 0.0f, 1.0f);
     if (!may_execute(c)) return;
   }
   gl::RasterPos(c, float(v[0]), float(v[1]), 0.0f, 1.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRasterPos2f(GLfloat x, GLfloat y) {
+SOFTGL_EXPORT void APIENTRY glRasterPos2f(GLfloat x, GLfloat y) try {
   Context& c = *current_context;
   if (!gl::RasterPos) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -558,17 +707,22 @@ SOFTGL_EXPORT void APIENTRY glRasterPos2f(GLfloat x, GLfloat y) {
     if (!may_execute(c)) return;
   }
   gl::RasterPos(c, x, y, 0.0f, 1.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRasterPos2fv(const GLfloat* v) {
+SOFTGL_EXPORT void APIENTRY glRasterPos2fv(const GLfloat* v) try {
   Context& c = *current_context;
   if (!gl::RasterPos) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_RasterPos(c, v[0], v[1], 0.0f, 1.0f);
     if (!may_execute(c)) return;
   }
   gl::RasterPos(c, v[0], v[1], 0.0f, 1.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRasterPos2i(GLint x, GLint y) {
+SOFTGL_EXPORT void APIENTRY glRasterPos2i(GLint x, GLint y) try {
   Context& c = *current_context;
   if (!gl::RasterPos) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -576,17 +730,22 @@ SOFTGL_EXPORT void APIENTRY glRasterPos2i(GLint x, GLint y) {
     if (!may_execute(c)) return;
   }
   gl::RasterPos(c, float(x), float(y), 0.0f, 1.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRasterPos2iv(const GLint* v) {
+SOFTGL_EXPORT void APIENTRY glRasterPos2iv(const GLint* v) try {
   Context& c = *current_context;
   if (!gl::RasterPos) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_RasterPos(c, float(v[0]), float(v[1]), 0.0f, 1.0f);
     if (!may_execute(c)) return;
   }
   gl::RasterPos(c, float(v[0]), float(v[1]), 0.0f, 1.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRasterPos2s(GLshort x, GLshort y) {
+SOFTGL_EXPORT void APIENTRY glRasterPos2s(GLshort x, GLshort y) try {
   Context& c = *current_context;
   if (!gl::RasterPos) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -594,17 +753,22 @@ SOFTGL_EXPORT void APIENTRY glRasterPos2s(GLshort x, GLshort y) {
     if (!may_execute(c)) return;
   }
   gl::RasterPos(c, float(x), float(y), 0.0f, 1.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRasterPos2sv(const GLshort* v) {
+SOFTGL_EXPORT void APIENTRY glRasterPos2sv(const GLshort* v) try {
   Context& c = *current_context;
   if (!gl::RasterPos) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_RasterPos(c, float(v[0]), float(v[1]), 0.0f, 1.0f);
     if (!may_execute(c)) return;
   }
   gl::RasterPos(c, float(v[0]), float(v[1]), 0.0f, 1.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRasterPos3d(GLdouble x, GLdouble y, GLdouble z) {
+SOFTGL_EXPORT void APIENTRY glRasterPos3d(GLdouble x, GLdouble y, GLdouble z) try {
   Context& c = *current_context;
   if (!gl::RasterPos) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -612,17 +776,22 @@ SOFTGL_EXPORT void APIENTRY glRasterPos3d(GLdouble x, GLdouble y, GLdouble z) {
     if (!may_execute(c)) return;
   }
   gl::RasterPos(c, float(x), float(y), float(z), 1.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRasterPos3dv(const GLdouble* v) {
+SOFTGL_EXPORT void APIENTRY glRasterPos3dv(const GLdouble* v) try {
   Context& c = *current_context;
   if (!gl::RasterPos) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_RasterPos(c, float(v[0]), float(v[1]), float(v[2]), 1.0f);
     if (!may_execute(c)) return;
   }
   gl::RasterPos(c, float(v[0]), float(v[1]), float(v[2]), 1.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRasterPos3f(GLfloat x, GLfloat y, GLfloat z) {
+SOFTGL_EXPORT void APIENTRY glRasterPos3f(GLfloat x, GLfloat y, GLfloat z) try {
   Context& c = *current_context;
   if (!gl::RasterPos) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -630,17 +799,22 @@ SOFTGL_EXPORT void APIENTRY glRasterPos3f(GLfloat x, GLfloat y, GLfloat z) {
     if (!may_execute(c)) return;
   }
   gl::RasterPos(c, x, y, z, 1.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRasterPos3fv(const GLfloat* v) {
+SOFTGL_EXPORT void APIENTRY glRasterPos3fv(const GLfloat* v) try {
   Context& c = *current_context;
   if (!gl::RasterPos) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_RasterPos(c, v[0], v[1], v[2], 1.0f);
     if (!may_execute(c)) return;
   }
   gl::RasterPos(c, v[0], v[1], v[2], 1.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRasterPos3i(GLint x, GLint y, GLint z) {
+SOFTGL_EXPORT void APIENTRY glRasterPos3i(GLint x, GLint y, GLint z) try {
   Context& c = *current_context;
   if (!gl::RasterPos) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -648,17 +822,22 @@ SOFTGL_EXPORT void APIENTRY glRasterPos3i(GLint x, GLint y, GLint z) {
     if (!may_execute(c)) return;
   }
   gl::RasterPos(c, float(x), float(y), float(z), 1.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRasterPos3iv(const GLint* v) {
+SOFTGL_EXPORT void APIENTRY glRasterPos3iv(const GLint* v) try {
   Context& c = *current_context;
   if (!gl::RasterPos) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_RasterPos(c, float(v[0]), float(v[1]), float(v[2]), 1.0f);
     if (!may_execute(c)) return;
   }
   gl::RasterPos(c, float(v[0]), float(v[1]), float(v[2]), 1.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRasterPos3s(GLshort x, GLshort y, GLshort z) {
+SOFTGL_EXPORT void APIENTRY glRasterPos3s(GLshort x, GLshort y, GLshort z) try {
   Context& c = *current_context;
   if (!gl::RasterPos) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -666,17 +845,22 @@ SOFTGL_EXPORT void APIENTRY glRasterPos3s(GLshort x, GLshort y, GLshort z) {
     if (!may_execute(c)) return;
   }
   gl::RasterPos(c, float(x), float(y), float(z), 1.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRasterPos3sv(const GLshort* v) {
+SOFTGL_EXPORT void APIENTRY glRasterPos3sv(const GLshort* v) try {
   Context& c = *current_context;
   if (!gl::RasterPos) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_RasterPos(c, float(v[0]), float(v[1]), float(v[2]), 1.0f);
     if (!may_execute(c)) return;
   }
   gl::RasterPos(c, float(v[0]), float(v[1]), float(v[2]), 1.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRasterPos4d(GLdouble x, GLdouble y, GLdouble z, GLdouble w) {
+SOFTGL_EXPORT void APIENTRY glRasterPos4d(GLdouble x, GLdouble y, GLdouble z, GLdouble w) try {
   Context& c = *current_context;
   if (!gl::RasterPos) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -684,17 +868,22 @@ SOFTGL_EXPORT void APIENTRY glRasterPos4d(GLdouble x, GLdouble y, GLdouble z, GL
     if (!may_execute(c)) return;
   }
   gl::RasterPos(c, float(x), float(y), float(z), float(w));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRasterPos4dv(const GLdouble* v) {
+SOFTGL_EXPORT void APIENTRY glRasterPos4dv(const GLdouble* v) try {
   Context& c = *current_context;
   if (!gl::RasterPos) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_RasterPos(c, float(v[0]), float(v[1]), float(v[2]), float(v[3]));
     if (!may_execute(c)) return;
   }
   gl::RasterPos(c, float(v[0]), float(v[1]), float(v[2]), float(v[3]));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRasterPos4f(GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
+SOFTGL_EXPORT void APIENTRY glRasterPos4f(GLfloat x, GLfloat y, GLfloat z, GLfloat w) try {
   Context& c = *current_context;
   if (!gl::RasterPos) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -702,17 +891,22 @@ SOFTGL_EXPORT void APIENTRY glRasterPos4f(GLfloat x, GLfloat y, GLfloat z, GLflo
     if (!may_execute(c)) return;
   }
   gl::RasterPos(c, x, y, z, w);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRasterPos4fv(const GLfloat* v) {
+SOFTGL_EXPORT void APIENTRY glRasterPos4fv(const GLfloat* v) try {
   Context& c = *current_context;
   if (!gl::RasterPos) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_RasterPos(c, v[0], v[1], v[2], v[3]);
     if (!may_execute(c)) return;
   }
   gl::RasterPos(c, v[0], v[1], v[2], v[3]);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRasterPos4i(GLint x, GLint y, GLint z, GLint w) {
+SOFTGL_EXPORT void APIENTRY glRasterPos4i(GLint x, GLint y, GLint z, GLint w) try {
   Context& c = *current_context;
   if (!gl::RasterPos) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -720,17 +914,22 @@ SOFTGL_EXPORT void APIENTRY glRasterPos4i(GLint x, GLint y, GLint z, GLint w) {
     if (!may_execute(c)) return;
   }
   gl::RasterPos(c, float(x), float(y), float(z), float(w));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRasterPos4iv(const GLint* v) {
+SOFTGL_EXPORT void APIENTRY glRasterPos4iv(const GLint* v) try {
   Context& c = *current_context;
   if (!gl::RasterPos) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_RasterPos(c, float(v[0]), float(v[1]), float(v[2]), float(v[3]));
     if (!may_execute(c)) return;
   }
   gl::RasterPos(c, float(v[0]), float(v[1]), float(v[2]), float(v[3]));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRasterPos4s(GLshort x, GLshort y, GLshort z, GLshort w) {
+SOFTGL_EXPORT void APIENTRY glRasterPos4s(GLshort x, GLshort y, GLshort z, GLshort w) try {
   Context& c = *current_context;
   if (!gl::RasterPos) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -738,17 +937,22 @@ SOFTGL_EXPORT void APIENTRY glRasterPos4s(GLshort x, GLshort y, GLshort z, GLsho
     if (!may_execute(c)) return;
   }
   gl::RasterPos(c, float(x), float(y), float(z), float(w));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRasterPos4sv(const GLshort* v) {
+SOFTGL_EXPORT void APIENTRY glRasterPos4sv(const GLshort* v) try {
   Context& c = *current_context;
   if (!gl::RasterPos) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_RasterPos(c, float(v[0]), float(v[1]), float(v[2]), float(v[3]));
     if (!may_execute(c)) return;
   }
   gl::RasterPos(c, float(v[0]), float(v[1]), float(v[2]), float(v[3]));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glReadBuffer(GLenum src) {
+SOFTGL_EXPORT void APIENTRY glReadBuffer(GLenum src) try {
   Context& c = *current_context;
   if (!gl::ReadBuffer) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -756,14 +960,18 @@ SOFTGL_EXPORT void APIENTRY glReadBuffer(GLenum src) {
     if (!may_execute(c)) return;
   }
   gl::ReadBuffer(c, src);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, void* pixels) {
+SOFTGL_EXPORT void APIENTRY glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, void* pixels) try {
   Context& c = *current_context;
   if (!gl::ReadPixels) return unbuilt_command();
-  if ((c.guard) && !may_execute(c)) [[unlikely]] return;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::ReadPixels(c, x, y, width, height, format, type, pixels);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRectd(GLdouble x1, GLdouble y1, GLdouble x2, GLdouble y2) {
+SOFTGL_EXPORT void APIENTRY glRectd(GLdouble x1, GLdouble y1, GLdouble x2, GLdouble y2) try {
   Context& c = *current_context;
   if (!gl::Rect) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -771,17 +979,22 @@ SOFTGL_EXPORT void APIENTRY glRectd(GLdouble x1, GLdouble y1, GLdouble x2, GLdou
     if (!may_execute(c)) return;
   }
   gl::Rect(c, float(x1), float(y1), float(x2), float(y2));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRectdv(const GLdouble* v1, const GLdouble* v2) {
+SOFTGL_EXPORT void APIENTRY glRectdv(const GLdouble* v1, const GLdouble* v2) try {
   Context& c = *current_context;
   if (!gl::Rect) return unbuilt_command();
+  if (!v1 || !v2) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Rect(c, float(v1[0]), float(v1[1]), float(v2[0]), float(v2[1]));
     if (!may_execute(c)) return;
   }
   gl::Rect(c, float(v1[0]), float(v1[1]), float(v2[0]), float(v2[1]));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRectf(GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
+SOFTGL_EXPORT void APIENTRY glRectf(GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) try {
   Context& c = *current_context;
   if (!gl::Rect) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -789,17 +1002,22 @@ SOFTGL_EXPORT void APIENTRY glRectf(GLfloat x1, GLfloat y1, GLfloat x2, GLfloat 
     if (!may_execute(c)) return;
   }
   gl::Rect(c, x1, y1, x2, y2);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRectfv(const GLfloat* v1, const GLfloat* v2) {
+SOFTGL_EXPORT void APIENTRY glRectfv(const GLfloat* v1, const GLfloat* v2) try {
   Context& c = *current_context;
   if (!gl::Rect) return unbuilt_command();
+  if (!v1 || !v2) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Rect(c, v1[0], v1[1], v2[0], v2[1]);
     if (!may_execute(c)) return;
   }
   gl::Rect(c, v1[0], v1[1], v2[0], v2[1]);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRecti(GLint x1, GLint y1, GLint x2, GLint y2) {
+SOFTGL_EXPORT void APIENTRY glRecti(GLint x1, GLint y1, GLint x2, GLint y2) try {
   Context& c = *current_context;
   if (!gl::Rect) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -807,17 +1025,22 @@ SOFTGL_EXPORT void APIENTRY glRecti(GLint x1, GLint y1, GLint x2, GLint y2) {
     if (!may_execute(c)) return;
   }
   gl::Rect(c, float(x1), float(y1), float(x2), float(y2));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRectiv(const GLint* v1, const GLint* v2) {
+SOFTGL_EXPORT void APIENTRY glRectiv(const GLint* v1, const GLint* v2) try {
   Context& c = *current_context;
   if (!gl::Rect) return unbuilt_command();
+  if (!v1 || !v2) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Rect(c, float(v1[0]), float(v1[1]), float(v2[0]), float(v2[1]));
     if (!may_execute(c)) return;
   }
   gl::Rect(c, float(v1[0]), float(v1[1]), float(v2[0]), float(v2[1]));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRects(GLshort x1, GLshort y1, GLshort x2, GLshort y2) {
+SOFTGL_EXPORT void APIENTRY glRects(GLshort x1, GLshort y1, GLshort x2, GLshort y2) try {
   Context& c = *current_context;
   if (!gl::Rect) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -825,23 +1048,31 @@ SOFTGL_EXPORT void APIENTRY glRects(GLshort x1, GLshort y1, GLshort x2, GLshort 
     if (!may_execute(c)) return;
   }
   gl::Rect(c, float(x1), float(y1), float(x2), float(y2));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRectsv(const GLshort* v1, const GLshort* v2) {
+SOFTGL_EXPORT void APIENTRY glRectsv(const GLshort* v1, const GLshort* v2) try {
   Context& c = *current_context;
   if (!gl::Rect) return unbuilt_command();
+  if (!v1 || !v2) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Rect(c, float(v1[0]), float(v1[1]), float(v2[0]), float(v2[1]));
     if (!may_execute(c)) return;
   }
   gl::Rect(c, float(v1[0]), float(v1[1]), float(v2[0]), float(v2[1]));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT GLint APIENTRY glRenderMode(GLenum mode) {
+SOFTGL_EXPORT GLint APIENTRY glRenderMode(GLenum mode) try {
   Context& c = *current_context;
   if (!gl::RenderMode) { unbuilt_command(); return 0; }
-  if ((c.guard) && !may_execute(c)) [[unlikely]] return 0;
+  if (c.guard && !may_execute(c)) [[unlikely]] return 0;
   return gl::RenderMode(c, mode);
+} catch (...) {
+  out_of_memory();
+  return 0;
 }
-SOFTGL_EXPORT void APIENTRY glRotated(GLdouble angle, GLdouble x, GLdouble y, GLdouble z) {
+SOFTGL_EXPORT void APIENTRY glRotated(GLdouble angle, GLdouble x, GLdouble y, GLdouble z) try {
   Context& c = *current_context;
   if (!gl::Rotate) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -849,8 +1080,10 @@ SOFTGL_EXPORT void APIENTRY glRotated(GLdouble angle, GLdouble x, GLdouble y, GL
     if (!may_execute(c)) return;
   }
   gl::Rotate(c, GLfloat(angle), GLfloat(x), GLfloat(y), GLfloat(z));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glRotatef(GLfloat angle, GLfloat x, GLfloat y, GLfloat z) {
+SOFTGL_EXPORT void APIENTRY glRotatef(GLfloat angle, GLfloat x, GLfloat y, GLfloat z) try {
   Context& c = *current_context;
   if (!gl::Rotate) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -858,8 +1091,10 @@ SOFTGL_EXPORT void APIENTRY glRotatef(GLfloat angle, GLfloat x, GLfloat y, GLflo
     if (!may_execute(c)) return;
   }
   gl::Rotate(c, angle, x, y, z);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glSampleCoverage(GLfloat value, GLboolean invert) {
+SOFTGL_EXPORT void APIENTRY glSampleCoverage(GLfloat value, GLboolean invert) try {
   Context& c = *current_context;
   if (!gl::SampleCoverage) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -867,8 +1102,10 @@ SOFTGL_EXPORT void APIENTRY glSampleCoverage(GLfloat value, GLboolean invert) {
     if (!may_execute(c)) return;
   }
   gl::SampleCoverage(c, value, invert);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glSampleCoverageARB(GLfloat value, GLboolean invert) {
+SOFTGL_EXPORT void APIENTRY glSampleCoverageARB(GLfloat value, GLboolean invert) try {
   Context& c = *current_context;
   if (!gl::SampleCoverage) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -876,8 +1113,10 @@ SOFTGL_EXPORT void APIENTRY glSampleCoverageARB(GLfloat value, GLboolean invert)
     if (!may_execute(c)) return;
   }
   gl::SampleCoverage(c, value, invert);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glScaled(GLdouble x, GLdouble y, GLdouble z) {
+SOFTGL_EXPORT void APIENTRY glScaled(GLdouble x, GLdouble y, GLdouble z) try {
   Context& c = *current_context;
   if (!gl::Scale) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -885,8 +1124,10 @@ SOFTGL_EXPORT void APIENTRY glScaled(GLdouble x, GLdouble y, GLdouble z) {
     if (!may_execute(c)) return;
   }
   gl::Scale(c, GLfloat(x), GLfloat(y), GLfloat(z));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glScalef(GLfloat x, GLfloat y, GLfloat z) {
+SOFTGL_EXPORT void APIENTRY glScalef(GLfloat x, GLfloat y, GLfloat z) try {
   Context& c = *current_context;
   if (!gl::Scale) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -894,8 +1135,10 @@ SOFTGL_EXPORT void APIENTRY glScalef(GLfloat x, GLfloat y, GLfloat z) {
     if (!may_execute(c)) return;
   }
   gl::Scale(c, x, y, z);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glScissor(GLint x, GLint y, GLsizei width, GLsizei height) {
+SOFTGL_EXPORT void APIENTRY glScissor(GLint x, GLint y, GLsizei width, GLsizei height) try {
   Context& c = *current_context;
   if (!gl::Scissor) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -903,26 +1146,35 @@ SOFTGL_EXPORT void APIENTRY glScissor(GLint x, GLint y, GLsizei width, GLsizei h
     if (!may_execute(c)) return;
   }
   gl::Scissor(c, x, y, width, height);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glSecondaryColorPointer(GLint size, GLenum type, GLsizei stride, const void* pointer) {
+SOFTGL_EXPORT void APIENTRY glSecondaryColorPointer(GLint size, GLenum type, GLsizei stride, const void* pointer) try {
   Context& c = *current_context;
   if (!gl::SecondaryColorPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::SecondaryColorPointer(c, size, type, stride, pointer);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glSecondaryColorPointerEXT(GLint size, GLenum type, GLsizei stride, const void* pointer) {
+SOFTGL_EXPORT void APIENTRY glSecondaryColorPointerEXT(GLint size, GLenum type, GLsizei stride, const void* pointer) try {
   Context& c = *current_context;
   if (!gl::SecondaryColorPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::SecondaryColorPointer(c, size, type, stride, pointer);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glSelectBuffer(GLsizei size, GLuint* buffer) {
+SOFTGL_EXPORT void APIENTRY glSelectBuffer(GLsizei size, GLuint* buffer) try {
   Context& c = *current_context;
   if (!gl::SelectBuffer) return unbuilt_command();
-  if ((c.guard) && !may_execute(c)) [[unlikely]] return;
+  if ((!buffer && size > 0)) [[unlikely]] return;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::SelectBuffer(c, size, buffer);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glShadeModel(GLenum mode) {
+SOFTGL_EXPORT void APIENTRY glShadeModel(GLenum mode) try {
   Context& c = *current_context;
   if (!gl::ShadeModel) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -930,8 +1182,10 @@ SOFTGL_EXPORT void APIENTRY glShadeModel(GLenum mode) {
     if (!may_execute(c)) return;
   }
   gl::ShadeModel(c, mode);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glStencilFunc(GLenum func, GLint ref, GLuint mask) {
+SOFTGL_EXPORT void APIENTRY glStencilFunc(GLenum func, GLint ref, GLuint mask) try {
   Context& c = *current_context;
   if (!gl::StencilFunc) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -939,8 +1193,10 @@ SOFTGL_EXPORT void APIENTRY glStencilFunc(GLenum func, GLint ref, GLuint mask) {
     if (!may_execute(c)) return;
   }
   gl::StencilFunc(c, func, ref, mask);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glStencilMask(GLuint mask) {
+SOFTGL_EXPORT void APIENTRY glStencilMask(GLuint mask) try {
   Context& c = *current_context;
   if (!gl::StencilMask) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -948,8 +1204,10 @@ SOFTGL_EXPORT void APIENTRY glStencilMask(GLuint mask) {
     if (!may_execute(c)) return;
   }
   gl::StencilMask(c, mask);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glStencilOp(GLenum fail, GLenum zfail, GLenum zpass) {
+SOFTGL_EXPORT void APIENTRY glStencilOp(GLenum fail, GLenum zfail, GLenum zpass) try {
   Context& c = *current_context;
   if (!gl::StencilOp) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -957,20 +1215,26 @@ SOFTGL_EXPORT void APIENTRY glStencilOp(GLenum fail, GLenum zfail, GLenum zpass)
     if (!may_execute(c)) return;
   }
   gl::StencilOp(c, fail, zfail, zpass);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glTexCoordPointer(GLint size, GLenum type, GLsizei stride, const void* pointer) {
+SOFTGL_EXPORT void APIENTRY glTexCoordPointer(GLint size, GLenum type, GLsizei stride, const void* pointer) try {
   Context& c = *current_context;
   if (!gl::TexCoordPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::TexCoordPointer(c, size, type, stride, pointer);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glTexCoordPointerEXT(GLint size, GLenum type, GLsizei stride, GLsizei, const void* pointer) {
+SOFTGL_EXPORT void APIENTRY glTexCoordPointerEXT(GLint size, GLenum type, GLsizei stride, GLsizei, const void* pointer) try {
   Context& c = *current_context;
   if (!gl::TexCoordPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::TexCoordPointer(c, size, type, stride, pointer);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glTexEnvf(GLenum target, GLenum pname, GLfloat param) {
+SOFTGL_EXPORT void APIENTRY glTexEnvf(GLenum target, GLenum pname, GLfloat param) try {
   Context& c = *current_context;
   if (!gl::TexEnv) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
@@ -981,17 +1245,22 @@ SOFTGL_EXPORT void APIENTRY glTexEnvf(GLenum target, GLenum pname, GLfloat param
     if (!may_execute(c)) return;
   }
   gl::TexEnv(c, target, pname, values.v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glTexEnvfv(GLenum target, GLenum pname, const GLfloat* params) {
+SOFTGL_EXPORT void APIENTRY glTexEnvfv(GLenum target, GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
   if (!gl::TexEnv) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_TexEnv(c, target, pname, params);
     if (!may_execute(c)) return;
   }
   gl::TexEnv(c, target, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glTexEnvi(GLenum target, GLenum pname, GLint param) {
+SOFTGL_EXPORT void APIENTRY glTexEnvi(GLenum target, GLenum pname, GLint param) try {
   Context& c = *current_context;
   if (!gl::TexEnv) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
@@ -1002,10 +1271,13 @@ SOFTGL_EXPORT void APIENTRY glTexEnvi(GLenum target, GLenum pname, GLint param) 
     if (!may_execute(c)) return;
   }
   gl::TexEnv(c, target, pname, values.v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glTexEnviv(GLenum target, GLenum pname, const GLint* params) {
+SOFTGL_EXPORT void APIENTRY glTexEnviv(GLenum target, GLenum pname, const GLint* params) try {
   Context& c = *current_context;
   if (!gl::TexEnv) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = vector_parameters(kCountOf_texture_environment, pname, params);
   if (c.guard) [[unlikely]] {
@@ -1013,8 +1285,10 @@ SOFTGL_EXPORT void APIENTRY glTexEnviv(GLenum target, GLenum pname, const GLint*
     if (!may_execute(c)) return;
   }
   gl::TexEnv(c, target, pname, values.v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glTexGend(GLenum coord, GLenum pname, GLdouble param) {
+SOFTGL_EXPORT void APIENTRY glTexGend(GLenum coord, GLenum pname, GLdouble param) try {
   Context& c = *current_context;
   if (!gl::TexGen) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
@@ -1025,10 +1299,13 @@ SOFTGL_EXPORT void APIENTRY glTexGend(GLenum coord, GLenum pname, GLdouble param
     if (!may_execute(c)) return;
   }
   gl::TexGen(c, coord, pname, values.v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glTexGendv(GLenum coord, GLenum pname, const GLdouble* params) {
+SOFTGL_EXPORT void APIENTRY glTexGendv(GLenum coord, GLenum pname, const GLdouble* params) try {
   Context& c = *current_context;
   if (!gl::TexGen) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = vector_parameters(kCountOf_texture_generation, pname, params);
   if (c.guard) [[unlikely]] {
@@ -1036,8 +1313,10 @@ SOFTGL_EXPORT void APIENTRY glTexGendv(GLenum coord, GLenum pname, const GLdoubl
     if (!may_execute(c)) return;
   }
   gl::TexGen(c, coord, pname, values.v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glTexGenf(GLenum coord, GLenum pname, GLfloat param) {
+SOFTGL_EXPORT void APIENTRY glTexGenf(GLenum coord, GLenum pname, GLfloat param) try {
   Context& c = *current_context;
   if (!gl::TexGen) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
@@ -1048,17 +1327,22 @@ SOFTGL_EXPORT void APIENTRY glTexGenf(GLenum coord, GLenum pname, GLfloat param)
     if (!may_execute(c)) return;
   }
   gl::TexGen(c, coord, pname, values.v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glTexGenfv(GLenum coord, GLenum pname, const GLfloat* params) {
+SOFTGL_EXPORT void APIENTRY glTexGenfv(GLenum coord, GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
   if (!gl::TexGen) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_TexGen(c, coord, pname, params);
     if (!may_execute(c)) return;
   }
   gl::TexGen(c, coord, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glTexGeni(GLenum coord, GLenum pname, GLint param) {
+SOFTGL_EXPORT void APIENTRY glTexGeni(GLenum coord, GLenum pname, GLint param) try {
   Context& c = *current_context;
   if (!gl::TexGen) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
@@ -1069,10 +1353,13 @@ SOFTGL_EXPORT void APIENTRY glTexGeni(GLenum coord, GLenum pname, GLint param) {
     if (!may_execute(c)) return;
   }
   gl::TexGen(c, coord, pname, values.v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glTexGeniv(GLenum coord, GLenum pname, const GLint* params) {
+SOFTGL_EXPORT void APIENTRY glTexGeniv(GLenum coord, GLenum pname, const GLint* params) try {
   Context& c = *current_context;
   if (!gl::TexGen) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = vector_parameters(kCountOf_texture_generation, pname, params);
   if (c.guard) [[unlikely]] {
@@ -1080,8 +1367,10 @@ SOFTGL_EXPORT void APIENTRY glTexGeniv(GLenum coord, GLenum pname, const GLint* 
     if (!may_execute(c)) return;
   }
   gl::TexGen(c, coord, pname, values.v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glTexImage1D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLint border, GLenum format, GLenum type, const void* pixels) {
+SOFTGL_EXPORT void APIENTRY glTexImage1D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLint border, GLenum format, GLenum type, const void* pixels) try {
   Context& c = *current_context;
   if (!gl::TexImage1D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1089,8 +1378,10 @@ SOFTGL_EXPORT void APIENTRY glTexImage1D(GLenum target, GLint level, GLint inter
     if (!may_execute(c)) return;
   }
   gl::TexImage1D(c, target, level, internalformat, width, border, format, type, pixels);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glTexImage2D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels) {
+SOFTGL_EXPORT void APIENTRY glTexImage2D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels) try {
   Context& c = *current_context;
   if (!gl::TexImage2D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1098,8 +1389,10 @@ SOFTGL_EXPORT void APIENTRY glTexImage2D(GLenum target, GLint level, GLint inter
     if (!may_execute(c)) return;
   }
   gl::TexImage2D(c, target, level, internalformat, width, height, border, format, type, pixels);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glTexImage3D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type, const void* pixels) {
+SOFTGL_EXPORT void APIENTRY glTexImage3D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type, const void* pixels) try {
   Context& c = *current_context;
   if (!gl::TexImage3D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1107,8 +1400,10 @@ SOFTGL_EXPORT void APIENTRY glTexImage3D(GLenum target, GLint level, GLint inter
     if (!may_execute(c)) return;
   }
   gl::TexImage3D(c, target, level, internalformat, width, height, depth, border, format, type, pixels);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glTexImage3DEXT(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type, const void* pixels) {
+SOFTGL_EXPORT void APIENTRY glTexImage3DEXT(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type, const void* pixels) try {
   Context& c = *current_context;
   if (!gl::TexImage3D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1116,8 +1411,10 @@ SOFTGL_EXPORT void APIENTRY glTexImage3DEXT(GLenum target, GLint level, GLint in
     if (!may_execute(c)) return;
   }
   gl::TexImage3D(c, target, level, internalformat, width, height, depth, border, format, type, pixels);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glTexParameterf(GLenum target, GLenum pname, GLfloat param) {
+SOFTGL_EXPORT void APIENTRY glTexParameterf(GLenum target, GLenum pname, GLfloat param) try {
   Context& c = *current_context;
   if (!gl::TexParameter) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
@@ -1128,17 +1425,22 @@ SOFTGL_EXPORT void APIENTRY glTexParameterf(GLenum target, GLenum pname, GLfloat
     if (!may_execute(c)) return;
   }
   gl::TexParameter(c, target, pname, values.v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glTexParameterfv(GLenum target, GLenum pname, const GLfloat* params) {
+SOFTGL_EXPORT void APIENTRY glTexParameterfv(GLenum target, GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
   if (!gl::TexParameter) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_TexParameter(c, target, pname, params);
     if (!may_execute(c)) return;
   }
   gl::TexParameter(c, target, pname, params);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glTexParameteri(GLenum target, GLenum pname, GLint param) {
+SOFTGL_EXPORT void APIENTRY glTexParameteri(GLenum target, GLenum pname, GLint param) try {
   Context& c = *current_context;
   if (!gl::TexParameter) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
@@ -1149,10 +1451,13 @@ SOFTGL_EXPORT void APIENTRY glTexParameteri(GLenum target, GLenum pname, GLint p
     if (!may_execute(c)) return;
   }
   gl::TexParameter(c, target, pname, values.v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glTexParameteriv(GLenum target, GLenum pname, const GLint* params) {
+SOFTGL_EXPORT void APIENTRY glTexParameteriv(GLenum target, GLenum pname, const GLint* params) try {
   Context& c = *current_context;
   if (!gl::TexParameter) return unbuilt_command();
+  if (!params) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = vector_parameters(kCountOf_texture, pname, params);
   if (c.guard) [[unlikely]] {
@@ -1160,8 +1465,10 @@ SOFTGL_EXPORT void APIENTRY glTexParameteriv(GLenum target, GLenum pname, const 
     if (!may_execute(c)) return;
   }
   gl::TexParameter(c, target, pname, values.v);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glTexSubImage1D(GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLenum type, const void* pixels) {
+SOFTGL_EXPORT void APIENTRY glTexSubImage1D(GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLenum type, const void* pixels) try {
   Context& c = *current_context;
   if (!gl::TexSubImage1D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1169,8 +1476,10 @@ SOFTGL_EXPORT void APIENTRY glTexSubImage1D(GLenum target, GLint level, GLint xo
     if (!may_execute(c)) return;
   }
   gl::TexSubImage1D(c, target, level, xoffset, width, format, type, pixels);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels) {
+SOFTGL_EXPORT void APIENTRY glTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels) try {
   Context& c = *current_context;
   if (!gl::TexSubImage2D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1178,8 +1487,10 @@ SOFTGL_EXPORT void APIENTRY glTexSubImage2D(GLenum target, GLint level, GLint xo
     if (!may_execute(c)) return;
   }
   gl::TexSubImage2D(c, target, level, xoffset, yoffset, width, height, format, type, pixels);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glTexSubImage3D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type, const void* pixels) {
+SOFTGL_EXPORT void APIENTRY glTexSubImage3D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type, const void* pixels) try {
   Context& c = *current_context;
   if (!gl::TexSubImage3D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1187,8 +1498,10 @@ SOFTGL_EXPORT void APIENTRY glTexSubImage3D(GLenum target, GLint level, GLint xo
     if (!may_execute(c)) return;
   }
   gl::TexSubImage3D(c, target, level, xoffset, yoffset, zoffset, width, height, depth, format, type, pixels);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glTexSubImage3DEXT(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type, const void* pixels) {
+SOFTGL_EXPORT void APIENTRY glTexSubImage3DEXT(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type, const void* pixels) try {
   Context& c = *current_context;
   if (!gl::TexSubImage3D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1196,8 +1509,10 @@ SOFTGL_EXPORT void APIENTRY glTexSubImage3DEXT(GLenum target, GLint level, GLint
     if (!may_execute(c)) return;
   }
   gl::TexSubImage3D(c, target, level, xoffset, yoffset, zoffset, width, height, depth, format, type, pixels);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glTranslated(GLdouble x, GLdouble y, GLdouble z) {
+SOFTGL_EXPORT void APIENTRY glTranslated(GLdouble x, GLdouble y, GLdouble z) try {
   Context& c = *current_context;
   if (!gl::Translate) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1205,8 +1520,10 @@ SOFTGL_EXPORT void APIENTRY glTranslated(GLdouble x, GLdouble y, GLdouble z) {
     if (!may_execute(c)) return;
   }
   gl::Translate(c, GLfloat(x), GLfloat(y), GLfloat(z));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glTranslatef(GLfloat x, GLfloat y, GLfloat z) {
+SOFTGL_EXPORT void APIENTRY glTranslatef(GLfloat x, GLfloat y, GLfloat z) try {
   Context& c = *current_context;
   if (!gl::Translate) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1214,32 +1531,44 @@ SOFTGL_EXPORT void APIENTRY glTranslatef(GLfloat x, GLfloat y, GLfloat z) {
     if (!may_execute(c)) return;
   }
   gl::Translate(c, x, y, z);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT GLboolean APIENTRY glUnmapBuffer(GLenum target) {
+SOFTGL_EXPORT GLboolean APIENTRY glUnmapBuffer(GLenum target) try {
   Context& c = *current_context;
   if (!gl::UnmapBuffer) { unbuilt_command(); return 0; }
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
   return gl::UnmapBuffer(c, target);
+} catch (...) {
+  out_of_memory();
+  return 0;
 }
-SOFTGL_EXPORT GLboolean APIENTRY glUnmapBufferARB(GLenum target) {
+SOFTGL_EXPORT GLboolean APIENTRY glUnmapBufferARB(GLenum target) try {
   Context& c = *current_context;
   if (!gl::UnmapBuffer) { unbuilt_command(); return 0; }
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
   return gl::UnmapBuffer(c, target);
+} catch (...) {
+  out_of_memory();
+  return 0;
 }
-SOFTGL_EXPORT void APIENTRY glVertexPointer(GLint size, GLenum type, GLsizei stride, const void* pointer) {
+SOFTGL_EXPORT void APIENTRY glVertexPointer(GLint size, GLenum type, GLsizei stride, const void* pointer) try {
   Context& c = *current_context;
   if (!gl::VertexPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::VertexPointer(c, size, type, stride, pointer);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glVertexPointerEXT(GLint size, GLenum type, GLsizei stride, GLsizei, const void* pointer) {
+SOFTGL_EXPORT void APIENTRY glVertexPointerEXT(GLint size, GLenum type, GLsizei stride, GLsizei, const void* pointer) try {
   Context& c = *current_context;
   if (!gl::VertexPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::VertexPointer(c, size, type, stride, pointer);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glViewport(GLint x, GLint y, GLsizei width, GLsizei height) {
+SOFTGL_EXPORT void APIENTRY glViewport(GLint x, GLint y, GLsizei width, GLsizei height) try {
   Context& c = *current_context;
   if (!gl::Viewport) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1247,8 +1576,10 @@ SOFTGL_EXPORT void APIENTRY glViewport(GLint x, GLint y, GLsizei width, GLsizei 
     if (!may_execute(c)) return;
   }
   gl::Viewport(c, x, y, width, height);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos2d(GLdouble x, GLdouble y) {
+SOFTGL_EXPORT void APIENTRY glWindowPos2d(GLdouble x, GLdouble y) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1256,8 +1587,10 @@ SOFTGL_EXPORT void APIENTRY glWindowPos2d(GLdouble x, GLdouble y) {
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, float(x), float(y), 0.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos2dARB(GLdouble x, GLdouble y) {
+SOFTGL_EXPORT void APIENTRY glWindowPos2dARB(GLdouble x, GLdouble y) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1265,26 +1598,34 @@ SOFTGL_EXPORT void APIENTRY glWindowPos2dARB(GLdouble x, GLdouble y) {
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, float(x), float(y), 0.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos2dv(const GLdouble* v) {
+SOFTGL_EXPORT void APIENTRY glWindowPos2dv(const GLdouble* v) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), 0.0f);
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, float(v[0]), float(v[1]), 0.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos2dvARB(const GLdouble* v) {
+SOFTGL_EXPORT void APIENTRY glWindowPos2dvARB(const GLdouble* v) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), 0.0f);
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, float(v[0]), float(v[1]), 0.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos2f(GLfloat x, GLfloat y) {
+SOFTGL_EXPORT void APIENTRY glWindowPos2f(GLfloat x, GLfloat y) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1292,8 +1633,10 @@ SOFTGL_EXPORT void APIENTRY glWindowPos2f(GLfloat x, GLfloat y) {
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, x, y, 0.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos2fARB(GLfloat x, GLfloat y) {
+SOFTGL_EXPORT void APIENTRY glWindowPos2fARB(GLfloat x, GLfloat y) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1301,26 +1644,34 @@ SOFTGL_EXPORT void APIENTRY glWindowPos2fARB(GLfloat x, GLfloat y) {
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, x, y, 0.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos2fv(const GLfloat* v) {
+SOFTGL_EXPORT void APIENTRY glWindowPos2fv(const GLfloat* v) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_WindowPos(c, v[0], v[1], 0.0f);
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, v[0], v[1], 0.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos2fvARB(const GLfloat* v) {
+SOFTGL_EXPORT void APIENTRY glWindowPos2fvARB(const GLfloat* v) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_WindowPos(c, v[0], v[1], 0.0f);
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, v[0], v[1], 0.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos2i(GLint x, GLint y) {
+SOFTGL_EXPORT void APIENTRY glWindowPos2i(GLint x, GLint y) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1328,8 +1679,10 @@ SOFTGL_EXPORT void APIENTRY glWindowPos2i(GLint x, GLint y) {
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, float(x), float(y), 0.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos2iARB(GLint x, GLint y) {
+SOFTGL_EXPORT void APIENTRY glWindowPos2iARB(GLint x, GLint y) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1337,26 +1690,34 @@ SOFTGL_EXPORT void APIENTRY glWindowPos2iARB(GLint x, GLint y) {
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, float(x), float(y), 0.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos2iv(const GLint* v) {
+SOFTGL_EXPORT void APIENTRY glWindowPos2iv(const GLint* v) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), 0.0f);
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, float(v[0]), float(v[1]), 0.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos2ivARB(const GLint* v) {
+SOFTGL_EXPORT void APIENTRY glWindowPos2ivARB(const GLint* v) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), 0.0f);
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, float(v[0]), float(v[1]), 0.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos2s(GLshort x, GLshort y) {
+SOFTGL_EXPORT void APIENTRY glWindowPos2s(GLshort x, GLshort y) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1364,8 +1725,10 @@ SOFTGL_EXPORT void APIENTRY glWindowPos2s(GLshort x, GLshort y) {
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, float(x), float(y), 0.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos2sARB(GLshort x, GLshort y) {
+SOFTGL_EXPORT void APIENTRY glWindowPos2sARB(GLshort x, GLshort y) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1373,26 +1736,34 @@ SOFTGL_EXPORT void APIENTRY glWindowPos2sARB(GLshort x, GLshort y) {
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, float(x), float(y), 0.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos2sv(const GLshort* v) {
+SOFTGL_EXPORT void APIENTRY glWindowPos2sv(const GLshort* v) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), 0.0f);
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, float(v[0]), float(v[1]), 0.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos2svARB(const GLshort* v) {
+SOFTGL_EXPORT void APIENTRY glWindowPos2svARB(const GLshort* v) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), 0.0f);
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, float(v[0]), float(v[1]), 0.0f);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos3d(GLdouble x, GLdouble y, GLdouble z) {
+SOFTGL_EXPORT void APIENTRY glWindowPos3d(GLdouble x, GLdouble y, GLdouble z) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1400,8 +1771,10 @@ SOFTGL_EXPORT void APIENTRY glWindowPos3d(GLdouble x, GLdouble y, GLdouble z) {
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, float(x), float(y), float(z));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos3dARB(GLdouble x, GLdouble y, GLdouble z) {
+SOFTGL_EXPORT void APIENTRY glWindowPos3dARB(GLdouble x, GLdouble y, GLdouble z) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1409,26 +1782,34 @@ SOFTGL_EXPORT void APIENTRY glWindowPos3dARB(GLdouble x, GLdouble y, GLdouble z)
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, float(x), float(y), float(z));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos3dv(const GLdouble* v) {
+SOFTGL_EXPORT void APIENTRY glWindowPos3dv(const GLdouble* v) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos3dvARB(const GLdouble* v) {
+SOFTGL_EXPORT void APIENTRY glWindowPos3dvARB(const GLdouble* v) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos3f(GLfloat x, GLfloat y, GLfloat z) {
+SOFTGL_EXPORT void APIENTRY glWindowPos3f(GLfloat x, GLfloat y, GLfloat z) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1436,8 +1817,10 @@ SOFTGL_EXPORT void APIENTRY glWindowPos3f(GLfloat x, GLfloat y, GLfloat z) {
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, x, y, z);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos3fARB(GLfloat x, GLfloat y, GLfloat z) {
+SOFTGL_EXPORT void APIENTRY glWindowPos3fARB(GLfloat x, GLfloat y, GLfloat z) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1445,26 +1828,34 @@ SOFTGL_EXPORT void APIENTRY glWindowPos3fARB(GLfloat x, GLfloat y, GLfloat z) {
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, x, y, z);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos3fv(const GLfloat* v) {
+SOFTGL_EXPORT void APIENTRY glWindowPos3fv(const GLfloat* v) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_WindowPos(c, v[0], v[1], v[2]);
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, v[0], v[1], v[2]);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos3fvARB(const GLfloat* v) {
+SOFTGL_EXPORT void APIENTRY glWindowPos3fvARB(const GLfloat* v) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_WindowPos(c, v[0], v[1], v[2]);
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, v[0], v[1], v[2]);
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos3i(GLint x, GLint y, GLint z) {
+SOFTGL_EXPORT void APIENTRY glWindowPos3i(GLint x, GLint y, GLint z) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1472,8 +1863,10 @@ SOFTGL_EXPORT void APIENTRY glWindowPos3i(GLint x, GLint y, GLint z) {
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, float(x), float(y), float(z));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos3iARB(GLint x, GLint y, GLint z) {
+SOFTGL_EXPORT void APIENTRY glWindowPos3iARB(GLint x, GLint y, GLint z) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1481,26 +1874,34 @@ SOFTGL_EXPORT void APIENTRY glWindowPos3iARB(GLint x, GLint y, GLint z) {
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, float(x), float(y), float(z));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos3iv(const GLint* v) {
+SOFTGL_EXPORT void APIENTRY glWindowPos3iv(const GLint* v) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos3ivARB(const GLint* v) {
+SOFTGL_EXPORT void APIENTRY glWindowPos3ivARB(const GLint* v) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos3s(GLshort x, GLshort y, GLshort z) {
+SOFTGL_EXPORT void APIENTRY glWindowPos3s(GLshort x, GLshort y, GLshort z) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1508,8 +1909,10 @@ SOFTGL_EXPORT void APIENTRY glWindowPos3s(GLshort x, GLshort y, GLshort z) {
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, float(x), float(y), float(z));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos3sARB(GLshort x, GLshort y, GLshort z) {
+SOFTGL_EXPORT void APIENTRY glWindowPos3sARB(GLshort x, GLshort y, GLshort z) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
   if (c.guard) [[unlikely]] {
@@ -1517,24 +1920,32 @@ SOFTGL_EXPORT void APIENTRY glWindowPos3sARB(GLshort x, GLshort y, GLshort z) {
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, float(x), float(y), float(z));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos3sv(const GLshort* v) {
+SOFTGL_EXPORT void APIENTRY glWindowPos3sv(const GLshort* v) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
+} catch (...) {
+  out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos3svARB(const GLshort* v) {
+SOFTGL_EXPORT void APIENTRY glWindowPos3svARB(const GLshort* v) try {
   Context& c = *current_context;
   if (!gl::WindowPos) return unbuilt_command();
+  if (!v) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
+} catch (...) {
+  out_of_memory();
 }
 
 }

@@ -1,0 +1,103 @@
+// Loading, unloading, forking, threads.
+#include <catch2/catch.hpp>
+
+#include <dlfcn.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+#include "support/gl.h"
+
+using namespace softgl::test;
+
+namespace {
+
+constexpr int kSize = 600; // large enough that worker threads take part
+
+/// Clears to `red` and draws a white triangle; the sum of all bytes.
+unsigned long draw_something(const Gl& gl, float red) {
+  std::vector<unsigned char> buffer(size_t(kSize) * kSize * 4);
+  void* context = gl.OSMesaCreateContext(kOSMesaRgba, nullptr);
+  if (!context || !gl.OSMesaMakeCurrent(context, buffer.data(), GL_UNSIGNED_BYTE, kSize, kSize)) return 0;
+  gl.ClearColor(red, 0, 0, 1);
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  gl.Begin(GL_TRIANGLES);
+  for (int i = 0; i < 3; ++i) gl.Vertex2f(i == 1 ? 1.0f : -1.0f, i == 2 ? 1.0f : -1.0f);
+  gl.End();
+  gl.Finish();
+  gl.OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+  gl.OSMesaDestroyContext(context);
+  unsigned long sum = 0;
+  for (unsigned char byte : buffer) sum += byte;
+  return sum;
+}
+
+} // namespace
+
+TEST_CASE("The library can be loaded and unloaded many times", "[abi]") {
+  const std::string path = softgl_library().path;
+  const unsigned long expected = draw_something(softgl_library(), 0.5f);
+  CHECK(expected > 0);
+  for (int i = 0; i < 20; ++i) {
+    const Gl gl = load_gl("softgl", path);
+    CHECK(draw_something(gl, 0.5f) == expected);
+    void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_NOLOAD);
+    REQUIRE(handle);
+    dlclose(handle);
+    dlclose(handle); // the one of load_gl
+  }
+}
+
+TEST_CASE("A forked child draws the same picture", "[abi]") {
+  const Gl& gl = softgl_library();
+  const unsigned long expected = draw_something(gl, 0.25f);
+  const pid_t child = fork();
+  REQUIRE(child >= 0);
+  if (child == 0) _exit(draw_something(gl, 0.25f) == expected ? 0 : 1);
+  int status = 0;
+  REQUIRE(waitpid(child, &status, 0) == child);
+  CHECK(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 0);
+}
+
+TEST_CASE("Every thread has a current context of its own", "[abi]") {
+  const Gl& gl = softgl_library();
+  const unsigned long dark = draw_something(gl, 0.0f), bright = draw_something(gl, 1.0f);
+  REQUIRE(dark != bright);
+  int wrong[4] = {};
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 4; ++t)
+    threads.emplace_back([&gl, &wrong, t, dark, bright] {
+      for (int i = 0; i < 5; ++i) {
+        if (gl.OSMesaGetCurrentContext() != nullptr) ++wrong[t];
+        if (draw_something(gl, t % 2 ? 1.0f : 0.0f) != (t % 2 ? bright : dark)) ++wrong[t];
+      }
+    });
+  for (std::thread& thread : threads) thread.join();
+  for (int t = 0; t < 4; ++t) CHECK(wrong[t] == 0);
+}
+
+TEST_CASE("Calls without a context do nothing", "[abi]") {
+  const Gl& gl = softgl_library();
+  std::thread([&gl] {
+    gl.ClearColor(1, 1, 1, 1);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+    gl.Begin(GL_TRIANGLES);
+    gl.Color3f(1, 0, 0);
+    for (int i = 0; i < 100000; ++i) gl.Vertex3f(float(i), 0, 0);
+    gl.End();
+    gl.Enable(GL_LIGHTING);
+    gl.Lightfv(GL_LIGHT0, GL_DIFFUSE, nullptr);
+    gl.NewList(1, GL_COMPILE);
+    gl.EndList();
+    gl.CallList(1);
+    gl.Finish();
+    GLint value = 77;
+    gl.GetIntegerv(GL_MAX_LIGHTS, &value);
+    unsigned char pixel[4] = {1, 2, 3, 4};
+    gl.ReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+    if (gl.GetError() != GL_NO_ERROR || gl.GetString(GL_VERSION) != nullptr || value != 77 || pixel[0] != 1) abort();
+  }).join();
+  SUCCEED();
+}
