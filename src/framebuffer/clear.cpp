@@ -44,7 +44,6 @@ namespace gl {
 void Clear(Context& c, GLbitfield mask) {
   if (mask & ~GLbitfield(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT))
     return set_error(c, GL_INVALID_VALUE);
-  if (mask == 0) return;
   c.framebuffer.unresolved = true; // OSMesa: also when nothing is cleared in the end
   const Surface& surface = c.framebuffer.surface;
   const State& s = c.state;
