@@ -1,6 +1,6 @@
 // Primitive assembly (GL 1.5, 2.6.1): vertices become triangles, lines and points in the corner order that OSMesa hands
-// to set-up, because the order decides last bits. Quadrilaterals are always cut from corner 1 to corner 3, see
-// reference/DEVIATIONS.md.
+// to set-up, because the order decides last bits. GL_QUADS are cut from corner 0 to corner 2, flat-shaded ones from 1
+// to 3, see reference/DEVIATIONS.md.
 #include "clipping.h"
 #include "geometry.h"
 #include "line_stipple.h"
@@ -28,7 +28,7 @@ struct TriangleIndices {
 
 /// Fills triangles [0, n) of steps [step, ...); returns n. Two triangles a step for quadrilaterals.
 template <class Elements>
-int triangle_indices(GLenum mode, bool right_first, const Elements& e, uint32_t step, uint32_t steps, TriangleIndices& out) {
+int triangle_indices(GLenum mode, bool flat, bool right_first, const Elements& e, uint32_t step, uint32_t steps, TriangleIndices& out) {
   uint32_t *a = out.corner[0], *b = out.corner[1], *c = out.corner[2];
   const int n = int(steps);
   switch (mode) {
@@ -59,8 +59,9 @@ int triangle_indices(GLenum mode, bool right_first, const Elements& e, uint32_t 
   case GL_QUADS:
     for (int i = 0; i < n; ++i) {
       const uint32_t k = 4 * (step + uint32_t(i));
-      a[2 * i] = e[k], b[2 * i] = e[k + 1], c[2 * i] = e[k + 3];
-      a[2 * i + 1] = e[k + 1], b[2 * i + 1] = e[k + 2], c[2 * i + 1] = e[k + 3];
+      const uint32_t first = e[k], second = e[k + 1], third = e[k + 2], fourth = e[k + 3];
+      a[2 * i] = first, b[2 * i] = second, c[2 * i] = flat ? fourth : third;
+      a[2 * i + 1] = flat ? second : first, b[2 * i + 1] = third, c[2 * i + 1] = fourth;
     }
     return 2 * n;
   default: // GL_QUAD_STRIP
@@ -97,13 +98,13 @@ private:
   template <class Elements> void triangles(const Elements& e, uint32_t step, uint32_t steps) {
     const bool quads = range_.mode == GL_QUADS || range_.mode == GL_QUAD_STRIP;
     const uint32_t batch_steps = quads ? kAssemblyBatch / 2 : kAssemblyBatch;
-    const bool right_first = range_.mode == GL_QUAD_STRIP && !draw_.raster->flat && !any_clipped(e);
+    const bool right_first = range_.mode == GL_QUAD_STRIP && !any_clipped(e);
     TriangleIndices index;
     AssembledTriangles batch;
     for (int i = 0; i < kAssemblyBatch; ++i) batch.edge_flags[i] = 7;
     for (const uint32_t end = step + steps; step < end; step += batch_steps) {
       const uint32_t left = end - step;
-      const int n = triangle_indices(range_.mode, right_first, e, step, left < batch_steps ? left : batch_steps, index);
+      const int n = triangle_indices(range_.mode, draw_.raster->flat, right_first, e, step, left < batch_steps ? left : batch_steps, index);
       uint32_t any = 0;
       const uint16_t* masks = vertices_.clip_mask;
       const uint32_t first = vertices_.first;
