@@ -34,7 +34,8 @@ static void draw_quads(Stage& s) {
       const float x = s.random.real(-0.5f, 0.5f), y = s.random.real(-0.5f, 0.5f), size = s.random.pick({0.45f, 0.45f, 0.2f, 0.01f});
       for (int k = 0; k < 4; k++) {
         const float dx = k == 1 || k == 2 ? size : -size, dy = k >= 2 ? size : -size, bend = size * (twisted ? 0.9f : 0.3f);
-        const Float3 p{x + dx + s.random.real(-bend, bend), y + dy + s.random.real(-bend, bend), s.random.real(-0.9f, 0.9f)};
+        // 0.7 keeps the farthest corner (1.36) inside the view volume.
+        const Float3 p{0.7f * (x + dx + s.random.real(-bend, bend)), 0.7f * (y + dy + s.random.real(-bend, bend)), s.random.real(-0.9f, 0.9f)};
         positions.insert(positions.end(), p.begin(), p.end());
         const Float4 c = s.random.color();
         colors.insert(colors.end(), c.begin(), c.end());
