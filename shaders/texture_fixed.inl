@@ -111,13 +111,16 @@ static inline void sample_fixed_linear(const FragmentBlock& block, const BlockCo
   linear_axis(block, t.wrap[0], c.s, [&](int i) { return levels.width(i); }, x, wx);
   linear_axis(block, t.wrap[1], c.t, [&](int i) { return levels.height(i); }, y, wy);
   SOFTGL_FOR_LANES(block, i) x[i] += y[i] * levels.row(i);
-  alignas(64) uint32_t corner[4][kLanes];
+  alignas(64) uint64_t top[kLanes], bottom[kLanes];
   for (int i = 0; i < block.lanes; ++i) {
     const unsigned char* p = levels.texels(i) + size_t(uint32_t(x[i])) * 4;
-    const uint64_t top = *reinterpret_cast<const AliasedPair*>(p);
-    const uint64_t bottom = *reinterpret_cast<const AliasedPair*>(p + size_t(uint32_t(levels.row(i))) * 4);
-    corner[0][i] = uint32_t(top), corner[1][i] = uint32_t(top >> 32);
-    corner[2][i] = uint32_t(bottom), corner[3][i] = uint32_t(bottom >> 32);
+    top[i] = *reinterpret_cast<const AliasedPair*>(p);
+    bottom[i] = *reinterpret_cast<const AliasedPair*>(p + size_t(uint32_t(levels.row(i))) * 4);
+  }
+  alignas(64) uint32_t corner[4][kLanes];
+  SOFTGL_FOR_LANES(block, i) {
+    corner[0][i] = uint32_t(top[i]), corner[1][i] = uint32_t(top[i] >> 32);
+    corner[2][i] = uint32_t(bottom[i]), corner[3][i] = uint32_t(bottom[i] >> 32);
   }
   for (int i = 0; i < block.lanes; i += kWords) {
     auto words = [&](const uint32_t* p) { return *reinterpret_cast<const Words*>(p + i); };
@@ -159,23 +162,35 @@ static inline void sample_fixed(const FragmentBlock& block, const BlockCoordinat
     return;
   }
   find_levels(block, c, t, lod);
-  // One level for all live lanes is the usual case. Dead lanes may be anywhere: they follow the others.
-  alignas(64) uint32_t weight[kLanes];
-  uint32_t magnified = 0, minified = 0, weights = 0;
-  int32_t lowest = kTextureLevelLimit, highest = 0;
-  SOFTGL_FOR_LANES(block, i) {
-    const uint32_t live = block.live[i];
-    const uint32_t w = uint32_t(int32_t(lod.fraction[i] * 256.0f)) & live;
-    weight[i] = w | w << 16;
-    weights |= w;
-    magnified |= uint32_t(lod.magnified[i]) & live;
-    minified |= ~uint32_t(lod.magnified[i]) & live;
-    const int32_t low = select(int32_t(live), lod.level[i], kTextureLevelLimit), high = lod.level[i] & int32_t(live);
-    lowest = select(mask_of(low < lowest), low, lowest);
-    highest = select(mask_of(high > highest), high, highest);
+  // One level for all live lanes is the usual case. Dead lanes may be anywhere: they follow the others. Sixteen partial
+  // results, because GCC does not vectorise several reductions in one loop.
+  alignas(64) uint32_t weight[kLanes], weights_[kStripLanes] = {}, magnified_[kStripLanes] = {}, minified_[kStripLanes] = {}, differs_[kStripLanes] = {};
+  int first = 0;
+  while (first < block.lanes - 1 && block.live[first] == 0) ++first;
+  const uint32_t reference = uint32_t(lod.level[first]);
+  for (int32_t strip = 0; strip < block.lanes; strip += kStripLanes) {
+    for (int32_t j = 0; j < kStripLanes; ++j) {
+      const uint32_t live = block.live[strip + j];
+      const uint32_t w = uint32_t(int32_t(lod.fraction[strip + j] * 256.0f)) & live;
+      weight[strip + j] = w | w << 16;
+      weights_[j] |= w;
+    }
+    for (int32_t j = 0; j < kStripLanes; ++j) {
+      const uint32_t live = block.live[strip + j], large = uint32_t(lod.magnified[strip + j]);
+      magnified_[j] |= large & live;
+      minified_[j] |= ~large & live;
+      differs_[j] |= (uint32_t(lod.level[strip + j]) ^ reference) & live;
+    }
   }
-  const bool one_level = lowest >= highest;
-  if (one_level) lod.level[0] = highest;
+  uint32_t magnified = 0, minified = 0, weights = 0, differs = 0;
+  for (int32_t j = 0; j < kStripLanes; ++j) {
+    weights |= weights_[j];
+    magnified |= magnified_[j];
+    minified |= minified_[j];
+    differs |= differs_[j];
+  }
+  const bool one_level = differs == 0;
+  lod.level[0] = one_level ? int32_t(reference) : lod.level[0];
   const bool second = t.mip == TextureMip::Linear && weights != 0;
   const bool mixed = t.min_linear != t.mag_linear;
   const bool minifies = !mixed || minified != 0;
