@@ -3,13 +3,30 @@
 #include "face_triangulation.h"
 #include "program_error.h"
 
+#include <cmath>
+
 namespace softgl::cli {
+namespace {
+
+// A file of nothing but vertices is a point cloud.
+void draw_vertices_as_points(ObjModel& model) {
+  GrowingArray<int32_t>& points = model.chunks.back().point_vertices.values;
+  for (size_t i = 0; i < model.position_count; ++i)
+    if (!std::isnan(model.positions[3 * i])) points.append(static_cast<int32_t>(i));
+  model.point_count = points.size();
+}
+
+} // namespace
 
 LoadedModel load_model(const SourceText& text, unsigned threads, RemarkList& remarks, Warnings& warnings,
                        Warnings& notes) {
   LoadedModel loaded;
   loaded.model = read_obj(text, threads, remarks);
   ObjModel& model = loaded.model;
+  if (model.face_count + model.segment_count + model.point_count == 0 && model.position_count > 0 && remarks.empty()) {
+    draw_vertices_as_points(model);
+    remarks.add("no elements", nullptr, "no faces, lines or points; the vertices are drawn as points");
+  }
   if (model.face_count == 0 && model.segment_count == 0 && model.point_count == 0) {
     // What stands in a file that is no model is not worth a warning each.
     const std::string sentence = explain_missing_geometry(text);

@@ -129,7 +129,24 @@ private:
     }
   }
 
+  // Three numbers and the end of the line.
+  bool quick_position() {
+    double* xyz = out.positions.room(3);
+    const char* q = p;
+    for (int i = 0; i < 3; ++i) {
+      while (*q == ' ') ++q;
+      if (!read_number(q, xyz[i]) || !(std::fabs(xyz[i]) <= kLargestCoordinate)) return false;
+    }
+    while (*q == ' ') ++q;
+    if (!is_line_end(*q) || !out.colours.empty()) return false;
+    out.positions.commit(3);
+    p = q;
+    return true;
+  }
+
   void position() {
+    if (quick_position()) [[likely]]
+      return;
     double values[8];
     bool bad = false;
     const int count = numbers(values, 8, bad);
@@ -258,8 +275,66 @@ private:
     forget_from(out.corner_normals, size);
   }
 
+  // A positive index of at most nine digits; the cursor moves past it.
+  static bool quick_index(const char*& cursor, int32_t& index) {
+    const char* q = cursor;
+    unsigned digit = static_cast<unsigned char>(*q) - unsigned('0');
+    if (digit > 9) return false;
+    uint32_t value = digit;
+    while ((digit = static_cast<unsigned char>(*++q) - unsigned('0')) < 10) value = value * 10 + digit;
+    if (value == 0 || q - cursor > 9) return false;
+    cursor = q;
+    index = static_cast<int32_t>(value) - 1;
+    return true;
+  }
+
+  // What nearly all faces are: a few corners of plain positive indices, one blank between them. False: nothing has been
+  // taken, and face() reads it with all cases in mind.
+  bool quick_face() {
+    constexpr size_t kMost = 16;
+    int32_t* vertices = out.corner_vertices.values.room(kMost);
+    int32_t* texcoords = with_slashes ? out.corner_texcoords.values.room(kMost) : nullptr;
+    int32_t* normals = with_slashes ? out.corner_normals.values.room(kMost) : nullptr;
+    const char* q = p;
+    size_t count = 0;
+    for (;;) {
+      while (*q == ' ') ++q;
+      if (is_line_end(*q)) break;
+      int32_t vertex, texcoord = kAbsent, normal_index = kAbsent;
+      if (count == kMost || !quick_index(q, vertex)) return false;
+      if (*q == '/') {
+        if (!with_slashes) return false;
+        ++q;
+        if (*q != '/' && !quick_index(q, texcoord)) return false;
+        if (*q == '/' && !quick_index(++q, normal_index)) return false;
+      }
+      if (static_cast<unsigned char>(*q) > ' ') return false;
+      vertices[count] = vertex;
+      if (with_slashes) {
+        texcoords[count] = texcoord;
+        normals[count] = normal_index;
+      }
+      ++count;
+    }
+    if (count < 3 || out.face_count == wanted) return false;
+    if (count != 3 || !out.face_sizes.empty()) {
+      if (out.face_sizes.empty()) out.face_sizes.fill(out.face_count, 3);
+      out.face_sizes.append(static_cast<uint32_t>(count));
+    }
+    out.corner_vertices.values.commit(count);
+    if (with_slashes) {
+      out.corner_texcoords.values.commit(count);
+      out.corner_normals.values.commit(count);
+    }
+    ++out.face_count;
+    p = q;
+    return true;
+  }
+
   // True if this is the face looked for.
   bool face() {
+    if (quick_face()) [[likely]]
+      return false;
     const size_t first = out.corner_vertices.values.size();
     for (;;) {
       skip_blanks();

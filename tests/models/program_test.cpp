@@ -239,3 +239,10 @@ TEST_CASE("program: the model that comes with softgl", "[models][program]") {
   CHECK(box.top <= 6);
   CHECK(box.bottom >= 375 - 7);
 }
+
+TEST_CASE("program: a file of vertices only is a point cloud", "[models][program]") {
+  const ProgramRun cloud = draw("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\n");
+  CHECK(cloud.exit_code == 0);
+  CHECK(has(cloud.errors, "the vertices are drawn as points"));
+  CHECK(parse_ppm(cloud.output).colours() == 2);
+}
