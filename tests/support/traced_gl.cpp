@@ -2,6 +2,7 @@
 
 #include <cctype>
 #include <cstring>
+#include <initializer_list>
 #include <string>
 #include <type_traits>
 
@@ -49,12 +50,27 @@ template <class T> void print_value(FILE* f, const char* name, T value) {
   }
 }
 
+// A Begin that is left out takes everything up to its End with it, and an End stays with its Begin.
+bool wanted(const char* name, int number) {
+  const bool skip = active->skip && number < int(active->skip->size()) && (*active->skip)[size_t(number)];
+  if (!std::strcmp(name, "Begin")) return active->primitive_skipped = skip, !skip;
+  if (!std::strcmp(name, "End")) {
+    const bool made = !active->primitive_skipped;
+    active->primitive_skipped = false;
+    return made;
+  }
+  // Without these the rest would read memory that nobody owns, or draw what is known to differ (smooth quads).
+  for (const char* part : {"Pointer", "Buffer", "Interleaved", "ShadeModel"})
+    if (std::strstr(name, part)) return true;
+  return !skip && !active->primitive_skipped;
+}
+
 template <auto Member> struct Wrapped;
 template <class R, class... A, R (*Gl::*Member)(A...)> struct Wrapped<Member> {
   static inline const char* name = "";
   static R call(A... arguments) {
     const int number = active->next++;
-    if (active->skip && number < int(active->skip->size()) && (*active->skip)[number]) return R();
+    if (!wanted(name, number)) return R();
     if (active->print) {
       std::fprintf(active->print, "/* %4d */ gl%s(", number, name);
       bool first = true;

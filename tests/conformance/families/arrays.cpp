@@ -99,7 +99,7 @@ void draw_batch(Stage& s, Memory& memory) {
   const bool vbo = r.chance(40);
   if (r.chance(15)) {
     // Interleaved: position and colour in one of glInterleavedArrays' formats
-    const GLenum format = GLenum(r.pick({GL_V2F, GL_V3F, GL_C4UB_V2F, GL_C4UB_V3F, GL_C3F_V3F, GL_C4F_N3F_V3F, GL_T2F_V3F, GL_T2F_C4UB_V3F}));
+    const GLenum format = GLenum(r.pick({mode == GL_QUADS ? GL_C3F_V3F : GL_V2F, mode == GL_QUADS ? GL_C3F_V3F : GL_V3F, GL_C4UB_V2F, GL_C4UB_V3F, GL_C3F_V3F, GL_C4F_N3F_V3F, mode == GL_QUADS ? GL_C3F_V3F : GL_T2F_V3F, GL_T2F_C4UB_V3F}));
     std::vector<float> values;
     auto ubyte_color = [&] {
       const uint32_t bits = uint32_t(r.bits());
@@ -132,8 +132,9 @@ void draw_batch(Stage& s, Memory& memory) {
     });
     gl.VertexPointer(position.size, position.type, position.stride, position.pointer);
     gl.EnableClientState(GL_VERTEX_ARRAY);
-    if (r.chance(85)) {
-      const GLenum color_type = GLenum(r.pick({GL_FLOAT, GL_UNSIGNED_BYTE, GL_UNSIGNED_BYTE, GL_BYTE, GL_SHORT, GL_UNSIGNED_SHORT, GL_INT, GL_UNSIGNED_INT, GL_DOUBLE}));
+    // Normalized short, int and unsigned int arrays: reference/DEVIATIONS.md. Quads of one colour are smooth to OSMesa.
+    if (mode == GL_QUADS || r.chance(85)) {
+      const GLenum color_type = GLenum(r.pick({GL_FLOAT, GL_UNSIGNED_BYTE, GL_UNSIGNED_BYTE, GL_BYTE, GL_UNSIGNED_SHORT, GL_DOUBLE}));
       const Array color = make_array(s, memory, count, r.integer(3, 4), color_type, true, vbo, [&](int, int) { return r.real(0, 1); });
       gl.ColorPointer(color.size, color.type, color.stride, color.pointer);
       gl.EnableClientState(GL_COLOR_ARRAY);
@@ -143,7 +144,7 @@ void draw_batch(Stage& s, Memory& memory) {
     }
     gl.Disable(GL_LIGHTING);
     if (r.chance(30)) {
-      const GLenum normal_type = GLenum(r.pick({GL_FLOAT, GL_BYTE, GL_SHORT, GL_INT, GL_DOUBLE}));
+      const GLenum normal_type = GLenum(r.pick({GL_FLOAT, GL_BYTE, GL_DOUBLE}));
       const Array normal = make_array(s, memory, count, 3, normal_type, true, vbo, [&](int, int) { return r.real(-1, 1); });
       gl.NormalPointer(normal.type, normal.stride, normal.pointer);
       gl.EnableClientState(GL_NORMAL_ARRAY);
@@ -154,7 +155,7 @@ void draw_batch(Stage& s, Memory& memory) {
     }
     gl.Disable(GL_COLOR_SUM);
     if (r.chance(20)) {
-      const GLenum secondary_type = GLenum(r.pick({GL_FLOAT, GL_UNSIGNED_BYTE, GL_SHORT, GL_UNSIGNED_SHORT, GL_DOUBLE}));
+      const GLenum secondary_type = GLenum(r.pick({GL_FLOAT, GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_DOUBLE}));
       const Array secondary = make_array(s, memory, count, 3, secondary_type, true, vbo, [&](int, int) { return r.real(0, 1); });
       gl.SecondaryColorPointer(secondary.size, secondary.type, secondary.stride, secondary.pointer);
       gl.EnableClientState(GL_SECONDARY_COLOR_ARRAY);

@@ -280,8 +280,8 @@ static void emit_texture_coordinates(Stage& s, const PrimitiveOptions& o) {
   }
 }
 
-static void emit_material(Stage& s) {
-  const GLenum face = s.random.pick({GL_FRONT, GL_BACK, GL_FRONT_AND_BACK});
+static void emit_material(Stage& s, bool front_only) {
+  const GLenum face = front_only ? GLenum(GL_FRONT) : GLenum(s.random.pick({GL_FRONT, GL_BACK, GL_FRONT_AND_BACK}));
   const Float4 c = s.random.color();
   switch (s.random.integer(0, 5)) {
   case 0: s.gl.Materialfv(face, GL_AMBIENT, c.data()); break;
@@ -314,7 +314,7 @@ void random_primitive(Stage& s, const PrimitiveOptions& o) {
       const Float3 n = s.random.direction();
       gl.Normal3fv(n.data());
     }
-    if (o.materials && s.random.chance(40)) emit_material(s);
+    if (o.materials && s.random.chance(40)) emit_material(s, o.front_materials);
     if (o.secondary_colors) {
       const Float4 c = s.random.color();
       gl.SecondaryColor3fv(c.data());

@@ -37,6 +37,7 @@ struct PrimitiveOptions {
   float texture_scale = 2;
   bool planar = false;         // z = 0
   bool materials = false;      // glMaterial between Begin and End
+  bool front_materials = false; // ... of the front face only
 };
 
 /// How many vertices `n` primitives of a mode need.

@@ -73,7 +73,8 @@ static void lit_batch(Stage& s, const LightingOptions& o) {
   const Float4 ambient = s.random.color();
   gl.LightModelfv(GL_LIGHT_MODEL_AMBIENT, ambient.data());
   gl.LightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, s.random.chance(40));
-  gl.LightModeli(GL_LIGHT_MODEL_TWO_SIDE, s.random.chance(40));
+  const bool two_sided = s.random.chance(40);
+  gl.LightModeli(GL_LIGHT_MODEL_TWO_SIDE, two_sided);
   gl.LightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, o.secondary && s.random.chance(35) ? GL_SEPARATE_SPECULAR_COLOR : GL_SINGLE_COLOR);
   if (s.random.chance(50)) {
     random_material(s, GL_FRONT_AND_BACK, !special);
@@ -83,7 +84,8 @@ static void lit_batch(Stage& s, const LightingOptions& o) {
   }
   const bool color_material = o.color_material && s.random.chance(35);
   if (color_material) {
-    const GLenum face = GLenum(s.random.pick({GL_FRONT, GL_BACK, GL_FRONT_AND_BACK}));
+    // A back material that varies under two-sided lighting: reference/DEVIATIONS.md.
+    const GLenum face = two_sided ? GLenum(GL_FRONT) : GLenum(s.random.pick({GL_FRONT, GL_BACK, GL_FRONT_AND_BACK}));
     gl.ColorMaterial(face, GLenum(s.random.pick({GL_EMISSION, GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_AMBIENT_AND_DIFFUSE})));
     gl.Enable(GL_COLOR_MATERIAL);
   } else {
@@ -112,6 +114,7 @@ static void lit_batch(Stage& s, const LightingOptions& o) {
     options.normals = true;
     options.colors = color_material || s.random.chance(20);
     options.materials = o.materials_inside && s.random.chance(30);
+    options.front_materials = two_sided;
     options.spread = s.random.chance(70) ? Spread::View : Spread::Any;
     gl.PointSize(7);
     random_primitive(s, options);
