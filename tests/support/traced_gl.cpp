@@ -59,8 +59,9 @@ bool wanted(const char* name, int number) {
     active->primitive_skipped = false;
     return made;
   }
-  // Without these the rest would read memory that nobody owns, or draw what is known to differ (smooth quads).
-  for (const char* part : {"Pointer", "Buffer", "Interleaved", "ShadeModel"})
+  // Without these the rest would read memory that nobody owns, crash OSMesa (an EndList alone), or draw what is known
+  // to differ (smooth quads).
+  for (const char* part : {"Pointer", "Buffer", "Interleaved", "ShadeModel", "NewList", "EndList"})
     if (std::strstr(name, part)) return true;
   return !skip && !active->primitive_skipped;
 }

@@ -97,6 +97,9 @@ void draw_batch(Stage& s, Memory& memory) {
   const int count = vertices_of(mode, primitives);
   const std::vector<Float4> p = random_positions(s, mode, count, r.chance(70) ? Spread::View : Spread::Any, false);
   const bool vbo = r.chance(40);
+  const Float4 current = r.color(); // arrays leave an undefined current colour behind them (2.8)
+  gl.Color4fv(current.data());
+  if (getenv("DBG")) for (auto&v:p) printf("%.9g %.9g %.9g %.9g\n",v[0],v[1],v[2],v[3]);
   if (r.chance(15)) {
     // Interleaved: position and colour in one of glInterleavedArrays' formats
     const GLenum format = GLenum(r.pick({mode == GL_QUADS ? GL_C3F_V3F : GL_V2F, mode == GL_QUADS ? GL_C3F_V3F : GL_V3F, GL_C4UB_V2F, GL_C4UB_V3F, GL_C3F_V3F, GL_C4F_N3F_V3F, mode == GL_QUADS ? GL_C3F_V3F : GL_T2F_V3F, GL_T2F_C4UB_V3F}));
@@ -132,19 +135,16 @@ void draw_batch(Stage& s, Memory& memory) {
     });
     gl.VertexPointer(position.size, position.type, position.stride, position.pointer);
     gl.EnableClientState(GL_VERTEX_ARRAY);
-    // Normalized short, int and unsigned int arrays: reference/DEVIATIONS.md. Quads of one colour are smooth to OSMesa.
+    // Normalized arrays of signed integers and of unsigned int: reference/DEVIATIONS.md. Quads of one colour are smooth to OSMesa.
     if (mode == GL_QUADS || r.chance(85)) {
-      const GLenum color_type = GLenum(r.pick({GL_FLOAT, GL_UNSIGNED_BYTE, GL_UNSIGNED_BYTE, GL_BYTE, GL_UNSIGNED_SHORT, GL_DOUBLE}));
+      const GLenum color_type = GLenum(r.pick({GL_FLOAT, GL_UNSIGNED_BYTE, GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_DOUBLE}));
       const Array color = make_array(s, memory, count, r.integer(3, 4), color_type, true, vbo, [&](int, int) { return r.real(0, 1); });
       gl.ColorPointer(color.size, color.type, color.stride, color.pointer);
       gl.EnableClientState(GL_COLOR_ARRAY);
-    } else {
-      const Float4 c = r.color();
-      gl.Color4fv(c.data());
     }
     gl.Disable(GL_LIGHTING);
     if (r.chance(30)) {
-      const GLenum normal_type = GLenum(r.pick({GL_FLOAT, GL_BYTE, GL_DOUBLE}));
+      const GLenum normal_type = GLenum(r.pick({GL_FLOAT, GL_DOUBLE}));
       const Array normal = make_array(s, memory, count, 3, normal_type, true, vbo, [&](int, int) { return r.real(-1, 1); });
       gl.NormalPointer(normal.type, normal.stride, normal.pointer);
       gl.EnableClientState(GL_NORMAL_ARRAY);
