@@ -99,7 +99,6 @@ void draw_batch(Stage& s, Memory& memory) {
   const bool vbo = r.chance(40);
   const Float4 current = r.color(); // arrays leave an undefined current colour behind them (2.8)
   gl.Color4fv(current.data());
-  if (getenv("DBG")) for (auto&v:p) printf("%.9g %.9g %.9g %.9g\n",v[0],v[1],v[2],v[3]);
   if (r.chance(15)) {
     // Interleaved: position and colour in one of glInterleavedArrays' formats
     const GLenum format = GLenum(r.pick({mode == GL_QUADS ? GL_C3F_V3F : GL_V2F, mode == GL_QUADS ? GL_C3F_V3F : GL_V3F, GL_C4UB_V2F, GL_C4UB_V3F, GL_C3F_V3F, GL_C4F_N3F_V3F, mode == GL_QUADS ? GL_C3F_V3F : GL_T2F_V3F, GL_T2F_C4UB_V3F}));
