@@ -53,12 +53,16 @@ template <class T> void print_value(FILE* f, const char* name, T value) {
 // A Begin that is left out takes everything up to its End with it, and an End stays with its Begin.
 bool wanted(const char* name, int number) {
   const bool skip = active->skip && number < int(active->skip->size()) && (*active->skip)[size_t(number)];
+  if (!std::strcmp(name, "Begin") || !std::strcmp(name, "End")) active->in_primitive = name[0] == 'B';
   if (!std::strcmp(name, "Begin")) return active->primitive_skipped = skip, !skip;
   if (!std::strcmp(name, "End")) {
     const bool made = !active->primitive_skipped;
     active->primitive_skipped = false;
     return made;
   }
+  // OSMesa has an answer of its own to a list that lacks an attribute at first: primitives in lists stay whole.
+  if (!std::strcmp(name, "NewList") || !std::strcmp(name, "EndList")) active->in_list = name[0] == 'N';
+  if (active->in_list && active->in_primitive) return !active->primitive_skipped;
   // Without these the rest would read memory that nobody owns, crash OSMesa (an EndList alone), or draw what is known
   // to differ (smooth quads).
   for (const char* part : {"Pointer", "Buffer", "Interleaved", "ShadeModel", "NewList", "EndList"})

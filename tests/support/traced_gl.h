@@ -12,6 +12,7 @@ struct CallFilter {
   const std::vector<bool>* skip = nullptr; // by call number; calls beyond its end are made
   FILE* print = nullptr;                   // one line for each call that is made
   int next = 0;                            // number of the next call
+  bool in_list = false, in_primitive = false;
   bool primitive_skipped = false;          // between a Begin that was left out and its End
 };
 

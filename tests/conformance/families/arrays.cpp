@@ -99,6 +99,7 @@ void draw_batch(Stage& s, Memory& memory) {
   const bool vbo = r.chance(40);
   const Float4 current = r.color(); // arrays leave an undefined current colour behind them (2.8)
   gl.Color4fv(current.data());
+  for (GLenum capability : {GL_LIGHTING, GL_COLOR_SUM, GL_FOG}) gl.Disable(capability);
   if (r.chance(15)) {
     // Interleaved: position and colour in one of glInterleavedArrays' formats
     const GLenum format = GLenum(r.pick({mode == GL_QUADS ? GL_C3F_V3F : GL_V2F, mode == GL_QUADS ? GL_C3F_V3F : GL_V3F, GL_C4UB_V2F, GL_C4UB_V3F, GL_C3F_V3F, GL_C4F_N3F_V3F, mode == GL_QUADS ? GL_C3F_V3F : GL_T2F_V3F, GL_T2F_C4UB_V3F}));
@@ -141,7 +142,6 @@ void draw_batch(Stage& s, Memory& memory) {
       gl.ColorPointer(color.size, color.type, color.stride, color.pointer);
       gl.EnableClientState(GL_COLOR_ARRAY);
     }
-    gl.Disable(GL_LIGHTING);
     if (r.chance(30)) {
       const GLenum normal_type = GLenum(r.pick({GL_FLOAT, GL_DOUBLE}));
       const Array normal = make_array(s, memory, count, 3, normal_type, true, vbo, [&](int, int) { return r.real(-1, 1); });
@@ -152,7 +152,6 @@ void draw_batch(Stage& s, Memory& memory) {
       gl.Enable(GL_NORMALIZE);
       gl.Enable(GL_COLOR_MATERIAL);
     }
-    gl.Disable(GL_COLOR_SUM);
     if (r.chance(20)) {
       const GLenum secondary_type = GLenum(r.pick({GL_FLOAT, GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_DOUBLE}));
       const Array secondary = make_array(s, memory, count, 3, secondary_type, true, vbo, [&](int, int) { return r.real(0, 1); });
@@ -160,7 +159,6 @@ void draw_batch(Stage& s, Memory& memory) {
       gl.EnableClientState(GL_SECONDARY_COLOR_ARRAY);
       gl.Enable(GL_COLOR_SUM);
     }
-    gl.Disable(GL_FOG);
     if (r.chance(20)) {
       const Array fog = make_array(s, memory, count, 1, GLenum(r.pick({GL_FLOAT, GL_DOUBLE})), false, vbo, [&](int, int) { return r.real(0, 3); });
       gl.FogCoordPointer(fog.type, fog.stride, fog.pointer);
