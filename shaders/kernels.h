@@ -29,9 +29,8 @@ struct RasterKernels {
   const char* isa;
   /// Culls and classifies a batch and shades the fragments of its small triangles.
   void (*prepare_triangles)(const RasterDraw& draw, const TriangleInput& in, TriangleOutput& out, FragmentBlock& scratch);
-  /// Sets up `count` triangles of the batch, whose numbers are given, into *record[i].
-  void (*setup_triangles)(const RasterDraw& draw, const TriangleInput& in, const bool* negative, const uint8_t* triangle,
-                          int32_t count, RasterPrimitive* const* record);
+  /// Sets up the large triangles of a prepared batch into *record[i].
+  void (*setup_triangles)(const RasterDraw& draw, const TriangleOutput& batch, RasterPrimitive* const* record);
   /// Draws primitives, or merges finished fragments, into one tile in order.
   void (*tile_primitives)(const TileTarget& tile, const RasterDraw& draw, const RasterPrimitive* const* primitive,
                           int32_t count, FragmentBlock& scratch);

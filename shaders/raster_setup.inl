@@ -91,11 +91,10 @@ SOFTGL_INLINE EdgeV edge_of(IntV xi, IntV yi, IntV xj, IntV yj) {
   return e;
 }
 
-/// Box masks [h][w]: the pixels (bit 4 * dy + dx) of a box of w + 1 by h + 1.
-static const uint16_t kBoxMask[4][4] = {{0x0001, 0x0003, 0x0007, 0x000f},
-                                        {0x0011, 0x0033, 0x0077, 0x00ff},
-                                        {0x0111, 0x0333, 0x0777, 0x0fff},
-                                        {0x1111, 0x3333, 0x7777, 0xffff}};
+/// The pixels (bit 8 * dy + dx) of a box of w + 1 by h + 1.
+SOFTGL_INLINE uint64_t small_box_mask(int32_t w, int32_t h) {
+  return ((uint64_t(0xff) >> (7 - w)) * 0x0101010101010101u) & (~uint64_t(0) >> (8 * (7 - h)));
+}
 
 /// Classifies a batch. Small triangles give their covered pixels in out.x, out.y, out.triangle.
 static void classify_triangles(const RasterDraw& draw, const TriangleInput& in, TriangleOutput& out) {
@@ -149,47 +148,53 @@ static void classify_triangles(const RasterDraw& draw, const TriangleInput& in, 
       }
     }
     if (alive == 0) continue;
-    uint32_t small = draw.small ? alive & sign_bits(extent_fits & (w < kSmallBox) & (h < kSmallBox)) : 0;
+    const IntV fits = extent_fits & (w < kSmallBox) & (h < kSmallBox) & (multiply(w + 1, h + 1) <= kSmallArea);
+    uint32_t small = draw.small ? alive & sign_bits(fits) : 0;
+    const uint32_t large = alive & ~small;
 
-    alignas(64) int32_t covered[kWidth], wh[kWidth], ox[kWidth], oy[kWidth];
+    alignas(64) int32_t upper[kWidth], lower[kWidth], wide_by[kWidth], high_by[kWidth], ox[kWidth], oy[kWidth];
     if (small) {
-      const IntV zero = IntV{};
+      const IntV zero = IntV{}, mine = mask_of_bits(small);
       const IntV origin_x = px0 << 8, origin_y = py0 << 8;
       const IntV x0 = choose(negative, x[1], x[0]) - origin_x, y0 = choose(negative, y[1], y[0]) - origin_y;
       const IntV x1 = choose(negative, x[0], x[1]) - origin_x, y1 = choose(negative, y[0], y[1]) - origin_y;
       const IntV x2 = x[2] - origin_x, y2 = y[2] - origin_y;
       EdgeV e0 = edge_of(x0, y0, x1, y1), e1 = edge_of(x1, y1, x2, y2), e2 = edge_of(x2, y2, x0, y0);
-      const uint32_t w1 = sign_bits(zero < w) & small, w2 = sign_bits(1 < w) & small, w3 = sign_bits(2 < w) & small;
-      const uint32_t h1 = sign_bits(zero < h) & small, h2 = sign_bits(1 < h) & small, h3 = sign_bits(2 < h) & small;
-      const int columns = 1 + (w1 != 0) + (w2 != 0) + (w3 != 0), rows = 1 + (h1 != 0) + (h2 != 0) + (h3 != 0);
-      IntV mask = zero;
+      int columns = 1, rows = 1;
+      while (columns < kSmallBox && sign_bits((w >= columns) & mine)) ++columns;
+      while (rows < kSmallBox && sign_bits((h >= rows) & mine)) ++rows;
+      IntV mask[2] = {zero, zero};
       for (int dy = 0; dy < rows; ++dy) {
         IntV r0 = e0.c, r1 = e1.c, r2 = e2.c;
+        UintV bits = UintV{}; // bit dx, counted from the top
         for (int dx = 0; dx < columns; ++dx) {
-          const IntV inside = ~(r0 | r1 | r2);
-          mask |= ((IntV)((UintV)inside >> 31)) << (4 * dy + dx);
+          bits = (bits >> 1) | ((UintV)~(r0 | r1 | r2) & 0x80000000u);
           r0 -= e0.a, r1 -= e1.a, r2 -= e2.a;
         }
+        mask[dy >> 2] |= (IntV)((bits >> (32 - columns)) << (8 * (dy & 3)));
         e0.c += e0.b, e1.c += e1.b, e2.c += e2.b;
       }
-      small &= sign_bits(mask > 0);
-      store(covered, mask);
-      store(wh, (h << 2) | w);
-      store(ox, px0);
-      store(oy, py0);
+      small &= ~sign_bits((mask[0] | mask[1]) == zero);
+      store(upper, mask[0]), store(lower, mask[1]);
+      store(wide_by, w), store(high_by, h);
+      store(ox, px0), store(oy, py0);
     }
-    const uint32_t large = alive & (draw.small ? ~sign_bits(extent_fits & (w < kSmallBox) & (h < kSmallBox)) : ~0u);
     for (uint32_t bits = small | large; bits; bits &= bits - 1) {
       const int i = __builtin_ctz(bits);
-      out.negative[base + i] = negative_bits >> i & 1;
+      const uint32_t swapped = negative_bits >> i & 1;
+      out.corner[base + i][0] = in.corner[swapped][base + i]->v;
+      out.corner[base + i][1] = in.corner[swapped ^ 1][base + i]->v;
+      out.corner[base + i][2] = in.corner[2][base + i]->v;
+      out.back[base + i] = (r.back != 0) != (swapped != 0);
       if (large >> i & 1) {
         out.large[out.large_count++] = uint8_t(base + i);
         continue;
       }
-      for (uint32_t m = uint32_t(covered[i]) & (&kBoxMask[0][0])[wh[i]]; m; m &= m - 1) {
-        const int bit = __builtin_ctz(m);
-        out.x[fragments] = ox[i] + (bit & 3);
-        out.y[fragments] = oy[i] + (bit >> 2);
+      const int32_t left = ox[i], top = oy[i];
+      for (uint64_t m = (uint64_t(uint32_t(lower[i])) << 32 | uint32_t(upper[i])) & small_box_mask(wide_by[i], high_by[i]); m; m &= m - 1) {
+        const int bit = __builtin_ctzll(m);
+        out.x[fragments] = left + (bit & 7);
+        out.y[fragments] = top + (bit >> 3);
         out.triangle[fragments++] = uint8_t(base + i);
       }
     }
@@ -197,58 +202,46 @@ static void classify_triangles(const RasterDraw& draw, const TriangleInput& in, 
   out.fragment_count = fragments;
 }
 
-/// Pointers to the corners of kWidth triangles, corners 0 and 1 exchanged where the area is negative.
+/// Pointers to the corners of kWidth triangles.
 struct CornerPlaces {
   const float* p[3][kWidth];
-  IntV back; // all ones: back-facing
+  bool back[kWidth];
 };
 
-SOFTGL_INLINE void find_corners(const RasterDraw& draw, const TriangleInput& in, const bool* negative,
-                                const uint8_t* triangle, CornerPlaces& c) {
-  alignas(64) int32_t back[kWidth];
+SOFTGL_INLINE void find_corners(const TriangleOutput& batch, const uint8_t* triangle, CornerPlaces& c) {
   for (int i = 0; i < kWidth; ++i) {
     const int t = triangle[i];
-    const bool n = negative[t];
-    c.p[0][i] = in.corner[n ? 1 : 0][t]->v;
-    c.p[1][i] = in.corner[n ? 0 : 1][t]->v;
-    c.p[2][i] = in.corner[2][t]->v;
-    back[i] = (draw.raster->back != 0) != n ? -1 : 0;
+    for (int k = 0; k < 3; ++k) c.p[k][i] = batch.corner[t][k];
+    c.back[i] = batch.back[t];
   }
-  c.back = load(back);
 }
 
 /// Loads slot `slot` (or `back_slot` where the triangle is back-facing) of the three corners.
 SOFTGL_INLINE void load_slot(const CornerPlaces& c, int slot, int back_slot, bool two_sided, FloatV out[3][4]) {
-  const float* place[kWidth];
   if (two_sided) {
-    alignas(64) int32_t back[kWidth];
-    store(back, c.back);
+    const float* place[kWidth];
     for (int k = 0; k < 3; ++k) {
-      for (int i = 0; i < kWidth; ++i) place[i] = c.p[k][i] + 4 * (back[i] ? back_slot : slot);
+      for (int i = 0; i < kWidth; ++i) place[i] = c.p[k][i] + 4 * (c.back[i] ? back_slot : slot);
       load_transposed(place, out[k]);
     }
     return;
   }
-  for (int k = 0; k < 3; ++k) {
-    for (int i = 0; i < kWidth; ++i) place[i] = c.p[k][i] + 4 * slot;
-    load_transposed(place, out[k]);
-  }
+  for (int k = 0; k < 3; ++k) load_transposed(c.p[k], out[k], 4 * slot);
 }
 
-/// Sets up `count` large triangles: planes and edges into *record[i].
-static void setup_triangles(const RasterDraw& draw, const TriangleInput& in, const bool* negative,
-                            const uint8_t* triangle, int32_t count, RasterPrimitive* const* record) {
+/// Sets up the large triangles of a batch: planes and edges into *record[i].
+static void setup_triangles(const RasterDraw& draw, const TriangleOutput& batch, RasterPrimitive* const* record) {
   const RasterConstants& r = *draw.raster;
   const FragmentKey& key = draw.program->key;
   alignas(64) float planes[kMaxPlanes][3][kWidth];
   alignas(64) float offset[kWidth];
   alignas(64) int32_t x[3][kWidth], y[3][kWidth];
-  for (int32_t base = 0; base < count; base += kWidth) {
-    const int lanes = count - base < kWidth ? count - base : kWidth;
+  for (int32_t base = 0; base < batch.large_count; base += kWidth) {
+    const int lanes = batch.large_count - base < kWidth ? batch.large_count - base : kWidth;
     uint8_t numbers[kWidth];
-    for (int i = 0; i < kWidth; ++i) numbers[i] = triangle[base + (i < lanes ? i : 0)];
+    for (int i = 0; i < kWidth; ++i) numbers[i] = batch.large[base + (i < lanes ? i : 0)];
     CornerPlaces c;
-    find_corners(draw, in, negative, numbers, c);
+    find_corners(batch, numbers, c);
     FloatV p[3][4];
     load_slot(c, 0, 0, false, p);
     for (int k = 0; k < 3; ++k) {

@@ -22,10 +22,13 @@ static void shade_small(const RasterDraw& draw, const TriangleInput& in, Triangl
     for (int j = 0; j < lanes; j += kWidth) {
       const int32_t f = first + j;
       CornerPlaces c;
-      find_corners(draw, in, out.negative, out.triangle + f, c);
+      find_corners(out, out.triangle + f, c);
       FloatV p[3][4], a[3][4];
       load_slot(c, 0, 0, false, p);
-      const FloatV x = to_float(load(out.x + f)), y = to_float(load(out.y + f));
+      const IntV px = load(out.x + f), py = load(out.y + f);
+      const FloatV x = to_float(px), y = to_float(py);
+      store(out.tile + f, multiply(py >> 6, splat(in.tiles_x)) + (px >> 6));
+      store(out.pixel + f, ((py & 56) << 6) | ((px & 56) << 3) | ((py & 7) << 3) | (px & 7));
       const PlaneBasis basis = plane_basis(p[0], p[1], p[2]);
       FloatV z = value_at(plane_of(basis, p[0][2], p[1][2], p[2][2]), x, y);
       z += r.offset ? depth_offset(basis, p[0][2], p[1][2], p[2][2], r) : FloatV{};

@@ -42,30 +42,26 @@ void TileBinner::bin(const RasterPrimitive& p) {
 
 void TileBinner::append_fragments(const TriangleOutput& out, int32_t first, int32_t last) {
   const bool killing = draw_->program->key.alpha_function != static_cast<uint64_t>(Compare::Always);
-  auto tile_of = [&](int32_t i) { return static_cast<uint32_t>((out.y[i] >> 6) * tiles_x_ + (out.x[i] >> 6)); };
   for (int32_t i = first; i < last;) {
     if (killing && !out.live[i]) {
       ++i;
       continue;
     }
-    const uint32_t tile = tile_of(i);
+    const uint32_t tile = out.tile[i];
     int32_t end = i + 1;
-    while (end < last && tile_of(end) == tile && !(killing && !out.live[end])) ++end;
+    if (killing) while (end < last && out.tile[end] == tile && out.live[end]) ++end;
+    else while (end < last && out.tile[end] == tile) ++end;
     while (i < end) {
       uint32_t given = 0;
       SmallFragment* f = lists_.append_fragments(tile, draw_, static_cast<uint32_t>(end - i), given);
-      for (uint32_t k = 0; k < given; ++k, ++i, ++f) {
-        f->pixel = static_cast<uint32_t>(pixel_in_tile(out.x[i], out.y[i]));
-        f->depth = out.depth[i];
-        f->color = out.color[i];
-      }
+      for (const int32_t stop = i + static_cast<int32_t>(given); i < stop; ++i, ++f) *f = {out.pixel[i], out.depth[i], out.color[i]};
     }
   }
 }
 
 void TileBinner::triangles(const DrawRecord&, const AssembledTriangles& batch) {
   if (draw_->raster->cull == 3) return;
-  const TriangleInput in = {batch.count, {batch.corner[0], batch.corner[1], batch.corner[2]}};
+  const TriangleInput in = {batch.count, tiles_x_, {batch.corner[0], batch.corner[1], batch.corner[2]}};
   TriangleOutput& out = scratch_.output;
   kernels_.raster->prepare_triangles(*draw_, in, out, scratch_.block);
   if (out.large_count == 0) {
@@ -74,7 +70,7 @@ void TileBinner::triangles(const DrawRecord&, const AssembledTriangles& batch) {
   }
   RasterPrimitive* record[kSetupBatch];
   for (int32_t i = 0; i < out.large_count; ++i) record[i] = new_primitive();
-  kernels_.raster->setup_triangles(*draw_, in, out.negative, out.large, out.large_count, record);
+  kernels_.raster->setup_triangles(*draw_, out, record);
   // Small and large triangles enter the lists in the order of their numbers.
   int32_t fragment = 0;
   for (int32_t i = 0; i < out.large_count; ++i) {
