@@ -18,7 +18,8 @@ struct osmesa_context : Context {
 
 namespace {
 
-constexpr int kMaxSize = 16384;
+constexpr int kMaxSize = 16384;      // what is promised
+constexpr int kSizeLimit = 1 << 16;  // what the rasterizer's fixed-point coordinates can hold
 
 osmesa_context* current() {
   Context* c = current_context;
@@ -135,10 +136,8 @@ SOFTGL_EXPORT OSMesaContext OSMesaCreateContextAttribs(const int* attribList, OS
 
 SOFTGL_EXPORT void OSMesaDestroyContext(OSMesaContext ctx) {
   if (!ctx) return;
-  if (current_context == ctx) {
-    leave(ctx);
-    current_context = none_context();
-  }
+  // The buffer is not written: programs free it first and then destroy the context.
+  if (current_context == ctx) current_context = none_context();
   delete ctx;
 }
 
@@ -148,7 +147,7 @@ SOFTGL_EXPORT GLboolean OSMesaMakeCurrent(OSMesaContext ctx, void* buffer, GLenu
     current_context = none_context();
     return GL_TRUE;
   }
-  if (!ctx || !buffer || width < 1 || height < 1) return GL_FALSE;
+  if (!ctx || !buffer || width < 1 || height < 1 || width > kSizeLimit || height > kSizeLimit) return GL_FALSE;
   ColorFormat color_format;
   if (!choose_color_format(ctx->format, type, color_format)) {
     std::fprintf(stderr, "OSMesaMakeCurrent(unsupported format/type)\n");

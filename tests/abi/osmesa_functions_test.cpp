@@ -167,6 +167,18 @@ TEST_CASE("A context that loses its thread to another writes its buffer", "[abi]
   });
 }
 
+TEST_CASE("Destroying the current context leaves the buffer alone", "[abi]") {
+  same_answers([](const Gl& gl, Log& log) {
+    std::vector<unsigned char> buffer(8 * 8 * 4, 0x77);
+    void* context = gl.OSMesaCreateContext(GL_RGBA, nullptr);
+    gl.OSMesaMakeCurrent(context, buffer.data(), GL_UNSIGNED_BYTE, 8, 8);
+    gl.ClearColor(1, 1, 1, 1);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+    gl.OSMesaDestroyContext(context);
+    log.add(sum_of(buffer), gl.OSMesaGetCurrentContext() == nullptr);
+  });
+}
+
 TEST_CASE("Rows of the buffer: every format, upside down and with gaps", "[abi]") {
   const struct { GLenum format, type; int bytes; } kinds[] = {
       {GL_RGBA, GL_UNSIGNED_BYTE, 4}, {1, GL_UNSIGNED_BYTE, 4},  {2, GL_UNSIGNED_BYTE, 4},  {GL_RGB, GL_UNSIGNED_BYTE, 3},
