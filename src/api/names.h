@@ -9,9 +9,8 @@ namespace softgl {
 struct NamedDoor {
   const char* name;
   void (*door)();
-  bool built; // false: the door only raises GL_INVALID_OPERATION, so nobody may find it
 };
-extern const NamedDoor kNamedDoors[]; // sorted by name
+extern const NamedDoor kNamedDoors[]; // of built commands, sorted by name
 extern const size_t kNamedDoorCount;
 
 struct NamedEnum {
@@ -21,7 +20,8 @@ struct NamedEnum {
 extern const NamedEnum kNamedEnums[]; // sorted by value
 extern const size_t kNamedEnumCount;
 
-/// The entry point of that name, or null when there is none or it is not built.
+/// The entry point of that name, or null when there is none.
+/// One that only raises GL_INVALID_OPERATION does not count.
 void (*find_door(const char* name))();
 /// "GL_DEPTH_TEST" for 0x0b71; "0x1234" for an unknown one. The pointer is good until the thread's next call.
 const char* enum_name(uint32_t value);

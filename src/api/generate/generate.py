@@ -224,9 +224,6 @@ def plain_door(row, door, command, export_name):
             f"{', '.join(p.declaration(p.name in re.findall(WORD, used)) for p in command.parameters)})")
     arguments = "".join(", " + g for g in given)
     lines = [f"{head} try {{\n", "  Context& c = *current_context;\n"]
-    if row.built == "auto":
-        fail = f"{{ unbuilt_command(); return{result}; }}" if result else "return unbuilt_command();"
-        lines.append(f"  if (!gl::{row.name}) {fail}\n")
     nulls = null_check(row, command)
     if nulls:
         lines.append(f"  if ({nulls}) [[unlikely]] return{result};\n")
@@ -296,8 +293,6 @@ def compiler(row):
 def playback_case(row):
     arguments = "".join(f", r.{n}" for _, n, _ in row.parameters)
     lines = [f"    case Opcode::{row.name}: {{\n"]
-    if row.built == "auto":
-        lines.append(f"      if (!gl::{row.name}) return unbuilt_command();\n")
     if row.parameters:
         lines.append(f"      const auto& r = *static_cast<const {row.name}Arguments*>(arguments);\n")
     if row.payload.startswith("image:"):
@@ -342,13 +337,11 @@ def generate(registry):
         sys.exit("symbols.txt lacks " + ", ".join(sorted(unseen)))
 
     files = {}
-    auto = [r for r in rows if r.built == "auto"]
     text = BANNER + "// The canonical commands: what the doors of the C API call, once per idea.\n#pragma once\n\n" \
         "#include \"base/gl_types.h\"\n\nnamespace softgl {\nstruct Context;\n}\n\nnamespace softgl::gl {\n\n"
     for row in rows:
         if row.built != "no":
-            weak = "[[gnu::weak]] " if row.built == "auto" else ""
-            text += f"{weak}{row.declaration()};\n"
+            text += f"{row.declaration()};\n"
     files["commands.h"] = text + "\n} // namespace softgl::gl\n"
 
     files["doors_attributes.cpp"] = (
@@ -403,12 +396,11 @@ def generate(registry):
     # The doors are named by their symbols, because the prototypes of gl.h must not be contradicted.
     real = [(n, row) for n, row in names if row is None or row.built != "no"]
     text = BANNER + "// Entry points by name, sorted, for OSMesaGetProcAddress; and tokens by value, for messages.\n\n" \
-        "#include \"api/names.h\"\n\n#include \"api/generated/commands.h\"\n\n#define DOOR(name) " \
+        "#include \"api/names.h\"\n\n#define DOOR(name) " \
         "extern \"C\" __attribute__((visibility(\"default\"))) void door_##name() __asm__(#name)\n"
     text += "".join(f"DOOR(gl{n});\n" for n, _ in real) + "\nnamespace softgl {\n\nconst NamedDoor kNamedDoors[] = {\n"
     for n, row in real:
-        built = f"gl::{row.name} != nullptr" if row is not None and row.built == "auto" else "true"
-        text += f"    {{\"gl{n}\", door_gl{n}, {built}}},\n"
+        text += f"    {{\"gl{n}\", door_gl{n}}},\n"
     text += "};\nconst size_t kNamedDoorCount = sizeof kNamedDoors / sizeof kNamedDoors[0];\n\n"
     text += "const NamedEnum kNamedEnums[] = {\n"
     text += "".join(f"    {{0x{v:04x}, \"{enums[v]}\"}},\n" for v in sorted(enums))

@@ -10,20 +10,9 @@ using namespace softgl;
 
 extern "C" {
 
-SOFTGL_EXPORT void APIENTRY glAccum(GLenum op, GLfloat value) try {
-  Context& c = *current_context;
-  if (!gl::Accum) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_Accum(c, op, value);
-    if (!may_execute(c)) return;
-  }
-  gl::Accum(c, op, value);
-} catch (...) {
-  out_of_memory();
-}
+SOFTGL_EXPORT void APIENTRY glAccum(GLenum, GLfloat) { unbuilt_command(); }
 SOFTGL_EXPORT void APIENTRY glActiveTexture(GLenum texture) try {
   Context& c = *current_context;
-  if (!gl::ActiveTexture) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_ActiveTexture(c, texture);
     if (!may_execute(c)) return;
@@ -34,7 +23,6 @@ SOFTGL_EXPORT void APIENTRY glActiveTexture(GLenum texture) try {
 }
 SOFTGL_EXPORT void APIENTRY glActiveTextureARB(GLenum texture) try {
   Context& c = *current_context;
-  if (!gl::ActiveTexture) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_ActiveTexture(c, texture);
     if (!may_execute(c)) return;
@@ -45,7 +33,6 @@ SOFTGL_EXPORT void APIENTRY glActiveTextureARB(GLenum texture) try {
 }
 SOFTGL_EXPORT void APIENTRY glAlphaFunc(GLenum func, GLfloat ref) try {
   Context& c = *current_context;
-  if (!gl::AlphaFunc) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_AlphaFunc(c, func, ref);
     if (!may_execute(c)) return;
@@ -56,7 +43,6 @@ SOFTGL_EXPORT void APIENTRY glAlphaFunc(GLenum func, GLfloat ref) try {
 }
 SOFTGL_EXPORT GLboolean APIENTRY glAreTexturesResident(GLsizei n, const GLuint* textures, GLboolean* residences) try {
   Context& c = *current_context;
-  if (!gl::AreTexturesResident) { unbuilt_command(); return 0; }
   if ((!textures && n > 0) || (!residences && n > 0)) [[unlikely]] return 0;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
   return gl::AreTexturesResident(c, n, textures, residences);
@@ -66,7 +52,6 @@ SOFTGL_EXPORT GLboolean APIENTRY glAreTexturesResident(GLsizei n, const GLuint* 
 }
 SOFTGL_EXPORT void APIENTRY glArrayElement(GLint i) try {
   Context& c = *current_context;
-  if (!gl::ArrayElement) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   gl::ArrayElement(c, i);
 } catch (...) {
@@ -74,7 +59,6 @@ SOFTGL_EXPORT void APIENTRY glArrayElement(GLint i) try {
 }
 SOFTGL_EXPORT void APIENTRY glArrayElementEXT(GLint i) try {
   Context& c = *current_context;
-  if (!gl::ArrayElement) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   gl::ArrayElement(c, i);
 } catch (...) {
@@ -82,37 +66,15 @@ SOFTGL_EXPORT void APIENTRY glArrayElementEXT(GLint i) try {
 }
 SOFTGL_EXPORT void APIENTRY glBegin(GLenum mode) try {
   Context& c = *current_context;
-  if (!gl::Begin) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   gl::Begin(c, mode);
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glBeginQuery(GLenum target, GLuint id) try {
-  Context& c = *current_context;
-  if (!gl::BeginQuery) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_BeginQuery(c, target, id);
-    if (!may_execute(c)) return;
-  }
-  gl::BeginQuery(c, target, id);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glBeginQueryARB(GLenum target, GLuint id) try {
-  Context& c = *current_context;
-  if (!gl::BeginQuery) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_BeginQuery(c, target, id);
-    if (!may_execute(c)) return;
-  }
-  gl::BeginQuery(c, target, id);
-} catch (...) {
-  out_of_memory();
-}
+SOFTGL_EXPORT void APIENTRY glBeginQuery(GLenum, GLuint) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glBeginQueryARB(GLenum, GLuint) { unbuilt_command(); }
 SOFTGL_EXPORT void APIENTRY glBindBuffer(GLenum target, GLuint buffer) try {
   Context& c = *current_context;
-  if (!gl::BindBuffer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::BindBuffer(c, target, buffer);
 } catch (...) {
@@ -120,7 +82,6 @@ SOFTGL_EXPORT void APIENTRY glBindBuffer(GLenum target, GLuint buffer) try {
 }
 SOFTGL_EXPORT void APIENTRY glBindBufferARB(GLenum target, GLuint buffer) try {
   Context& c = *current_context;
-  if (!gl::BindBuffer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::BindBuffer(c, target, buffer);
 } catch (...) {
@@ -128,7 +89,6 @@ SOFTGL_EXPORT void APIENTRY glBindBufferARB(GLenum target, GLuint buffer) try {
 }
 SOFTGL_EXPORT void APIENTRY glBindTexture(GLenum target, GLuint texture) try {
   Context& c = *current_context;
-  if (!gl::BindTexture) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_BindTexture(c, target, texture);
     if (!may_execute(c)) return;
@@ -139,7 +99,6 @@ SOFTGL_EXPORT void APIENTRY glBindTexture(GLenum target, GLuint texture) try {
 }
 SOFTGL_EXPORT void APIENTRY glBindTextureEXT(GLenum target, GLuint texture) try {
   Context& c = *current_context;
-  if (!gl::BindTexture) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_BindTexture(c, target, texture);
     if (!may_execute(c)) return;
@@ -148,20 +107,9 @@ SOFTGL_EXPORT void APIENTRY glBindTextureEXT(GLenum target, GLuint texture) try 
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glBitmap(GLsizei width, GLsizei height, GLfloat xorig, GLfloat yorig, GLfloat xmove, GLfloat ymove, const GLubyte* bitmap) try {
-  Context& c = *current_context;
-  if (!gl::Bitmap) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_Bitmap(c, width, height, xorig, yorig, xmove, ymove, bitmap);
-    if (!may_execute(c)) return;
-  }
-  gl::Bitmap(c, width, height, xorig, yorig, xmove, ymove, bitmap);
-} catch (...) {
-  out_of_memory();
-}
+SOFTGL_EXPORT void APIENTRY glBitmap(GLsizei, GLsizei, GLfloat, GLfloat, GLfloat, GLfloat, const GLubyte*) { unbuilt_command(); }
 SOFTGL_EXPORT void APIENTRY glBlendColor(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) try {
   Context& c = *current_context;
-  if (!gl::BlendColor) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_BlendColor(c, red, green, blue, alpha);
     if (!may_execute(c)) return;
@@ -172,7 +120,6 @@ SOFTGL_EXPORT void APIENTRY glBlendColor(GLfloat red, GLfloat green, GLfloat blu
 }
 SOFTGL_EXPORT void APIENTRY glBlendColorEXT(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) try {
   Context& c = *current_context;
-  if (!gl::BlendColor) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_BlendColor(c, red, green, blue, alpha);
     if (!may_execute(c)) return;
@@ -183,7 +130,6 @@ SOFTGL_EXPORT void APIENTRY glBlendColorEXT(GLfloat red, GLfloat green, GLfloat 
 }
 SOFTGL_EXPORT void APIENTRY glBlendEquation(GLenum mode) try {
   Context& c = *current_context;
-  if (!gl::BlendEquation) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_BlendEquation(c, mode);
     if (!may_execute(c)) return;
@@ -194,7 +140,6 @@ SOFTGL_EXPORT void APIENTRY glBlendEquation(GLenum mode) try {
 }
 SOFTGL_EXPORT void APIENTRY glBlendEquationEXT(GLenum mode) try {
   Context& c = *current_context;
-  if (!gl::BlendEquation) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_BlendEquation(c, mode);
     if (!may_execute(c)) return;
@@ -205,7 +150,6 @@ SOFTGL_EXPORT void APIENTRY glBlendEquationEXT(GLenum mode) try {
 }
 SOFTGL_EXPORT void APIENTRY glBlendFunc(GLenum sfactor, GLenum dfactor) try {
   Context& c = *current_context;
-  if (!gl::BlendFunc) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_BlendFunc(c, sfactor, dfactor);
     if (!may_execute(c)) return;
@@ -216,7 +160,6 @@ SOFTGL_EXPORT void APIENTRY glBlendFunc(GLenum sfactor, GLenum dfactor) try {
 }
 SOFTGL_EXPORT void APIENTRY glBlendFuncSeparate(GLenum sfactorRGB, GLenum dfactorRGB, GLenum sfactorAlpha, GLenum dfactorAlpha) try {
   Context& c = *current_context;
-  if (!gl::BlendFuncSeparate) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_BlendFuncSeparate(c, sfactorRGB, dfactorRGB, sfactorAlpha, dfactorAlpha);
     if (!may_execute(c)) return;
@@ -227,7 +170,6 @@ SOFTGL_EXPORT void APIENTRY glBlendFuncSeparate(GLenum sfactorRGB, GLenum dfacto
 }
 SOFTGL_EXPORT void APIENTRY glBlendFuncSeparateEXT(GLenum sfactorRGB, GLenum dfactorRGB, GLenum sfactorAlpha, GLenum dfactorAlpha) try {
   Context& c = *current_context;
-  if (!gl::BlendFuncSeparate) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_BlendFuncSeparate(c, sfactorRGB, dfactorRGB, sfactorAlpha, dfactorAlpha);
     if (!may_execute(c)) return;
@@ -238,7 +180,6 @@ SOFTGL_EXPORT void APIENTRY glBlendFuncSeparateEXT(GLenum sfactorRGB, GLenum dfa
 }
 SOFTGL_EXPORT void APIENTRY glBufferData(GLenum target, GLsizeiptr size, const void* data, GLenum usage) try {
   Context& c = *current_context;
-  if (!gl::BufferData) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::BufferData(c, target, size, data, usage);
 } catch (...) {
@@ -246,7 +187,6 @@ SOFTGL_EXPORT void APIENTRY glBufferData(GLenum target, GLsizeiptr size, const v
 }
 SOFTGL_EXPORT void APIENTRY glBufferDataARB(GLenum target, GLsizeiptr size, const void* data, GLenum usage) try {
   Context& c = *current_context;
-  if (!gl::BufferData) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::BufferData(c, target, size, data, usage);
 } catch (...) {
@@ -254,7 +194,6 @@ SOFTGL_EXPORT void APIENTRY glBufferDataARB(GLenum target, GLsizeiptr size, cons
 }
 SOFTGL_EXPORT void APIENTRY glBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, const void* data) try {
   Context& c = *current_context;
-  if (!gl::BufferSubData) return unbuilt_command();
   if ((!data && size > 0)) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::BufferSubData(c, target, offset, size, data);
@@ -263,7 +202,6 @@ SOFTGL_EXPORT void APIENTRY glBufferSubData(GLenum target, GLintptr offset, GLsi
 }
 SOFTGL_EXPORT void APIENTRY glBufferSubDataARB(GLenum target, GLintptr offset, GLsizeiptr size, const void* data) try {
   Context& c = *current_context;
-  if (!gl::BufferSubData) return unbuilt_command();
   if ((!data && size > 0)) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::BufferSubData(c, target, offset, size, data);
@@ -272,7 +210,6 @@ SOFTGL_EXPORT void APIENTRY glBufferSubDataARB(GLenum target, GLintptr offset, G
 }
 SOFTGL_EXPORT void APIENTRY glCallList(GLuint list) try {
   Context& c = *current_context;
-  if (!gl::CallList) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   gl::CallList(c, list);
 } catch (...) {
@@ -280,7 +217,6 @@ SOFTGL_EXPORT void APIENTRY glCallList(GLuint list) try {
 }
 SOFTGL_EXPORT void APIENTRY glCallLists(GLsizei n, GLenum type, const void* lists) try {
   Context& c = *current_context;
-  if (!gl::CallLists) return unbuilt_command();
   if (!lists) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   gl::CallLists(c, n, type, lists);
@@ -289,7 +225,6 @@ SOFTGL_EXPORT void APIENTRY glCallLists(GLsizei n, GLenum type, const void* list
 }
 SOFTGL_EXPORT void APIENTRY glClear(GLbitfield mask) try {
   Context& c = *current_context;
-  if (!gl::Clear) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Clear(c, mask);
     if (!may_execute(c)) return;
@@ -300,7 +235,6 @@ SOFTGL_EXPORT void APIENTRY glClear(GLbitfield mask) try {
 }
 SOFTGL_EXPORT void APIENTRY glClearAccum(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) try {
   Context& c = *current_context;
-  if (!gl::ClearAccum) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_ClearAccum(c, red, green, blue, alpha);
     if (!may_execute(c)) return;
@@ -311,7 +245,6 @@ SOFTGL_EXPORT void APIENTRY glClearAccum(GLfloat red, GLfloat green, GLfloat blu
 }
 SOFTGL_EXPORT void APIENTRY glClearColor(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) try {
   Context& c = *current_context;
-  if (!gl::ClearColor) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_ClearColor(c, red, green, blue, alpha);
     if (!may_execute(c)) return;
@@ -322,7 +255,6 @@ SOFTGL_EXPORT void APIENTRY glClearColor(GLfloat red, GLfloat green, GLfloat blu
 }
 SOFTGL_EXPORT void APIENTRY glClearDepth(GLdouble depth) try {
   Context& c = *current_context;
-  if (!gl::ClearDepth) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_ClearDepth(c, depth);
     if (!may_execute(c)) return;
@@ -333,7 +265,6 @@ SOFTGL_EXPORT void APIENTRY glClearDepth(GLdouble depth) try {
 }
 SOFTGL_EXPORT void APIENTRY glClearIndex(GLfloat value) try {
   Context& c = *current_context;
-  if (!gl::ClearIndex) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_ClearIndex(c, value);
     if (!may_execute(c)) return;
@@ -344,7 +275,6 @@ SOFTGL_EXPORT void APIENTRY glClearIndex(GLfloat value) try {
 }
 SOFTGL_EXPORT void APIENTRY glClearStencil(GLint s) try {
   Context& c = *current_context;
-  if (!gl::ClearStencil) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_ClearStencil(c, s);
     if (!may_execute(c)) return;
@@ -355,7 +285,6 @@ SOFTGL_EXPORT void APIENTRY glClearStencil(GLint s) try {
 }
 SOFTGL_EXPORT void APIENTRY glClientActiveTexture(GLenum texture) try {
   Context& c = *current_context;
-  if (!gl::ClientActiveTexture) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::ClientActiveTexture(c, texture);
 } catch (...) {
@@ -363,7 +292,6 @@ SOFTGL_EXPORT void APIENTRY glClientActiveTexture(GLenum texture) try {
 }
 SOFTGL_EXPORT void APIENTRY glClientActiveTextureARB(GLenum texture) try {
   Context& c = *current_context;
-  if (!gl::ClientActiveTexture) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::ClientActiveTexture(c, texture);
 } catch (...) {
@@ -371,7 +299,6 @@ SOFTGL_EXPORT void APIENTRY glClientActiveTextureARB(GLenum texture) try {
 }
 SOFTGL_EXPORT void APIENTRY glClipPlane(GLenum plane, const GLdouble* equation) try {
   Context& c = *current_context;
-  if (!gl::ClipPlane) return unbuilt_command();
   if (!equation) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_ClipPlane(c, plane, equation);
@@ -383,7 +310,6 @@ SOFTGL_EXPORT void APIENTRY glClipPlane(GLenum plane, const GLdouble* equation) 
 }
 SOFTGL_EXPORT void APIENTRY glColorMask(GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha) try {
   Context& c = *current_context;
-  if (!gl::ColorMask) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_ColorMask(c, red, green, blue, alpha);
     if (!may_execute(c)) return;
@@ -394,7 +320,6 @@ SOFTGL_EXPORT void APIENTRY glColorMask(GLboolean red, GLboolean green, GLboolea
 }
 SOFTGL_EXPORT void APIENTRY glColorMaterial(GLenum face, GLenum mode) try {
   Context& c = *current_context;
-  if (!gl::ColorMaterial) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_ColorMaterial(c, face, mode);
     if (!may_execute(c)) return;
@@ -405,7 +330,6 @@ SOFTGL_EXPORT void APIENTRY glColorMaterial(GLenum face, GLenum mode) try {
 }
 SOFTGL_EXPORT void APIENTRY glColorPointer(GLint size, GLenum type, GLsizei stride, const void* pointer) try {
   Context& c = *current_context;
-  if (!gl::ColorPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::ColorPointer(c, size, type, stride, pointer);
 } catch (...) {
@@ -413,7 +337,6 @@ SOFTGL_EXPORT void APIENTRY glColorPointer(GLint size, GLenum type, GLsizei stri
 }
 SOFTGL_EXPORT void APIENTRY glColorPointerEXT(GLint size, GLenum type, GLsizei stride, GLsizei, const void* pointer) try {
   Context& c = *current_context;
-  if (!gl::ColorPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::ColorPointer(c, size, type, stride, pointer);
 } catch (...) {
@@ -421,7 +344,6 @@ SOFTGL_EXPORT void APIENTRY glColorPointerEXT(GLint size, GLenum type, GLsizei s
 }
 SOFTGL_EXPORT void APIENTRY glCompressedTexImage1D(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLint border, GLsizei imageSize, const void* data) try {
   Context& c = *current_context;
-  if (!gl::CompressedTexImage1D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_CompressedTexImage1D(c, target, level, internalformat, width, border, imageSize, data);
     if (!may_execute(c)) return;
@@ -432,7 +354,6 @@ SOFTGL_EXPORT void APIENTRY glCompressedTexImage1D(GLenum target, GLint level, G
 }
 SOFTGL_EXPORT void APIENTRY glCompressedTexImage1DARB(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLint border, GLsizei imageSize, const void* data) try {
   Context& c = *current_context;
-  if (!gl::CompressedTexImage1D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_CompressedTexImage1D(c, target, level, internalformat, width, border, imageSize, data);
     if (!may_execute(c)) return;
@@ -443,7 +364,6 @@ SOFTGL_EXPORT void APIENTRY glCompressedTexImage1DARB(GLenum target, GLint level
 }
 SOFTGL_EXPORT void APIENTRY glCompressedTexImage2D(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const void* data) try {
   Context& c = *current_context;
-  if (!gl::CompressedTexImage2D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_CompressedTexImage2D(c, target, level, internalformat, width, height, border, imageSize, data);
     if (!may_execute(c)) return;
@@ -454,7 +374,6 @@ SOFTGL_EXPORT void APIENTRY glCompressedTexImage2D(GLenum target, GLint level, G
 }
 SOFTGL_EXPORT void APIENTRY glCompressedTexImage2DARB(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const void* data) try {
   Context& c = *current_context;
-  if (!gl::CompressedTexImage2D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_CompressedTexImage2D(c, target, level, internalformat, width, height, border, imageSize, data);
     if (!may_execute(c)) return;
@@ -465,7 +384,6 @@ SOFTGL_EXPORT void APIENTRY glCompressedTexImage2DARB(GLenum target, GLint level
 }
 SOFTGL_EXPORT void APIENTRY glCompressedTexImage3D(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLsizei imageSize, const void* data) try {
   Context& c = *current_context;
-  if (!gl::CompressedTexImage3D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_CompressedTexImage3D(c, target, level, internalformat, width, height, depth, border, imageSize, data);
     if (!may_execute(c)) return;
@@ -476,7 +394,6 @@ SOFTGL_EXPORT void APIENTRY glCompressedTexImage3D(GLenum target, GLint level, G
 }
 SOFTGL_EXPORT void APIENTRY glCompressedTexImage3DARB(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLsizei imageSize, const void* data) try {
   Context& c = *current_context;
-  if (!gl::CompressedTexImage3D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_CompressedTexImage3D(c, target, level, internalformat, width, height, depth, border, imageSize, data);
     if (!may_execute(c)) return;
@@ -487,7 +404,6 @@ SOFTGL_EXPORT void APIENTRY glCompressedTexImage3DARB(GLenum target, GLint level
 }
 SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage1D(GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLsizei imageSize, const void* data) try {
   Context& c = *current_context;
-  if (!gl::CompressedTexSubImage1D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_CompressedTexSubImage1D(c, target, level, xoffset, width, format, imageSize, data);
     if (!may_execute(c)) return;
@@ -498,7 +414,6 @@ SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage1D(GLenum target, GLint level
 }
 SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage1DARB(GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLsizei imageSize, const void* data) try {
   Context& c = *current_context;
-  if (!gl::CompressedTexSubImage1D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_CompressedTexSubImage1D(c, target, level, xoffset, width, format, imageSize, data);
     if (!may_execute(c)) return;
@@ -509,7 +424,6 @@ SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage1DARB(GLenum target, GLint le
 }
 SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLsizei imageSize, const void* data) try {
   Context& c = *current_context;
-  if (!gl::CompressedTexSubImage2D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_CompressedTexSubImage2D(c, target, level, xoffset, yoffset, width, height, format, imageSize, data);
     if (!may_execute(c)) return;
@@ -520,7 +434,6 @@ SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage2D(GLenum target, GLint level
 }
 SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage2DARB(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLsizei imageSize, const void* data) try {
   Context& c = *current_context;
-  if (!gl::CompressedTexSubImage2D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_CompressedTexSubImage2D(c, target, level, xoffset, yoffset, width, height, format, imageSize, data);
     if (!may_execute(c)) return;
@@ -531,7 +444,6 @@ SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage2DARB(GLenum target, GLint le
 }
 SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage3D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLsizei imageSize, const void* data) try {
   Context& c = *current_context;
-  if (!gl::CompressedTexSubImage3D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_CompressedTexSubImage3D(c, target, level, xoffset, yoffset, zoffset, width, height, depth, format, imageSize, data);
     if (!may_execute(c)) return;
@@ -542,7 +454,6 @@ SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage3D(GLenum target, GLint level
 }
 SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage3DARB(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLsizei imageSize, const void* data) try {
   Context& c = *current_context;
-  if (!gl::CompressedTexSubImage3D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_CompressedTexSubImage3D(c, target, level, xoffset, yoffset, zoffset, width, height, depth, format, imageSize, data);
     if (!may_execute(c)) return;
@@ -551,86 +462,15 @@ SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage3DARB(GLenum target, GLint le
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glCopyPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum type) try {
-  Context& c = *current_context;
-  if (!gl::CopyPixels) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_CopyPixels(c, x, y, width, height, type);
-    if (!may_execute(c)) return;
-  }
-  gl::CopyPixels(c, x, y, width, height, type);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glCopyTexImage1D(GLenum target, GLint level, GLenum internalformat, GLint x, GLint y, GLsizei width, GLint border) try {
-  Context& c = *current_context;
-  if (!gl::CopyTexImage1D) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_CopyTexImage1D(c, target, level, internalformat, x, y, width, border);
-    if (!may_execute(c)) return;
-  }
-  gl::CopyTexImage1D(c, target, level, internalformat, x, y, width, border);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glCopyTexImage2D(GLenum target, GLint level, GLenum internalformat, GLint x, GLint y, GLsizei width, GLsizei height, GLint border) try {
-  Context& c = *current_context;
-  if (!gl::CopyTexImage2D) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_CopyTexImage2D(c, target, level, internalformat, x, y, width, height, border);
-    if (!may_execute(c)) return;
-  }
-  gl::CopyTexImage2D(c, target, level, internalformat, x, y, width, height, border);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glCopyTexSubImage1D(GLenum target, GLint level, GLint xoffset, GLint x, GLint y, GLsizei width) try {
-  Context& c = *current_context;
-  if (!gl::CopyTexSubImage1D) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_CopyTexSubImage1D(c, target, level, xoffset, x, y, width);
-    if (!may_execute(c)) return;
-  }
-  gl::CopyTexSubImage1D(c, target, level, xoffset, x, y, width);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glCopyTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint x, GLint y, GLsizei width, GLsizei height) try {
-  Context& c = *current_context;
-  if (!gl::CopyTexSubImage2D) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_CopyTexSubImage2D(c, target, level, xoffset, yoffset, x, y, width, height);
-    if (!may_execute(c)) return;
-  }
-  gl::CopyTexSubImage2D(c, target, level, xoffset, yoffset, x, y, width, height);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glCopyTexSubImage3D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLint x, GLint y, GLsizei width, GLsizei height) try {
-  Context& c = *current_context;
-  if (!gl::CopyTexSubImage3D) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_CopyTexSubImage3D(c, target, level, xoffset, yoffset, zoffset, x, y, width, height);
-    if (!may_execute(c)) return;
-  }
-  gl::CopyTexSubImage3D(c, target, level, xoffset, yoffset, zoffset, x, y, width, height);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glCopyTexSubImage3DEXT(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLint x, GLint y, GLsizei width, GLsizei height) try {
-  Context& c = *current_context;
-  if (!gl::CopyTexSubImage3D) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_CopyTexSubImage3D(c, target, level, xoffset, yoffset, zoffset, x, y, width, height);
-    if (!may_execute(c)) return;
-  }
-  gl::CopyTexSubImage3D(c, target, level, xoffset, yoffset, zoffset, x, y, width, height);
-} catch (...) {
-  out_of_memory();
-}
+SOFTGL_EXPORT void APIENTRY glCopyPixels(GLint, GLint, GLsizei, GLsizei, GLenum) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glCopyTexImage1D(GLenum, GLint, GLenum, GLint, GLint, GLsizei, GLint) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glCopyTexImage2D(GLenum, GLint, GLenum, GLint, GLint, GLsizei, GLsizei, GLint) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glCopyTexSubImage1D(GLenum, GLint, GLint, GLint, GLint, GLsizei) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glCopyTexSubImage2D(GLenum, GLint, GLint, GLint, GLint, GLint, GLsizei, GLsizei) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glCopyTexSubImage3D(GLenum, GLint, GLint, GLint, GLint, GLint, GLint, GLsizei, GLsizei) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glCopyTexSubImage3DEXT(GLenum, GLint, GLint, GLint, GLint, GLint, GLint, GLsizei, GLsizei) { unbuilt_command(); }
 SOFTGL_EXPORT void APIENTRY glCullFace(GLenum mode) try {
   Context& c = *current_context;
-  if (!gl::CullFace) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_CullFace(c, mode);
     if (!may_execute(c)) return;
@@ -641,7 +481,6 @@ SOFTGL_EXPORT void APIENTRY glCullFace(GLenum mode) try {
 }
 SOFTGL_EXPORT void APIENTRY glDeleteBuffers(GLsizei n, const GLuint* buffers) try {
   Context& c = *current_context;
-  if (!gl::DeleteBuffers) return unbuilt_command();
   if ((!buffers && n > 0)) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::DeleteBuffers(c, n, buffers);
@@ -650,7 +489,6 @@ SOFTGL_EXPORT void APIENTRY glDeleteBuffers(GLsizei n, const GLuint* buffers) tr
 }
 SOFTGL_EXPORT void APIENTRY glDeleteBuffersARB(GLsizei n, const GLuint* buffers) try {
   Context& c = *current_context;
-  if (!gl::DeleteBuffers) return unbuilt_command();
   if ((!buffers && n > 0)) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::DeleteBuffers(c, n, buffers);
@@ -659,33 +497,15 @@ SOFTGL_EXPORT void APIENTRY glDeleteBuffersARB(GLsizei n, const GLuint* buffers)
 }
 SOFTGL_EXPORT void APIENTRY glDeleteLists(GLuint list, GLsizei range) try {
   Context& c = *current_context;
-  if (!gl::DeleteLists) return unbuilt_command();
   if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::DeleteLists(c, list, range);
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glDeleteQueries(GLsizei n, const GLuint* ids) try {
-  Context& c = *current_context;
-  if (!gl::DeleteQueries) return unbuilt_command();
-  if ((!ids && n > 0)) [[unlikely]] return;
-  if (c.guard && !may_execute(c)) [[unlikely]] return;
-  gl::DeleteQueries(c, n, ids);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glDeleteQueriesARB(GLsizei n, const GLuint* ids) try {
-  Context& c = *current_context;
-  if (!gl::DeleteQueries) return unbuilt_command();
-  if ((!ids && n > 0)) [[unlikely]] return;
-  if (c.guard && !may_execute(c)) [[unlikely]] return;
-  gl::DeleteQueries(c, n, ids);
-} catch (...) {
-  out_of_memory();
-}
+SOFTGL_EXPORT void APIENTRY glDeleteQueries(GLsizei, const GLuint*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glDeleteQueriesARB(GLsizei, const GLuint*) { unbuilt_command(); }
 SOFTGL_EXPORT void APIENTRY glDeleteTextures(GLsizei n, const GLuint* textures) try {
   Context& c = *current_context;
-  if (!gl::DeleteTextures) return unbuilt_command();
   if ((!textures && n > 0)) [[unlikely]] return;
   if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::DeleteTextures(c, n, textures);
@@ -694,7 +514,6 @@ SOFTGL_EXPORT void APIENTRY glDeleteTextures(GLsizei n, const GLuint* textures) 
 }
 SOFTGL_EXPORT void APIENTRY glDepthFunc(GLenum func) try {
   Context& c = *current_context;
-  if (!gl::DepthFunc) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_DepthFunc(c, func);
     if (!may_execute(c)) return;
@@ -705,7 +524,6 @@ SOFTGL_EXPORT void APIENTRY glDepthFunc(GLenum func) try {
 }
 SOFTGL_EXPORT void APIENTRY glDepthMask(GLboolean flag) try {
   Context& c = *current_context;
-  if (!gl::DepthMask) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_DepthMask(c, flag);
     if (!may_execute(c)) return;
@@ -716,7 +534,6 @@ SOFTGL_EXPORT void APIENTRY glDepthMask(GLboolean flag) try {
 }
 SOFTGL_EXPORT void APIENTRY glDepthRange(GLdouble n, GLdouble f) try {
   Context& c = *current_context;
-  if (!gl::DepthRange) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_DepthRange(c, n, f);
     if (!may_execute(c)) return;
@@ -727,7 +544,6 @@ SOFTGL_EXPORT void APIENTRY glDepthRange(GLdouble n, GLdouble f) try {
 }
 SOFTGL_EXPORT void APIENTRY glDisable(GLenum cap) try {
   Context& c = *current_context;
-  if (!gl::Disable) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Disable(c, cap);
     if (!may_execute(c)) return;
@@ -738,7 +554,6 @@ SOFTGL_EXPORT void APIENTRY glDisable(GLenum cap) try {
 }
 SOFTGL_EXPORT void APIENTRY glDisableClientState(GLenum array) try {
   Context& c = *current_context;
-  if (!gl::DisableClientState) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::DisableClientState(c, array);
 } catch (...) {
@@ -746,7 +561,6 @@ SOFTGL_EXPORT void APIENTRY glDisableClientState(GLenum array) try {
 }
 SOFTGL_EXPORT void APIENTRY glDrawArrays(GLenum mode, GLint first, GLsizei count) try {
   Context& c = *current_context;
-  if (!gl::DrawArrays) return unbuilt_command();
   if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;
   gl::DrawArrays(c, mode, first, count);
 } catch (...) {
@@ -754,7 +568,6 @@ SOFTGL_EXPORT void APIENTRY glDrawArrays(GLenum mode, GLint first, GLsizei count
 }
 SOFTGL_EXPORT void APIENTRY glDrawArraysEXT(GLenum mode, GLint first, GLsizei count) try {
   Context& c = *current_context;
-  if (!gl::DrawArrays) return unbuilt_command();
   if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;
   gl::DrawArrays(c, mode, first, count);
 } catch (...) {
@@ -762,7 +575,6 @@ SOFTGL_EXPORT void APIENTRY glDrawArraysEXT(GLenum mode, GLint first, GLsizei co
 }
 SOFTGL_EXPORT void APIENTRY glDrawBuffer(GLenum buf) try {
   Context& c = *current_context;
-  if (!gl::DrawBuffer) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_DrawBuffer(c, buf);
     if (!may_execute(c)) return;
@@ -773,26 +585,14 @@ SOFTGL_EXPORT void APIENTRY glDrawBuffer(GLenum buf) try {
 }
 SOFTGL_EXPORT void APIENTRY glDrawElements(GLenum mode, GLsizei count, GLenum type, const void* indices) try {
   Context& c = *current_context;
-  if (!gl::DrawElements) return unbuilt_command();
   if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;
   gl::DrawElements(c, mode, count, type, indices);
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glDrawPixels(GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels) try {
-  Context& c = *current_context;
-  if (!gl::DrawPixels) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_DrawPixels(c, width, height, format, type, pixels);
-    if (!may_execute(c)) return;
-  }
-  gl::DrawPixels(c, width, height, format, type, pixels);
-} catch (...) {
-  out_of_memory();
-}
+SOFTGL_EXPORT void APIENTRY glDrawPixels(GLsizei, GLsizei, GLenum, GLenum, const void*) { unbuilt_command(); }
 SOFTGL_EXPORT void APIENTRY glDrawRangeElements(GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices) try {
   Context& c = *current_context;
-  if (!gl::DrawRangeElements) return unbuilt_command();
   if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;
   gl::DrawRangeElements(c, mode, start, end, count, type, indices);
 } catch (...) {
@@ -800,7 +600,6 @@ SOFTGL_EXPORT void APIENTRY glDrawRangeElements(GLenum mode, GLuint start, GLuin
 }
 SOFTGL_EXPORT void APIENTRY glDrawRangeElementsEXT(GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices) try {
   Context& c = *current_context;
-  if (!gl::DrawRangeElements) return unbuilt_command();
   if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;
   gl::DrawRangeElements(c, mode, start, end, count, type, indices);
 } catch (...) {
@@ -808,7 +607,6 @@ SOFTGL_EXPORT void APIENTRY glDrawRangeElementsEXT(GLenum mode, GLuint start, GL
 }
 SOFTGL_EXPORT void APIENTRY glEdgeFlagPointer(GLsizei stride, const void* pointer) try {
   Context& c = *current_context;
-  if (!gl::EdgeFlagPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::EdgeFlagPointer(c, stride, pointer);
 } catch (...) {
@@ -816,7 +614,6 @@ SOFTGL_EXPORT void APIENTRY glEdgeFlagPointer(GLsizei stride, const void* pointe
 }
 SOFTGL_EXPORT void APIENTRY glEdgeFlagPointerEXT(GLsizei stride, GLsizei, const GLboolean* pointer) try {
   Context& c = *current_context;
-  if (!gl::EdgeFlagPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::EdgeFlagPointer(c, stride, pointer);
 } catch (...) {
@@ -824,7 +621,6 @@ SOFTGL_EXPORT void APIENTRY glEdgeFlagPointerEXT(GLsizei stride, GLsizei, const 
 }
 SOFTGL_EXPORT void APIENTRY glEnable(GLenum cap) try {
   Context& c = *current_context;
-  if (!gl::Enable) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Enable(c, cap);
     if (!may_execute(c)) return;
@@ -835,7 +631,6 @@ SOFTGL_EXPORT void APIENTRY glEnable(GLenum cap) try {
 }
 SOFTGL_EXPORT void APIENTRY glEnableClientState(GLenum array) try {
   Context& c = *current_context;
-  if (!gl::EnableClientState) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::EnableClientState(c, array);
 } catch (...) {
@@ -843,7 +638,6 @@ SOFTGL_EXPORT void APIENTRY glEnableClientState(GLenum array) try {
 }
 SOFTGL_EXPORT void APIENTRY glEnd() try {
   Context& c = *current_context;
-  if (!gl::End) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   gl::End(c);
 } catch (...) {
@@ -851,152 +645,28 @@ SOFTGL_EXPORT void APIENTRY glEnd() try {
 }
 SOFTGL_EXPORT void APIENTRY glEndList() try {
   Context& c = *current_context;
-  if (!gl::EndList) return unbuilt_command();
   if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::EndList(c);
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glEndQuery(GLenum target) try {
-  Context& c = *current_context;
-  if (!gl::EndQuery) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_EndQuery(c, target);
-    if (!may_execute(c)) return;
-  }
-  gl::EndQuery(c, target);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glEndQueryARB(GLenum target) try {
-  Context& c = *current_context;
-  if (!gl::EndQuery) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_EndQuery(c, target);
-    if (!may_execute(c)) return;
-  }
-  gl::EndQuery(c, target);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glEvalCoord1d(GLdouble u) try {
-  Context& c = *current_context;
-  if (!gl::EvalCoord1) return unbuilt_command();
-  if (c.guard & kNoContext) [[unlikely]] return;
-  gl::EvalCoord1(c, float(u));
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glEvalCoord1dv(const GLdouble* u) try {
-  Context& c = *current_context;
-  if (!gl::EvalCoord1) return unbuilt_command();
-  if (!u) [[unlikely]] return;
-  if (c.guard & kNoContext) [[unlikely]] return;
-  gl::EvalCoord1(c, float(u[0]));
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glEvalCoord1f(GLfloat u) try {
-  Context& c = *current_context;
-  if (!gl::EvalCoord1) return unbuilt_command();
-  if (c.guard & kNoContext) [[unlikely]] return;
-  gl::EvalCoord1(c, u);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glEvalCoord1fv(const GLfloat* u) try {
-  Context& c = *current_context;
-  if (!gl::EvalCoord1) return unbuilt_command();
-  if (!u) [[unlikely]] return;
-  if (c.guard & kNoContext) [[unlikely]] return;
-  gl::EvalCoord1(c, u[0]);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glEvalCoord2d(GLdouble u, GLdouble v) try {
-  Context& c = *current_context;
-  if (!gl::EvalCoord2) return unbuilt_command();
-  if (c.guard & kNoContext) [[unlikely]] return;
-  gl::EvalCoord2(c, float(u), float(v));
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glEvalCoord2dv(const GLdouble* u) try {
-  Context& c = *current_context;
-  if (!gl::EvalCoord2) return unbuilt_command();
-  if (!u) [[unlikely]] return;
-  if (c.guard & kNoContext) [[unlikely]] return;
-  gl::EvalCoord2(c, float(u[0]), float(u[1]));
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glEvalCoord2f(GLfloat u, GLfloat v) try {
-  Context& c = *current_context;
-  if (!gl::EvalCoord2) return unbuilt_command();
-  if (c.guard & kNoContext) [[unlikely]] return;
-  gl::EvalCoord2(c, u, v);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glEvalCoord2fv(const GLfloat* u) try {
-  Context& c = *current_context;
-  if (!gl::EvalCoord2) return unbuilt_command();
-  if (!u) [[unlikely]] return;
-  if (c.guard & kNoContext) [[unlikely]] return;
-  gl::EvalCoord2(c, u[0], u[1]);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glEvalMesh1(GLenum mode, GLint i1, GLint i2) try {
-  Context& c = *current_context;
-  if (!gl::EvalMesh1) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_EvalMesh1(c, mode, i1, i2);
-    if (!may_execute(c)) return;
-  }
-  gl::EvalMesh1(c, mode, i1, i2);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glEvalMesh2(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) try {
-  Context& c = *current_context;
-  if (!gl::EvalMesh2) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_EvalMesh2(c, mode, i1, i2, j1, j2);
-    if (!may_execute(c)) return;
-  }
-  gl::EvalMesh2(c, mode, i1, i2, j1, j2);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glEvalPoint1(GLint i) try {
-  Context& c = *current_context;
-  if (!gl::EvalPoint1) return unbuilt_command();
-  if (c.guard & kNoContext) [[unlikely]] return;
-  gl::EvalPoint1(c, i);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glEvalPoint2(GLint i, GLint j) try {
-  Context& c = *current_context;
-  if (!gl::EvalPoint2) return unbuilt_command();
-  if (c.guard & kNoContext) [[unlikely]] return;
-  gl::EvalPoint2(c, i, j);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glFeedbackBuffer(GLsizei size, GLenum type, GLfloat* buffer) try {
-  Context& c = *current_context;
-  if (!gl::FeedbackBuffer) return unbuilt_command();
-  if ((!buffer && size > 0)) [[unlikely]] return;
-  if (c.guard && !may_execute(c)) [[unlikely]] return;
-  gl::FeedbackBuffer(c, size, type, buffer);
-} catch (...) {
-  out_of_memory();
-}
+SOFTGL_EXPORT void APIENTRY glEndQuery(GLenum) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glEndQueryARB(GLenum) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glEvalCoord1d(GLdouble) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glEvalCoord1dv(const GLdouble*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glEvalCoord1f(GLfloat) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glEvalCoord1fv(const GLfloat*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glEvalCoord2d(GLdouble, GLdouble) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glEvalCoord2dv(const GLdouble*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glEvalCoord2f(GLfloat, GLfloat) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glEvalCoord2fv(const GLfloat*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glEvalMesh1(GLenum, GLint, GLint) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glEvalMesh2(GLenum, GLint, GLint, GLint, GLint) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glEvalPoint1(GLint) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glEvalPoint2(GLint, GLint) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glFeedbackBuffer(GLsizei, GLenum, GLfloat*) { unbuilt_command(); }
 SOFTGL_EXPORT void APIENTRY glFinish() try {
   Context& c = *current_context;
-  if (!gl::Finish) return unbuilt_command();
   if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::Finish(c);
 } catch (...) {
@@ -1004,7 +674,6 @@ SOFTGL_EXPORT void APIENTRY glFinish() try {
 }
 SOFTGL_EXPORT void APIENTRY glFlush() try {
   Context& c = *current_context;
-  if (!gl::Flush) return unbuilt_command();
   if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::Flush(c);
 } catch (...) {
@@ -1012,7 +681,6 @@ SOFTGL_EXPORT void APIENTRY glFlush() try {
 }
 SOFTGL_EXPORT void APIENTRY glFogCoordPointer(GLenum type, GLsizei stride, const void* pointer) try {
   Context& c = *current_context;
-  if (!gl::FogCoordPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::FogCoordPointer(c, type, stride, pointer);
 } catch (...) {
@@ -1020,7 +688,6 @@ SOFTGL_EXPORT void APIENTRY glFogCoordPointer(GLenum type, GLsizei stride, const
 }
 SOFTGL_EXPORT void APIENTRY glFogCoordPointerEXT(GLenum type, GLsizei stride, const void* pointer) try {
   Context& c = *current_context;
-  if (!gl::FogCoordPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::FogCoordPointer(c, type, stride, pointer);
 } catch (...) {
@@ -1028,7 +695,6 @@ SOFTGL_EXPORT void APIENTRY glFogCoordPointerEXT(GLenum type, GLsizei stride, co
 }
 SOFTGL_EXPORT void APIENTRY glFogf(GLenum pname, GLfloat param) try {
   Context& c = *current_context;
-  if (!gl::Fog) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = scalar_parameter(kCountOf_fog, pname, param);
   if (!values.valid) [[unlikely]] return bad_scalar_parameter(c);
@@ -1042,7 +708,6 @@ SOFTGL_EXPORT void APIENTRY glFogf(GLenum pname, GLfloat param) try {
 }
 SOFTGL_EXPORT void APIENTRY glFogfv(GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
-  if (!gl::Fog) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Fog(c, pname, params);
@@ -1054,7 +719,6 @@ SOFTGL_EXPORT void APIENTRY glFogfv(GLenum pname, const GLfloat* params) try {
 }
 SOFTGL_EXPORT void APIENTRY glFogi(GLenum pname, GLint param) try {
   Context& c = *current_context;
-  if (!gl::Fog) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = scalar_parameter(kCountOf_fog, pname, param);
   if (!values.valid) [[unlikely]] return bad_scalar_parameter(c);
@@ -1068,7 +732,6 @@ SOFTGL_EXPORT void APIENTRY glFogi(GLenum pname, GLint param) try {
 }
 SOFTGL_EXPORT void APIENTRY glFogiv(GLenum pname, const GLint* params) try {
   Context& c = *current_context;
-  if (!gl::Fog) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = vector_parameters(kCountOf_fog, pname, params);
@@ -1082,7 +745,6 @@ SOFTGL_EXPORT void APIENTRY glFogiv(GLenum pname, const GLint* params) try {
 }
 SOFTGL_EXPORT void APIENTRY glFrontFace(GLenum mode) try {
   Context& c = *current_context;
-  if (!gl::FrontFace) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_FrontFace(c, mode);
     if (!may_execute(c)) return;
@@ -1093,7 +755,6 @@ SOFTGL_EXPORT void APIENTRY glFrontFace(GLenum mode) try {
 }
 SOFTGL_EXPORT void APIENTRY glFrustum(GLdouble left, GLdouble right, GLdouble bottom, GLdouble top, GLdouble zNear, GLdouble zFar) try {
   Context& c = *current_context;
-  if (!gl::Frustum) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Frustum(c, GLfloat(left), GLfloat(right), GLfloat(bottom), GLfloat(top), GLfloat(zNear), GLfloat(zFar));
     if (!may_execute(c)) return;
@@ -1104,7 +765,6 @@ SOFTGL_EXPORT void APIENTRY glFrustum(GLdouble left, GLdouble right, GLdouble bo
 }
 SOFTGL_EXPORT void APIENTRY glGenBuffers(GLsizei n, GLuint* buffers) try {
   Context& c = *current_context;
-  if (!gl::GenBuffers) return unbuilt_command();
   if ((!buffers && n > 0)) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GenBuffers(c, n, buffers);
@@ -1113,7 +773,6 @@ SOFTGL_EXPORT void APIENTRY glGenBuffers(GLsizei n, GLuint* buffers) try {
 }
 SOFTGL_EXPORT void APIENTRY glGenBuffersARB(GLsizei n, GLuint* buffers) try {
   Context& c = *current_context;
-  if (!gl::GenBuffers) return unbuilt_command();
   if ((!buffers && n > 0)) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GenBuffers(c, n, buffers);
@@ -1122,34 +781,16 @@ SOFTGL_EXPORT void APIENTRY glGenBuffersARB(GLsizei n, GLuint* buffers) try {
 }
 SOFTGL_EXPORT GLuint APIENTRY glGenLists(GLsizei range) try {
   Context& c = *current_context;
-  if (!gl::GenLists) { unbuilt_command(); return 0; }
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
   return gl::GenLists(c, range);
 } catch (...) {
   out_of_memory();
   return 0;
 }
-SOFTGL_EXPORT void APIENTRY glGenQueries(GLsizei n, GLuint* ids) try {
-  Context& c = *current_context;
-  if (!gl::GenQueries) return unbuilt_command();
-  if ((!ids && n > 0)) [[unlikely]] return;
-  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
-  gl::GenQueries(c, n, ids);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glGenQueriesARB(GLsizei n, GLuint* ids) try {
-  Context& c = *current_context;
-  if (!gl::GenQueries) return unbuilt_command();
-  if ((!ids && n > 0)) [[unlikely]] return;
-  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
-  gl::GenQueries(c, n, ids);
-} catch (...) {
-  out_of_memory();
-}
+SOFTGL_EXPORT void APIENTRY glGenQueries(GLsizei, GLuint*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glGenQueriesARB(GLsizei, GLuint*) { unbuilt_command(); }
 SOFTGL_EXPORT void APIENTRY glGenTextures(GLsizei n, GLuint* textures) try {
   Context& c = *current_context;
-  if (!gl::GenTextures) return unbuilt_command();
   if ((!textures && n > 0)) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GenTextures(c, n, textures);
@@ -1158,7 +799,6 @@ SOFTGL_EXPORT void APIENTRY glGenTextures(GLsizei n, GLuint* textures) try {
 }
 SOFTGL_EXPORT void APIENTRY glHint(GLenum target, GLenum mode) try {
   Context& c = *current_context;
-  if (!gl::Hint) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Hint(c, target, mode);
     if (!may_execute(c)) return;
@@ -1169,7 +809,6 @@ SOFTGL_EXPORT void APIENTRY glHint(GLenum target, GLenum mode) try {
 }
 SOFTGL_EXPORT void APIENTRY glIndexMask(GLuint mask) try {
   Context& c = *current_context;
-  if (!gl::IndexMask) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_IndexMask(c, mask);
     if (!may_execute(c)) return;
@@ -1180,7 +819,6 @@ SOFTGL_EXPORT void APIENTRY glIndexMask(GLuint mask) try {
 }
 SOFTGL_EXPORT void APIENTRY glIndexPointer(GLenum type, GLsizei stride, const void* pointer) try {
   Context& c = *current_context;
-  if (!gl::IndexPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::IndexPointer(c, type, stride, pointer);
 } catch (...) {
@@ -1188,26 +826,14 @@ SOFTGL_EXPORT void APIENTRY glIndexPointer(GLenum type, GLsizei stride, const vo
 }
 SOFTGL_EXPORT void APIENTRY glIndexPointerEXT(GLenum type, GLsizei stride, GLsizei, const void* pointer) try {
   Context& c = *current_context;
-  if (!gl::IndexPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::IndexPointer(c, type, stride, pointer);
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glInitNames() try {
-  Context& c = *current_context;
-  if (!gl::InitNames) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_InitNames(c);
-    if (!may_execute(c)) return;
-  }
-  gl::InitNames(c);
-} catch (...) {
-  out_of_memory();
-}
+SOFTGL_EXPORT void APIENTRY glInitNames() { unbuilt_command(); }
 SOFTGL_EXPORT void APIENTRY glInterleavedArrays(GLenum format, GLsizei stride, const void* pointer) try {
   Context& c = *current_context;
-  if (!gl::InterleavedArrays) return unbuilt_command();
   if (!pointer) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::InterleavedArrays(c, format, stride, pointer);
@@ -1216,7 +842,6 @@ SOFTGL_EXPORT void APIENTRY glInterleavedArrays(GLenum format, GLsizei stride, c
 }
 SOFTGL_EXPORT void APIENTRY glLightModelf(GLenum pname, GLfloat param) try {
   Context& c = *current_context;
-  if (!gl::LightModel) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = scalar_parameter(kCountOf_light_model, pname, param);
   if (!values.valid) [[unlikely]] return bad_scalar_parameter(c);
@@ -1230,7 +855,6 @@ SOFTGL_EXPORT void APIENTRY glLightModelf(GLenum pname, GLfloat param) try {
 }
 SOFTGL_EXPORT void APIENTRY glLightModelfv(GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
-  if (!gl::LightModel) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_LightModel(c, pname, params);
@@ -1242,7 +866,6 @@ SOFTGL_EXPORT void APIENTRY glLightModelfv(GLenum pname, const GLfloat* params) 
 }
 SOFTGL_EXPORT void APIENTRY glLightModeli(GLenum pname, GLint param) try {
   Context& c = *current_context;
-  if (!gl::LightModel) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = scalar_parameter(kCountOf_light_model, pname, param);
   if (!values.valid) [[unlikely]] return bad_scalar_parameter(c);
@@ -1256,7 +879,6 @@ SOFTGL_EXPORT void APIENTRY glLightModeli(GLenum pname, GLint param) try {
 }
 SOFTGL_EXPORT void APIENTRY glLightModeliv(GLenum pname, const GLint* params) try {
   Context& c = *current_context;
-  if (!gl::LightModel) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = vector_parameters(kCountOf_light_model, pname, params);
@@ -1270,7 +892,6 @@ SOFTGL_EXPORT void APIENTRY glLightModeliv(GLenum pname, const GLint* params) tr
 }
 SOFTGL_EXPORT void APIENTRY glLightf(GLenum light, GLenum pname, GLfloat param) try {
   Context& c = *current_context;
-  if (!gl::Light) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = scalar_parameter(kCountOf_light, pname, param);
   if (!values.valid) [[unlikely]] return bad_scalar_parameter(c);
@@ -1284,7 +905,6 @@ SOFTGL_EXPORT void APIENTRY glLightf(GLenum light, GLenum pname, GLfloat param) 
 }
 SOFTGL_EXPORT void APIENTRY glLightfv(GLenum light, GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
-  if (!gl::Light) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Light(c, light, pname, params);
@@ -1296,7 +916,6 @@ SOFTGL_EXPORT void APIENTRY glLightfv(GLenum light, GLenum pname, const GLfloat*
 }
 SOFTGL_EXPORT void APIENTRY glLighti(GLenum light, GLenum pname, GLint param) try {
   Context& c = *current_context;
-  if (!gl::Light) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = scalar_parameter(kCountOf_light, pname, param);
   if (!values.valid) [[unlikely]] return bad_scalar_parameter(c);
@@ -1310,7 +929,6 @@ SOFTGL_EXPORT void APIENTRY glLighti(GLenum light, GLenum pname, GLint param) tr
 }
 SOFTGL_EXPORT void APIENTRY glLightiv(GLenum light, GLenum pname, const GLint* params) try {
   Context& c = *current_context;
-  if (!gl::Light) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = vector_parameters(kCountOf_light, pname, params);
@@ -1324,7 +942,6 @@ SOFTGL_EXPORT void APIENTRY glLightiv(GLenum light, GLenum pname, const GLint* p
 }
 SOFTGL_EXPORT void APIENTRY glLineStipple(GLint factor, GLushort pattern) try {
   Context& c = *current_context;
-  if (!gl::LineStipple) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_LineStipple(c, factor, pattern);
     if (!may_execute(c)) return;
@@ -1335,7 +952,6 @@ SOFTGL_EXPORT void APIENTRY glLineStipple(GLint factor, GLushort pattern) try {
 }
 SOFTGL_EXPORT void APIENTRY glLineWidth(GLfloat width) try {
   Context& c = *current_context;
-  if (!gl::LineWidth) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_LineWidth(c, width);
     if (!may_execute(c)) return;
@@ -1346,7 +962,6 @@ SOFTGL_EXPORT void APIENTRY glLineWidth(GLfloat width) try {
 }
 SOFTGL_EXPORT void APIENTRY glListBase(GLuint base) try {
   Context& c = *current_context;
-  if (!gl::ListBase) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_ListBase(c, base);
     if (!may_execute(c)) return;
@@ -1357,7 +972,6 @@ SOFTGL_EXPORT void APIENTRY glListBase(GLuint base) try {
 }
 SOFTGL_EXPORT void APIENTRY glLoadIdentity() try {
   Context& c = *current_context;
-  if (!gl::LoadIdentity) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_LoadIdentity(c);
     if (!may_execute(c)) return;
@@ -1368,7 +982,6 @@ SOFTGL_EXPORT void APIENTRY glLoadIdentity() try {
 }
 SOFTGL_EXPORT void APIENTRY glLoadMatrixd(const GLdouble* m) try {
   Context& c = *current_context;
-  if (!gl::LoadMatrix) return unbuilt_command();
   if (!m) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = matrix_of(m);
@@ -1382,7 +995,6 @@ SOFTGL_EXPORT void APIENTRY glLoadMatrixd(const GLdouble* m) try {
 }
 SOFTGL_EXPORT void APIENTRY glLoadMatrixf(const GLfloat* m) try {
   Context& c = *current_context;
-  if (!gl::LoadMatrix) return unbuilt_command();
   if (!m) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_LoadMatrix(c, m);
@@ -1392,20 +1004,9 @@ SOFTGL_EXPORT void APIENTRY glLoadMatrixf(const GLfloat* m) try {
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glLoadName(GLuint name) try {
-  Context& c = *current_context;
-  if (!gl::LoadName) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_LoadName(c, name);
-    if (!may_execute(c)) return;
-  }
-  gl::LoadName(c, name);
-} catch (...) {
-  out_of_memory();
-}
+SOFTGL_EXPORT void APIENTRY glLoadName(GLuint) { unbuilt_command(); }
 SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixd(const GLdouble* m) try {
   Context& c = *current_context;
-  if (!gl::LoadMatrix) return unbuilt_command();
   if (!m) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = transposed(m);
@@ -1419,7 +1020,6 @@ SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixd(const GLdouble* m) try {
 }
 SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixdARB(const GLdouble* m) try {
   Context& c = *current_context;
-  if (!gl::LoadMatrix) return unbuilt_command();
   if (!m) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = transposed(m);
@@ -1433,7 +1033,6 @@ SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixdARB(const GLdouble* m) try {
 }
 SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixf(const GLfloat* m) try {
   Context& c = *current_context;
-  if (!gl::LoadMatrix) return unbuilt_command();
   if (!m) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = transposed(m);
@@ -1447,7 +1046,6 @@ SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixf(const GLfloat* m) try {
 }
 SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixfARB(const GLfloat* m) try {
   Context& c = *current_context;
-  if (!gl::LoadMatrix) return unbuilt_command();
   if (!m) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = transposed(m);
@@ -1461,7 +1059,6 @@ SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixfARB(const GLfloat* m) try {
 }
 SOFTGL_EXPORT void APIENTRY glLogicOp(GLenum opcode) try {
   Context& c = *current_context;
-  if (!gl::LogicOp) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_LogicOp(c, opcode);
     if (!may_execute(c)) return;

@@ -12,7 +12,6 @@ extern "C" {
 
 SOFTGL_EXPORT void APIENTRY glGetBooleanv(GLenum pname, GLboolean* data) try {
   Context& c = *current_context;
-  if (!gl::GetBooleanv) return unbuilt_command();
   if (!data) [[unlikely]] return;
   if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetBooleanv(c, pname, data);
@@ -21,7 +20,6 @@ SOFTGL_EXPORT void APIENTRY glGetBooleanv(GLenum pname, GLboolean* data) try {
 }
 SOFTGL_EXPORT void APIENTRY glGetBufferParameteriv(GLenum target, GLenum pname, GLint* params) try {
   Context& c = *current_context;
-  if (!gl::GetBufferParameteriv) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetBufferParameteriv(c, target, pname, params);
@@ -30,7 +28,6 @@ SOFTGL_EXPORT void APIENTRY glGetBufferParameteriv(GLenum target, GLenum pname, 
 }
 SOFTGL_EXPORT void APIENTRY glGetBufferParameterivARB(GLenum target, GLenum pname, GLint* params) try {
   Context& c = *current_context;
-  if (!gl::GetBufferParameteriv) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetBufferParameteriv(c, target, pname, params);
@@ -39,7 +36,6 @@ SOFTGL_EXPORT void APIENTRY glGetBufferParameterivARB(GLenum target, GLenum pnam
 }
 SOFTGL_EXPORT void APIENTRY glGetBufferPointerv(GLenum target, GLenum pname, void** params) try {
   Context& c = *current_context;
-  if (!gl::GetBufferPointerv) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetBufferPointerv(c, target, pname, params);
@@ -48,7 +44,6 @@ SOFTGL_EXPORT void APIENTRY glGetBufferPointerv(GLenum target, GLenum pname, voi
 }
 SOFTGL_EXPORT void APIENTRY glGetBufferPointervARB(GLenum target, GLenum pname, void** params) try {
   Context& c = *current_context;
-  if (!gl::GetBufferPointerv) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetBufferPointerv(c, target, pname, params);
@@ -57,7 +52,6 @@ SOFTGL_EXPORT void APIENTRY glGetBufferPointervARB(GLenum target, GLenum pname, 
 }
 SOFTGL_EXPORT void APIENTRY glGetBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, void* data) try {
   Context& c = *current_context;
-  if (!gl::GetBufferSubData) return unbuilt_command();
   if ((!data && size > 0)) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetBufferSubData(c, target, offset, size, data);
@@ -66,7 +60,6 @@ SOFTGL_EXPORT void APIENTRY glGetBufferSubData(GLenum target, GLintptr offset, G
 }
 SOFTGL_EXPORT void APIENTRY glGetBufferSubDataARB(GLenum target, GLintptr offset, GLsizeiptr size, void* data) try {
   Context& c = *current_context;
-  if (!gl::GetBufferSubData) return unbuilt_command();
   if ((!data && size > 0)) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetBufferSubData(c, target, offset, size, data);
@@ -75,7 +68,6 @@ SOFTGL_EXPORT void APIENTRY glGetBufferSubDataARB(GLenum target, GLintptr offset
 }
 SOFTGL_EXPORT void APIENTRY glGetClipPlane(GLenum plane, GLdouble* equation) try {
   Context& c = *current_context;
-  if (!gl::GetClipPlane) return unbuilt_command();
   if (!equation) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetClipPlane(c, plane, equation);
@@ -84,7 +76,6 @@ SOFTGL_EXPORT void APIENTRY glGetClipPlane(GLenum plane, GLdouble* equation) try
 }
 SOFTGL_EXPORT void APIENTRY glGetCompressedTexImage(GLenum target, GLint level, void* img) try {
   Context& c = *current_context;
-  if (!gl::GetCompressedTexImage) return unbuilt_command();
   if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetCompressedTexImage(c, target, level, img);
 } catch (...) {
@@ -92,7 +83,6 @@ SOFTGL_EXPORT void APIENTRY glGetCompressedTexImage(GLenum target, GLint level, 
 }
 SOFTGL_EXPORT void APIENTRY glGetCompressedTexImageARB(GLenum target, GLint level, void* img) try {
   Context& c = *current_context;
-  if (!gl::GetCompressedTexImage) return unbuilt_command();
   if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetCompressedTexImage(c, target, level, img);
 } catch (...) {
@@ -100,7 +90,6 @@ SOFTGL_EXPORT void APIENTRY glGetCompressedTexImageARB(GLenum target, GLint leve
 }
 SOFTGL_EXPORT void APIENTRY glGetDoublev(GLenum pname, GLdouble* data) try {
   Context& c = *current_context;
-  if (!gl::GetDoublev) return unbuilt_command();
   if (!data) [[unlikely]] return;
   if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetDoublev(c, pname, data);
@@ -109,7 +98,6 @@ SOFTGL_EXPORT void APIENTRY glGetDoublev(GLenum pname, GLdouble* data) try {
 }
 SOFTGL_EXPORT GLenum APIENTRY glGetError() try {
   Context& c = *current_context;
-  if (!gl::GetError) { unbuilt_command(); return 0; }
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
   return gl::GetError(c);
 } catch (...) {
@@ -118,7 +106,6 @@ SOFTGL_EXPORT GLenum APIENTRY glGetError() try {
 }
 SOFTGL_EXPORT void APIENTRY glGetFloatv(GLenum pname, GLfloat* data) try {
   Context& c = *current_context;
-  if (!gl::GetFloatv) return unbuilt_command();
   if (!data) [[unlikely]] return;
   if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetFloatv(c, pname, data);
@@ -127,7 +114,6 @@ SOFTGL_EXPORT void APIENTRY glGetFloatv(GLenum pname, GLfloat* data) try {
 }
 SOFTGL_EXPORT void APIENTRY glGetIntegerv(GLenum pname, GLint* data) try {
   Context& c = *current_context;
-  if (!gl::GetIntegerv) return unbuilt_command();
   if (!data) [[unlikely]] return;
   if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetIntegerv(c, pname, data);
@@ -136,7 +122,6 @@ SOFTGL_EXPORT void APIENTRY glGetIntegerv(GLenum pname, GLint* data) try {
 }
 SOFTGL_EXPORT void APIENTRY glGetLightfv(GLenum light, GLenum pname, GLfloat* params) try {
   Context& c = *current_context;
-  if (!gl::GetLightfv) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetLightfv(c, light, pname, params);
@@ -145,43 +130,17 @@ SOFTGL_EXPORT void APIENTRY glGetLightfv(GLenum light, GLenum pname, GLfloat* pa
 }
 SOFTGL_EXPORT void APIENTRY glGetLightiv(GLenum light, GLenum pname, GLint* params) try {
   Context& c = *current_context;
-  if (!gl::GetLightiv) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetLightiv(c, light, pname, params);
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetMapdv(GLenum target, GLenum query, GLdouble* v) try {
-  Context& c = *current_context;
-  if (!gl::GetMapdv) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
-  gl::GetMapdv(c, target, query, v);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glGetMapfv(GLenum target, GLenum query, GLfloat* v) try {
-  Context& c = *current_context;
-  if (!gl::GetMapfv) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
-  gl::GetMapfv(c, target, query, v);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glGetMapiv(GLenum target, GLenum query, GLint* v) try {
-  Context& c = *current_context;
-  if (!gl::GetMapiv) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
-  gl::GetMapiv(c, target, query, v);
-} catch (...) {
-  out_of_memory();
-}
+SOFTGL_EXPORT void APIENTRY glGetMapdv(GLenum, GLenum, GLdouble*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glGetMapfv(GLenum, GLenum, GLfloat*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glGetMapiv(GLenum, GLenum, GLint*) { unbuilt_command(); }
 SOFTGL_EXPORT void APIENTRY glGetMaterialfv(GLenum face, GLenum pname, GLfloat* params) try {
   Context& c = *current_context;
-  if (!gl::GetMaterialfv) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetMaterialfv(c, face, pname, params);
@@ -190,43 +149,17 @@ SOFTGL_EXPORT void APIENTRY glGetMaterialfv(GLenum face, GLenum pname, GLfloat* 
 }
 SOFTGL_EXPORT void APIENTRY glGetMaterialiv(GLenum face, GLenum pname, GLint* params) try {
   Context& c = *current_context;
-  if (!gl::GetMaterialiv) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetMaterialiv(c, face, pname, params);
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetPixelMapfv(GLenum map, GLfloat* values) try {
-  Context& c = *current_context;
-  if (!gl::GetPixelMapfv) return unbuilt_command();
-  if (!values) [[unlikely]] return;
-  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
-  gl::GetPixelMapfv(c, map, values);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glGetPixelMapuiv(GLenum map, GLuint* values) try {
-  Context& c = *current_context;
-  if (!gl::GetPixelMapuiv) return unbuilt_command();
-  if (!values) [[unlikely]] return;
-  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
-  gl::GetPixelMapuiv(c, map, values);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glGetPixelMapusv(GLenum map, GLushort* values) try {
-  Context& c = *current_context;
-  if (!gl::GetPixelMapusv) return unbuilt_command();
-  if (!values) [[unlikely]] return;
-  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
-  gl::GetPixelMapusv(c, map, values);
-} catch (...) {
-  out_of_memory();
-}
+SOFTGL_EXPORT void APIENTRY glGetPixelMapfv(GLenum, GLfloat*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glGetPixelMapuiv(GLenum, GLuint*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glGetPixelMapusv(GLenum, GLushort*) { unbuilt_command(); }
 SOFTGL_EXPORT void APIENTRY glGetPointerv(GLenum pname, void** params) try {
   Context& c = *current_context;
-  if (!gl::GetPointerv) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetPointerv(c, pname, params);
@@ -235,7 +168,6 @@ SOFTGL_EXPORT void APIENTRY glGetPointerv(GLenum pname, void** params) try {
 }
 SOFTGL_EXPORT void APIENTRY glGetPointervEXT(GLenum pname, void** params) try {
   Context& c = *current_context;
-  if (!gl::GetPointerv) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetPointerv(c, pname, params);
@@ -244,70 +176,20 @@ SOFTGL_EXPORT void APIENTRY glGetPointervEXT(GLenum pname, void** params) try {
 }
 SOFTGL_EXPORT void APIENTRY glGetPolygonStipple(GLubyte* mask) try {
   Context& c = *current_context;
-  if (!gl::GetPolygonStipple) return unbuilt_command();
   if (!mask) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetPolygonStipple(c, mask);
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetQueryObjectiv(GLuint id, GLenum pname, GLint* params) try {
-  Context& c = *current_context;
-  if (!gl::GetQueryObjectiv) return unbuilt_command();
-  if (!params) [[unlikely]] return;
-  if (c.guard && !may_execute(c)) [[unlikely]] return;
-  gl::GetQueryObjectiv(c, id, pname, params);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glGetQueryObjectivARB(GLuint id, GLenum pname, GLint* params) try {
-  Context& c = *current_context;
-  if (!gl::GetQueryObjectiv) return unbuilt_command();
-  if (!params) [[unlikely]] return;
-  if (c.guard && !may_execute(c)) [[unlikely]] return;
-  gl::GetQueryObjectiv(c, id, pname, params);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glGetQueryObjectuiv(GLuint id, GLenum pname, GLuint* params) try {
-  Context& c = *current_context;
-  if (!gl::GetQueryObjectuiv) return unbuilt_command();
-  if (!params) [[unlikely]] return;
-  if (c.guard && !may_execute(c)) [[unlikely]] return;
-  gl::GetQueryObjectuiv(c, id, pname, params);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glGetQueryObjectuivARB(GLuint id, GLenum pname, GLuint* params) try {
-  Context& c = *current_context;
-  if (!gl::GetQueryObjectuiv) return unbuilt_command();
-  if (!params) [[unlikely]] return;
-  if (c.guard && !may_execute(c)) [[unlikely]] return;
-  gl::GetQueryObjectuiv(c, id, pname, params);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glGetQueryiv(GLenum target, GLenum pname, GLint* params) try {
-  Context& c = *current_context;
-  if (!gl::GetQueryiv) return unbuilt_command();
-  if (!params) [[unlikely]] return;
-  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
-  gl::GetQueryiv(c, target, pname, params);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glGetQueryivARB(GLenum target, GLenum pname, GLint* params) try {
-  Context& c = *current_context;
-  if (!gl::GetQueryiv) return unbuilt_command();
-  if (!params) [[unlikely]] return;
-  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
-  gl::GetQueryiv(c, target, pname, params);
-} catch (...) {
-  out_of_memory();
-}
+SOFTGL_EXPORT void APIENTRY glGetQueryObjectiv(GLuint, GLenum, GLint*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glGetQueryObjectivARB(GLuint, GLenum, GLint*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glGetQueryObjectuiv(GLuint, GLenum, GLuint*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glGetQueryObjectuivARB(GLuint, GLenum, GLuint*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glGetQueryiv(GLenum, GLenum, GLint*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glGetQueryivARB(GLenum, GLenum, GLint*) { unbuilt_command(); }
 SOFTGL_EXPORT const GLubyte* APIENTRY glGetString(GLenum name) try {
   Context& c = *current_context;
-  if (!gl::GetString) { unbuilt_command(); return nullptr; }
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return nullptr;
   return gl::GetString(c, name);
 } catch (...) {
@@ -316,7 +198,6 @@ SOFTGL_EXPORT const GLubyte* APIENTRY glGetString(GLenum name) try {
 }
 SOFTGL_EXPORT void APIENTRY glGetTexEnvfv(GLenum target, GLenum pname, GLfloat* params) try {
   Context& c = *current_context;
-  if (!gl::GetTexEnvfv) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetTexEnvfv(c, target, pname, params);
@@ -325,7 +206,6 @@ SOFTGL_EXPORT void APIENTRY glGetTexEnvfv(GLenum target, GLenum pname, GLfloat* 
 }
 SOFTGL_EXPORT void APIENTRY glGetTexEnviv(GLenum target, GLenum pname, GLint* params) try {
   Context& c = *current_context;
-  if (!gl::GetTexEnviv) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetTexEnviv(c, target, pname, params);
@@ -334,7 +214,6 @@ SOFTGL_EXPORT void APIENTRY glGetTexEnviv(GLenum target, GLenum pname, GLint* pa
 }
 SOFTGL_EXPORT void APIENTRY glGetTexGendv(GLenum coord, GLenum pname, GLdouble* params) try {
   Context& c = *current_context;
-  if (!gl::GetTexGendv) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetTexGendv(c, coord, pname, params);
@@ -343,7 +222,6 @@ SOFTGL_EXPORT void APIENTRY glGetTexGendv(GLenum coord, GLenum pname, GLdouble* 
 }
 SOFTGL_EXPORT void APIENTRY glGetTexGenfv(GLenum coord, GLenum pname, GLfloat* params) try {
   Context& c = *current_context;
-  if (!gl::GetTexGenfv) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetTexGenfv(c, coord, pname, params);
@@ -352,7 +230,6 @@ SOFTGL_EXPORT void APIENTRY glGetTexGenfv(GLenum coord, GLenum pname, GLfloat* p
 }
 SOFTGL_EXPORT void APIENTRY glGetTexGeniv(GLenum coord, GLenum pname, GLint* params) try {
   Context& c = *current_context;
-  if (!gl::GetTexGeniv) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetTexGeniv(c, coord, pname, params);
@@ -361,7 +238,6 @@ SOFTGL_EXPORT void APIENTRY glGetTexGeniv(GLenum coord, GLenum pname, GLint* par
 }
 SOFTGL_EXPORT void APIENTRY glGetTexImage(GLenum target, GLint level, GLenum format, GLenum type, void* pixels) try {
   Context& c = *current_context;
-  if (!gl::GetTexImage) return unbuilt_command();
   if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetTexImage(c, target, level, format, type, pixels);
 } catch (...) {
@@ -369,7 +245,6 @@ SOFTGL_EXPORT void APIENTRY glGetTexImage(GLenum target, GLint level, GLenum for
 }
 SOFTGL_EXPORT void APIENTRY glGetTexLevelParameterfv(GLenum target, GLint level, GLenum pname, GLfloat* params) try {
   Context& c = *current_context;
-  if (!gl::GetTexLevelParameterfv) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetTexLevelParameterfv(c, target, level, pname, params);
@@ -378,7 +253,6 @@ SOFTGL_EXPORT void APIENTRY glGetTexLevelParameterfv(GLenum target, GLint level,
 }
 SOFTGL_EXPORT void APIENTRY glGetTexLevelParameteriv(GLenum target, GLint level, GLenum pname, GLint* params) try {
   Context& c = *current_context;
-  if (!gl::GetTexLevelParameteriv) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetTexLevelParameteriv(c, target, level, pname, params);
@@ -387,7 +261,6 @@ SOFTGL_EXPORT void APIENTRY glGetTexLevelParameteriv(GLenum target, GLint level,
 }
 SOFTGL_EXPORT void APIENTRY glGetTexParameterfv(GLenum target, GLenum pname, GLfloat* params) try {
   Context& c = *current_context;
-  if (!gl::GetTexParameterfv) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetTexParameterfv(c, target, pname, params);
@@ -396,7 +269,6 @@ SOFTGL_EXPORT void APIENTRY glGetTexParameterfv(GLenum target, GLenum pname, GLf
 }
 SOFTGL_EXPORT void APIENTRY glGetTexParameteriv(GLenum target, GLenum pname, GLint* params) try {
   Context& c = *current_context;
-  if (!gl::GetTexParameteriv) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetTexParameteriv(c, target, pname, params);
@@ -405,7 +277,6 @@ SOFTGL_EXPORT void APIENTRY glGetTexParameteriv(GLenum target, GLenum pname, GLi
 }
 SOFTGL_EXPORT GLboolean APIENTRY glIsBuffer(GLuint buffer) try {
   Context& c = *current_context;
-  if (!gl::IsBuffer) { unbuilt_command(); return 0; }
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
   return gl::IsBuffer(c, buffer);
 } catch (...) {
@@ -414,7 +285,6 @@ SOFTGL_EXPORT GLboolean APIENTRY glIsBuffer(GLuint buffer) try {
 }
 SOFTGL_EXPORT GLboolean APIENTRY glIsBufferARB(GLuint buffer) try {
   Context& c = *current_context;
-  if (!gl::IsBuffer) { unbuilt_command(); return 0; }
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
   return gl::IsBuffer(c, buffer);
 } catch (...) {
@@ -423,7 +293,6 @@ SOFTGL_EXPORT GLboolean APIENTRY glIsBufferARB(GLuint buffer) try {
 }
 SOFTGL_EXPORT GLboolean APIENTRY glIsEnabled(GLenum cap) try {
   Context& c = *current_context;
-  if (!gl::IsEnabled) { unbuilt_command(); return 0; }
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
   return gl::IsEnabled(c, cap);
 } catch (...) {
@@ -432,34 +301,16 @@ SOFTGL_EXPORT GLboolean APIENTRY glIsEnabled(GLenum cap) try {
 }
 SOFTGL_EXPORT GLboolean APIENTRY glIsList(GLuint list) try {
   Context& c = *current_context;
-  if (!gl::IsList) { unbuilt_command(); return 0; }
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
   return gl::IsList(c, list);
 } catch (...) {
   out_of_memory();
   return 0;
 }
-SOFTGL_EXPORT GLboolean APIENTRY glIsQuery(GLuint id) try {
-  Context& c = *current_context;
-  if (!gl::IsQuery) { unbuilt_command(); return 0; }
-  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
-  return gl::IsQuery(c, id);
-} catch (...) {
-  out_of_memory();
-  return 0;
-}
-SOFTGL_EXPORT GLboolean APIENTRY glIsQueryARB(GLuint id) try {
-  Context& c = *current_context;
-  if (!gl::IsQuery) { unbuilt_command(); return 0; }
-  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
-  return gl::IsQuery(c, id);
-} catch (...) {
-  out_of_memory();
-  return 0;
-}
+SOFTGL_EXPORT GLboolean APIENTRY glIsQuery(GLuint) { unbuilt_command(); return 0; }
+SOFTGL_EXPORT GLboolean APIENTRY glIsQueryARB(GLuint) { unbuilt_command(); return 0; }
 SOFTGL_EXPORT GLboolean APIENTRY glIsTexture(GLuint texture) try {
   Context& c = *current_context;
-  if (!gl::IsTexture) { unbuilt_command(); return 0; }
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
   return gl::IsTexture(c, texture);
 } catch (...) {

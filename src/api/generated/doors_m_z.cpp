@@ -10,57 +10,12 @@ using namespace softgl;
 
 extern "C" {
 
-SOFTGL_EXPORT void APIENTRY glMap1d(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order, const GLdouble* points) try {
-  Context& c = *current_context;
-  if (!gl::Map1d) return unbuilt_command();
-  if (!points) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_Map1d(c, target, u1, u2, stride, order, points);
-    if (!may_execute(c)) return;
-  }
-  gl::Map1d(c, target, u1, u2, stride, order, points);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glMap1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points) try {
-  Context& c = *current_context;
-  if (!gl::Map1f) return unbuilt_command();
-  if (!points) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_Map1f(c, target, u1, u2, stride, order, points);
-    if (!may_execute(c)) return;
-  }
-  gl::Map1f(c, target, u1, u2, stride, order, points);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glMap2d(GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1, GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points) try {
-  Context& c = *current_context;
-  if (!gl::Map2d) return unbuilt_command();
-  if (!points) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_Map2d(c, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-    if (!may_execute(c)) return;
-  }
-  gl::Map2d(c, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glMap2f(GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2, GLint vstride, GLint vorder, const GLfloat* points) try {
-  Context& c = *current_context;
-  if (!gl::Map2f) return unbuilt_command();
-  if (!points) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_Map2f(c, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-    if (!may_execute(c)) return;
-  }
-  gl::Map2f(c, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-} catch (...) {
-  out_of_memory();
-}
+SOFTGL_EXPORT void APIENTRY glMap1d(GLenum, GLdouble, GLdouble, GLint, GLint, const GLdouble*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glMap1f(GLenum, GLfloat, GLfloat, GLint, GLint, const GLfloat*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glMap2d(GLenum, GLdouble, GLdouble, GLint, GLint, GLdouble, GLdouble, GLint, GLint, const GLdouble*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glMap2f(GLenum, GLfloat, GLfloat, GLint, GLint, GLfloat, GLfloat, GLint, GLint, const GLfloat*) { unbuilt_command(); }
 SOFTGL_EXPORT void* APIENTRY glMapBuffer(GLenum target, GLenum access) try {
   Context& c = *current_context;
-  if (!gl::MapBuffer) { unbuilt_command(); return nullptr; }
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return nullptr;
   return gl::MapBuffer(c, target, access);
 } catch (...) {
@@ -69,60 +24,18 @@ SOFTGL_EXPORT void* APIENTRY glMapBuffer(GLenum target, GLenum access) try {
 }
 SOFTGL_EXPORT void* APIENTRY glMapBufferARB(GLenum target, GLenum access) try {
   Context& c = *current_context;
-  if (!gl::MapBuffer) { unbuilt_command(); return nullptr; }
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return nullptr;
   return gl::MapBuffer(c, target, access);
 } catch (...) {
   out_of_memory();
   return nullptr;
 }
-SOFTGL_EXPORT void APIENTRY glMapGrid1d(GLint un, GLdouble u1, GLdouble u2) try {
-  Context& c = *current_context;
-  if (!gl::MapGrid1) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_MapGrid1(c, un, GLfloat(u1), GLfloat(u2));
-    if (!may_execute(c)) return;
-  }
-  gl::MapGrid1(c, un, GLfloat(u1), GLfloat(u2));
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glMapGrid1f(GLint un, GLfloat u1, GLfloat u2) try {
-  Context& c = *current_context;
-  if (!gl::MapGrid1) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_MapGrid1(c, un, u1, u2);
-    if (!may_execute(c)) return;
-  }
-  gl::MapGrid1(c, un, u1, u2);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glMapGrid2d(GLint un, GLdouble u1, GLdouble u2, GLint vn, GLdouble v1, GLdouble v2) try {
-  Context& c = *current_context;
-  if (!gl::MapGrid2) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_MapGrid2(c, un, GLfloat(u1), GLfloat(u2), vn, GLfloat(v1), GLfloat(v2));
-    if (!may_execute(c)) return;
-  }
-  gl::MapGrid2(c, un, GLfloat(u1), GLfloat(u2), vn, GLfloat(v1), GLfloat(v2));
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glMapGrid2f(GLint un, GLfloat u1, GLfloat u2, GLint vn, GLfloat v1, GLfloat v2) try {
-  Context& c = *current_context;
-  if (!gl::MapGrid2) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_MapGrid2(c, un, u1, u2, vn, v1, v2);
-    if (!may_execute(c)) return;
-  }
-  gl::MapGrid2(c, un, u1, u2, vn, v1, v2);
-} catch (...) {
-  out_of_memory();
-}
+SOFTGL_EXPORT void APIENTRY glMapGrid1d(GLint, GLdouble, GLdouble) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glMapGrid1f(GLint, GLfloat, GLfloat) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glMapGrid2d(GLint, GLdouble, GLdouble, GLint, GLdouble, GLdouble) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glMapGrid2f(GLint, GLfloat, GLfloat, GLint, GLfloat, GLfloat) { unbuilt_command(); }
 SOFTGL_EXPORT void APIENTRY glMaterialf(GLenum face, GLenum pname, GLfloat param) try {
   Context& c = *current_context;
-  if (!gl::Material) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = scalar_parameter(kCountOf_material, pname, param);
   if (!values.valid) [[unlikely]] return bad_scalar_parameter(c);
@@ -133,7 +46,6 @@ SOFTGL_EXPORT void APIENTRY glMaterialf(GLenum face, GLenum pname, GLfloat param
 }
 SOFTGL_EXPORT void APIENTRY glMaterialfv(GLenum face, GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
-  if (!gl::Material) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if ((c.guard & (kCompilingList | kInsideBeginEnd)) == kCompilingList) [[unlikely]] return compile_Material(c, face, pname, params);
   if (c.guard & kNoContext) [[unlikely]] return;
@@ -143,7 +55,6 @@ SOFTGL_EXPORT void APIENTRY glMaterialfv(GLenum face, GLenum pname, const GLfloa
 }
 SOFTGL_EXPORT void APIENTRY glMateriali(GLenum face, GLenum pname, GLint param) try {
   Context& c = *current_context;
-  if (!gl::Material) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = scalar_parameter(kCountOf_material, pname, param);
   if (!values.valid) [[unlikely]] return bad_scalar_parameter(c);
@@ -154,7 +65,6 @@ SOFTGL_EXPORT void APIENTRY glMateriali(GLenum face, GLenum pname, GLint param) 
 }
 SOFTGL_EXPORT void APIENTRY glMaterialiv(GLenum face, GLenum pname, const GLint* params) try {
   Context& c = *current_context;
-  if (!gl::Material) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = vector_parameters(kCountOf_material, pname, params);
@@ -165,7 +75,6 @@ SOFTGL_EXPORT void APIENTRY glMaterialiv(GLenum face, GLenum pname, const GLint*
 }
 SOFTGL_EXPORT void APIENTRY glMatrixMode(GLenum mode) try {
   Context& c = *current_context;
-  if (!gl::MatrixMode) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_MatrixMode(c, mode);
     if (!may_execute(c)) return;
@@ -176,7 +85,6 @@ SOFTGL_EXPORT void APIENTRY glMatrixMode(GLenum mode) try {
 }
 SOFTGL_EXPORT void APIENTRY glMultMatrixd(const GLdouble* m) try {
   Context& c = *current_context;
-  if (!gl::MultMatrix) return unbuilt_command();
   if (!m) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = matrix_of(m);
@@ -190,7 +98,6 @@ SOFTGL_EXPORT void APIENTRY glMultMatrixd(const GLdouble* m) try {
 }
 SOFTGL_EXPORT void APIENTRY glMultMatrixf(const GLfloat* m) try {
   Context& c = *current_context;
-  if (!gl::MultMatrix) return unbuilt_command();
   if (!m) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_MultMatrix(c, m);
@@ -202,7 +109,6 @@ SOFTGL_EXPORT void APIENTRY glMultMatrixf(const GLfloat* m) try {
 }
 SOFTGL_EXPORT void APIENTRY glMultTransposeMatrixd(const GLdouble* m) try {
   Context& c = *current_context;
-  if (!gl::MultMatrix) return unbuilt_command();
   if (!m) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = transposed(m);
@@ -216,7 +122,6 @@ SOFTGL_EXPORT void APIENTRY glMultTransposeMatrixd(const GLdouble* m) try {
 }
 SOFTGL_EXPORT void APIENTRY glMultTransposeMatrixdARB(const GLdouble* m) try {
   Context& c = *current_context;
-  if (!gl::MultMatrix) return unbuilt_command();
   if (!m) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = transposed(m);
@@ -230,7 +135,6 @@ SOFTGL_EXPORT void APIENTRY glMultTransposeMatrixdARB(const GLdouble* m) try {
 }
 SOFTGL_EXPORT void APIENTRY glMultTransposeMatrixf(const GLfloat* m) try {
   Context& c = *current_context;
-  if (!gl::MultMatrix) return unbuilt_command();
   if (!m) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = transposed(m);
@@ -244,7 +148,6 @@ SOFTGL_EXPORT void APIENTRY glMultTransposeMatrixf(const GLfloat* m) try {
 }
 SOFTGL_EXPORT void APIENTRY glMultTransposeMatrixfARB(const GLfloat* m) try {
   Context& c = *current_context;
-  if (!gl::MultMatrix) return unbuilt_command();
   if (!m) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = transposed(m);
@@ -258,7 +161,6 @@ SOFTGL_EXPORT void APIENTRY glMultTransposeMatrixfARB(const GLfloat* m) try {
 }
 SOFTGL_EXPORT void APIENTRY glMultiDrawArrays(GLenum mode, const GLint* first, const GLsizei* count, GLsizei drawcount) try {
   Context& c = *current_context;
-  if (!gl::MultiDrawArrays) return unbuilt_command();
   if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;
   gl::MultiDrawArrays(c, mode, first, count, drawcount);
 } catch (...) {
@@ -266,7 +168,6 @@ SOFTGL_EXPORT void APIENTRY glMultiDrawArrays(GLenum mode, const GLint* first, c
 }
 SOFTGL_EXPORT void APIENTRY glMultiDrawArraysEXT(GLenum mode, const GLint* first, const GLsizei* count, GLsizei drawcount) try {
   Context& c = *current_context;
-  if (!gl::MultiDrawArrays) return unbuilt_command();
   if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;
   gl::MultiDrawArrays(c, mode, first, count, drawcount);
 } catch (...) {
@@ -274,7 +175,6 @@ SOFTGL_EXPORT void APIENTRY glMultiDrawArraysEXT(GLenum mode, const GLint* first
 }
 SOFTGL_EXPORT void APIENTRY glMultiDrawElements(GLenum mode, const GLsizei* count, GLenum type, const void*const* indices, GLsizei drawcount) try {
   Context& c = *current_context;
-  if (!gl::MultiDrawElements) return unbuilt_command();
   if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;
   gl::MultiDrawElements(c, mode, count, type, indices, drawcount);
 } catch (...) {
@@ -282,7 +182,6 @@ SOFTGL_EXPORT void APIENTRY glMultiDrawElements(GLenum mode, const GLsizei* coun
 }
 SOFTGL_EXPORT void APIENTRY glMultiDrawElementsEXT(GLenum mode, const GLsizei* count, GLenum type, const void*const* indices, GLsizei drawcount) try {
   Context& c = *current_context;
-  if (!gl::MultiDrawElements) return unbuilt_command();
   if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;
   gl::MultiDrawElements(c, mode, count, type, indices, drawcount);
 } catch (...) {
@@ -290,7 +189,6 @@ SOFTGL_EXPORT void APIENTRY glMultiDrawElementsEXT(GLenum mode, const GLsizei* c
 }
 SOFTGL_EXPORT void APIENTRY glNewList(GLuint list, GLenum mode) try {
   Context& c = *current_context;
-  if (!gl::NewList) return unbuilt_command();
   if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::NewList(c, list, mode);
 } catch (...) {
@@ -298,7 +196,6 @@ SOFTGL_EXPORT void APIENTRY glNewList(GLuint list, GLenum mode) try {
 }
 SOFTGL_EXPORT void APIENTRY glNormalPointer(GLenum type, GLsizei stride, const void* pointer) try {
   Context& c = *current_context;
-  if (!gl::NormalPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::NormalPointer(c, type, stride, pointer);
 } catch (...) {
@@ -306,7 +203,6 @@ SOFTGL_EXPORT void APIENTRY glNormalPointer(GLenum type, GLsizei stride, const v
 }
 SOFTGL_EXPORT void APIENTRY glNormalPointerEXT(GLenum type, GLsizei stride, GLsizei, const void* pointer) try {
   Context& c = *current_context;
-  if (!gl::NormalPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::NormalPointer(c, type, stride, pointer);
 } catch (...) {
@@ -314,7 +210,6 @@ SOFTGL_EXPORT void APIENTRY glNormalPointerEXT(GLenum type, GLsizei stride, GLsi
 }
 SOFTGL_EXPORT void APIENTRY glOrtho(GLdouble left, GLdouble right, GLdouble bottom, GLdouble top, GLdouble zNear, GLdouble zFar) try {
   Context& c = *current_context;
-  if (!gl::Ortho) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Ortho(c, GLfloat(left), GLfloat(right), GLfloat(bottom), GLfloat(top), GLfloat(zNear), GLfloat(zFar));
     if (!may_execute(c)) return;
@@ -323,56 +218,12 @@ SOFTGL_EXPORT void APIENTRY glOrtho(GLdouble left, GLdouble right, GLdouble bott
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPassThrough(GLfloat token) try {
-  Context& c = *current_context;
-  if (!gl::PassThrough) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_PassThrough(c, token);
-    if (!may_execute(c)) return;
-  }
-  gl::PassThrough(c, token);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glPixelMapfv(GLenum map, GLsizei mapsize, const GLfloat* values) try {
-  Context& c = *current_context;
-  if (!gl::PixelMapfv) return unbuilt_command();
-  if ((!values && mapsize > 0)) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_PixelMapfv(c, map, mapsize, values);
-    if (!may_execute(c)) return;
-  }
-  gl::PixelMapfv(c, map, mapsize, values);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glPixelMapuiv(GLenum map, GLsizei mapsize, const GLuint* values) try {
-  Context& c = *current_context;
-  if (!gl::PixelMapuiv) return unbuilt_command();
-  if ((!values && mapsize > 0)) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_PixelMapuiv(c, map, mapsize, values);
-    if (!may_execute(c)) return;
-  }
-  gl::PixelMapuiv(c, map, mapsize, values);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glPixelMapusv(GLenum map, GLsizei mapsize, const GLushort* values) try {
-  Context& c = *current_context;
-  if (!gl::PixelMapusv) return unbuilt_command();
-  if ((!values && mapsize > 0)) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_PixelMapusv(c, map, mapsize, values);
-    if (!may_execute(c)) return;
-  }
-  gl::PixelMapusv(c, map, mapsize, values);
-} catch (...) {
-  out_of_memory();
-}
+SOFTGL_EXPORT void APIENTRY glPassThrough(GLfloat) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glPixelMapfv(GLenum, GLsizei, const GLfloat*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glPixelMapuiv(GLenum, GLsizei, const GLuint*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glPixelMapusv(GLenum, GLsizei, const GLushort*) { unbuilt_command(); }
 SOFTGL_EXPORT void APIENTRY glPixelStoref(GLenum pname, GLfloat param) try {
   Context& c = *current_context;
-  if (!gl::PixelStore) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::PixelStore(c, pname, round_to_int(param));
 } catch (...) {
@@ -380,7 +231,6 @@ SOFTGL_EXPORT void APIENTRY glPixelStoref(GLenum pname, GLfloat param) try {
 }
 SOFTGL_EXPORT void APIENTRY glPixelStorei(GLenum pname, GLint param) try {
   Context& c = *current_context;
-  if (!gl::PixelStore) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::PixelStore(c, pname, param);
 } catch (...) {
@@ -388,7 +238,6 @@ SOFTGL_EXPORT void APIENTRY glPixelStorei(GLenum pname, GLint param) try {
 }
 SOFTGL_EXPORT void APIENTRY glPixelTransferf(GLenum pname, GLfloat param) try {
   Context& c = *current_context;
-  if (!gl::PixelTransfer) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PixelTransfer(c, pname, param);
     if (!may_execute(c)) return;
@@ -399,7 +248,6 @@ SOFTGL_EXPORT void APIENTRY glPixelTransferf(GLenum pname, GLfloat param) try {
 }
 SOFTGL_EXPORT void APIENTRY glPixelTransferi(GLenum pname, GLint param) try {
   Context& c = *current_context;
-  if (!gl::PixelTransfer) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PixelTransfer(c, pname, GLfloat(param));
     if (!may_execute(c)) return;
@@ -410,7 +258,6 @@ SOFTGL_EXPORT void APIENTRY glPixelTransferi(GLenum pname, GLint param) try {
 }
 SOFTGL_EXPORT void APIENTRY glPixelZoom(GLfloat xfactor, GLfloat yfactor) try {
   Context& c = *current_context;
-  if (!gl::PixelZoom) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PixelZoom(c, xfactor, yfactor);
     if (!may_execute(c)) return;
@@ -421,7 +268,6 @@ SOFTGL_EXPORT void APIENTRY glPixelZoom(GLfloat xfactor, GLfloat yfactor) try {
 }
 SOFTGL_EXPORT void APIENTRY glPointParameterf(GLenum pname, GLfloat param) try {
   Context& c = *current_context;
-  if (!gl::PointParameter) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = scalar_parameter(kCountOf_point, pname, param);
   if (!values.valid) [[unlikely]] return bad_scalar_parameter(c);
@@ -435,7 +281,6 @@ SOFTGL_EXPORT void APIENTRY glPointParameterf(GLenum pname, GLfloat param) try {
 }
 SOFTGL_EXPORT void APIENTRY glPointParameterfARB(GLenum pname, GLfloat param) try {
   Context& c = *current_context;
-  if (!gl::PointParameter) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = scalar_parameter(kCountOf_point, pname, param);
   if (!values.valid) [[unlikely]] return bad_scalar_parameter(c);
@@ -449,7 +294,6 @@ SOFTGL_EXPORT void APIENTRY glPointParameterfARB(GLenum pname, GLfloat param) tr
 }
 SOFTGL_EXPORT void APIENTRY glPointParameterfEXT(GLenum pname, GLfloat param) try {
   Context& c = *current_context;
-  if (!gl::PointParameter) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = scalar_parameter(kCountOf_point, pname, param);
   if (!values.valid) [[unlikely]] return bad_scalar_parameter(c);
@@ -463,7 +307,6 @@ SOFTGL_EXPORT void APIENTRY glPointParameterfEXT(GLenum pname, GLfloat param) tr
 }
 SOFTGL_EXPORT void APIENTRY glPointParameterfv(GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
-  if (!gl::PointParameter) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PointParameter(c, pname, params);
@@ -475,7 +318,6 @@ SOFTGL_EXPORT void APIENTRY glPointParameterfv(GLenum pname, const GLfloat* para
 }
 SOFTGL_EXPORT void APIENTRY glPointParameterfvARB(GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
-  if (!gl::PointParameter) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PointParameter(c, pname, params);
@@ -487,7 +329,6 @@ SOFTGL_EXPORT void APIENTRY glPointParameterfvARB(GLenum pname, const GLfloat* p
 }
 SOFTGL_EXPORT void APIENTRY glPointParameterfvEXT(GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
-  if (!gl::PointParameter) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PointParameter(c, pname, params);
@@ -499,7 +340,6 @@ SOFTGL_EXPORT void APIENTRY glPointParameterfvEXT(GLenum pname, const GLfloat* p
 }
 SOFTGL_EXPORT void APIENTRY glPointParameteri(GLenum pname, GLint param) try {
   Context& c = *current_context;
-  if (!gl::PointParameter) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = scalar_parameter(kCountOf_point, pname, param);
   if (!values.valid) [[unlikely]] return bad_scalar_parameter(c);
@@ -513,7 +353,6 @@ SOFTGL_EXPORT void APIENTRY glPointParameteri(GLenum pname, GLint param) try {
 }
 SOFTGL_EXPORT void APIENTRY glPointParameteriv(GLenum pname, const GLint* params) try {
   Context& c = *current_context;
-  if (!gl::PointParameter) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = vector_parameters(kCountOf_point, pname, params);
@@ -527,7 +366,6 @@ SOFTGL_EXPORT void APIENTRY glPointParameteriv(GLenum pname, const GLint* params
 }
 SOFTGL_EXPORT void APIENTRY glPointSize(GLfloat size) try {
   Context& c = *current_context;
-  if (!gl::PointSize) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PointSize(c, size);
     if (!may_execute(c)) return;
@@ -538,7 +376,6 @@ SOFTGL_EXPORT void APIENTRY glPointSize(GLfloat size) try {
 }
 SOFTGL_EXPORT void APIENTRY glPolygonMode(GLenum face, GLenum mode) try {
   Context& c = *current_context;
-  if (!gl::PolygonMode) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PolygonMode(c, face, mode);
     if (!may_execute(c)) return;
@@ -549,7 +386,6 @@ SOFTGL_EXPORT void APIENTRY glPolygonMode(GLenum face, GLenum mode) try {
 }
 SOFTGL_EXPORT void APIENTRY glPolygonOffset(GLfloat factor, GLfloat units) try {
   Context& c = *current_context;
-  if (!gl::PolygonOffset) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PolygonOffset(c, factor, units);
     if (!may_execute(c)) return;
@@ -560,7 +396,6 @@ SOFTGL_EXPORT void APIENTRY glPolygonOffset(GLfloat factor, GLfloat units) try {
 }
 SOFTGL_EXPORT void APIENTRY glPolygonStipple(const GLubyte* mask) try {
   Context& c = *current_context;
-  if (!gl::PolygonStipple) return unbuilt_command();
   if (!mask) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PolygonStipple(c, mask);
@@ -572,7 +407,6 @@ SOFTGL_EXPORT void APIENTRY glPolygonStipple(const GLubyte* mask) try {
 }
 SOFTGL_EXPORT void APIENTRY glPopAttrib() try {
   Context& c = *current_context;
-  if (!gl::PopAttrib) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PopAttrib(c);
     if (!may_execute(c)) return;
@@ -583,7 +417,6 @@ SOFTGL_EXPORT void APIENTRY glPopAttrib() try {
 }
 SOFTGL_EXPORT void APIENTRY glPopClientAttrib() try {
   Context& c = *current_context;
-  if (!gl::PopClientAttrib) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::PopClientAttrib(c);
 } catch (...) {
@@ -591,7 +424,6 @@ SOFTGL_EXPORT void APIENTRY glPopClientAttrib() try {
 }
 SOFTGL_EXPORT void APIENTRY glPopMatrix() try {
   Context& c = *current_context;
-  if (!gl::PopMatrix) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PopMatrix(c);
     if (!may_execute(c)) return;
@@ -600,20 +432,9 @@ SOFTGL_EXPORT void APIENTRY glPopMatrix() try {
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPopName() try {
-  Context& c = *current_context;
-  if (!gl::PopName) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_PopName(c);
-    if (!may_execute(c)) return;
-  }
-  gl::PopName(c);
-} catch (...) {
-  out_of_memory();
-}
+SOFTGL_EXPORT void APIENTRY glPopName() { unbuilt_command(); }
 SOFTGL_EXPORT void APIENTRY glPrioritizeTextures(GLsizei n, const GLuint* textures, const GLfloat* priorities) try {
   Context& c = *current_context;
-  if (!gl::PrioritizeTextures) return unbuilt_command();
   if ((!textures && n > 0) || (!priorities && n > 0)) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PrioritizeTextures(c, n, textures, priorities);
@@ -625,7 +446,6 @@ SOFTGL_EXPORT void APIENTRY glPrioritizeTextures(GLsizei n, const GLuint* textur
 }
 SOFTGL_EXPORT void APIENTRY glPrioritizeTexturesEXT(GLsizei n, const GLuint* textures, const GLfloat* priorities) try {
   Context& c = *current_context;
-  if (!gl::PrioritizeTextures) return unbuilt_command();
   if ((!textures && n > 0) || (!priorities && n > 0)) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PrioritizeTextures(c, n, textures, priorities);
@@ -637,7 +457,6 @@ SOFTGL_EXPORT void APIENTRY glPrioritizeTexturesEXT(GLsizei n, const GLuint* tex
 }
 SOFTGL_EXPORT void APIENTRY glPushAttrib(GLbitfield mask) try {
   Context& c = *current_context;
-  if (!gl::PushAttrib) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PushAttrib(c, mask);
     if (!may_execute(c)) return;
@@ -648,7 +467,6 @@ SOFTGL_EXPORT void APIENTRY glPushAttrib(GLbitfield mask) try {
 }
 SOFTGL_EXPORT void APIENTRY glPushClientAttrib(GLbitfield mask) try {
   Context& c = *current_context;
-  if (!gl::PushClientAttrib) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::PushClientAttrib(c, mask);
 } catch (...) {
@@ -656,7 +474,6 @@ SOFTGL_EXPORT void APIENTRY glPushClientAttrib(GLbitfield mask) try {
 }
 SOFTGL_EXPORT void APIENTRY glPushMatrix() try {
   Context& c = *current_context;
-  if (!gl::PushMatrix) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PushMatrix(c);
     if (!may_execute(c)) return;
@@ -665,296 +482,33 @@ SOFTGL_EXPORT void APIENTRY glPushMatrix() try {
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPushName(GLuint name) try {
-  Context& c = *current_context;
-  if (!gl::PushName) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_PushName(c, name);
-    if (!may_execute(c)) return;
-  }
-  gl::PushName(c, name);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glRasterPos2d(GLdouble x, GLdouble y) try {
-  Context& c = *current_context;
-  if (!gl::RasterPos) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_RasterPos(c, float(x), float(y), 0.0f, 1.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::RasterPos(c, float(x), float(y), 0.0f, 1.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glRasterPos2dv(const GLdouble* v) try {
-  Context& c = *current_context;
-  if (!gl::RasterPos) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_RasterPos(c, float(v[0]), float(v[1]), 0.0f, 1.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::RasterPos(c, float(v[0]), float(v[1]), 0.0f, 1.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glRasterPos2f(GLfloat x, GLfloat y) try {
-  Context& c = *current_context;
-  if (!gl::RasterPos) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_RasterPos(c, x, y, 0.0f, 1.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::RasterPos(c, x, y, 0.0f, 1.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glRasterPos2fv(const GLfloat* v) try {
-  Context& c = *current_context;
-  if (!gl::RasterPos) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_RasterPos(c, v[0], v[1], 0.0f, 1.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::RasterPos(c, v[0], v[1], 0.0f, 1.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glRasterPos2i(GLint x, GLint y) try {
-  Context& c = *current_context;
-  if (!gl::RasterPos) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_RasterPos(c, float(x), float(y), 0.0f, 1.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::RasterPos(c, float(x), float(y), 0.0f, 1.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glRasterPos2iv(const GLint* v) try {
-  Context& c = *current_context;
-  if (!gl::RasterPos) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_RasterPos(c, float(v[0]), float(v[1]), 0.0f, 1.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::RasterPos(c, float(v[0]), float(v[1]), 0.0f, 1.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glRasterPos2s(GLshort x, GLshort y) try {
-  Context& c = *current_context;
-  if (!gl::RasterPos) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_RasterPos(c, float(x), float(y), 0.0f, 1.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::RasterPos(c, float(x), float(y), 0.0f, 1.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glRasterPos2sv(const GLshort* v) try {
-  Context& c = *current_context;
-  if (!gl::RasterPos) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_RasterPos(c, float(v[0]), float(v[1]), 0.0f, 1.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::RasterPos(c, float(v[0]), float(v[1]), 0.0f, 1.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glRasterPos3d(GLdouble x, GLdouble y, GLdouble z) try {
-  Context& c = *current_context;
-  if (!gl::RasterPos) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_RasterPos(c, float(x), float(y), float(z), 1.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::RasterPos(c, float(x), float(y), float(z), 1.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glRasterPos3dv(const GLdouble* v) try {
-  Context& c = *current_context;
-  if (!gl::RasterPos) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_RasterPos(c, float(v[0]), float(v[1]), float(v[2]), 1.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::RasterPos(c, float(v[0]), float(v[1]), float(v[2]), 1.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glRasterPos3f(GLfloat x, GLfloat y, GLfloat z) try {
-  Context& c = *current_context;
-  if (!gl::RasterPos) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_RasterPos(c, x, y, z, 1.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::RasterPos(c, x, y, z, 1.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glRasterPos3fv(const GLfloat* v) try {
-  Context& c = *current_context;
-  if (!gl::RasterPos) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_RasterPos(c, v[0], v[1], v[2], 1.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::RasterPos(c, v[0], v[1], v[2], 1.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glRasterPos3i(GLint x, GLint y, GLint z) try {
-  Context& c = *current_context;
-  if (!gl::RasterPos) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_RasterPos(c, float(x), float(y), float(z), 1.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::RasterPos(c, float(x), float(y), float(z), 1.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glRasterPos3iv(const GLint* v) try {
-  Context& c = *current_context;
-  if (!gl::RasterPos) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_RasterPos(c, float(v[0]), float(v[1]), float(v[2]), 1.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::RasterPos(c, float(v[0]), float(v[1]), float(v[2]), 1.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glRasterPos3s(GLshort x, GLshort y, GLshort z) try {
-  Context& c = *current_context;
-  if (!gl::RasterPos) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_RasterPos(c, float(x), float(y), float(z), 1.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::RasterPos(c, float(x), float(y), float(z), 1.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glRasterPos3sv(const GLshort* v) try {
-  Context& c = *current_context;
-  if (!gl::RasterPos) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_RasterPos(c, float(v[0]), float(v[1]), float(v[2]), 1.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::RasterPos(c, float(v[0]), float(v[1]), float(v[2]), 1.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glRasterPos4d(GLdouble x, GLdouble y, GLdouble z, GLdouble w) try {
-  Context& c = *current_context;
-  if (!gl::RasterPos) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_RasterPos(c, float(x), float(y), float(z), float(w));
-    if (!may_execute(c)) return;
-  }
-  gl::RasterPos(c, float(x), float(y), float(z), float(w));
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glRasterPos4dv(const GLdouble* v) try {
-  Context& c = *current_context;
-  if (!gl::RasterPos) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_RasterPos(c, float(v[0]), float(v[1]), float(v[2]), float(v[3]));
-    if (!may_execute(c)) return;
-  }
-  gl::RasterPos(c, float(v[0]), float(v[1]), float(v[2]), float(v[3]));
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glRasterPos4f(GLfloat x, GLfloat y, GLfloat z, GLfloat w) try {
-  Context& c = *current_context;
-  if (!gl::RasterPos) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_RasterPos(c, x, y, z, w);
-    if (!may_execute(c)) return;
-  }
-  gl::RasterPos(c, x, y, z, w);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glRasterPos4fv(const GLfloat* v) try {
-  Context& c = *current_context;
-  if (!gl::RasterPos) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_RasterPos(c, v[0], v[1], v[2], v[3]);
-    if (!may_execute(c)) return;
-  }
-  gl::RasterPos(c, v[0], v[1], v[2], v[3]);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glRasterPos4i(GLint x, GLint y, GLint z, GLint w) try {
-  Context& c = *current_context;
-  if (!gl::RasterPos) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_RasterPos(c, float(x), float(y), float(z), float(w));
-    if (!may_execute(c)) return;
-  }
-  gl::RasterPos(c, float(x), float(y), float(z), float(w));
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glRasterPos4iv(const GLint* v) try {
-  Context& c = *current_context;
-  if (!gl::RasterPos) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_RasterPos(c, float(v[0]), float(v[1]), float(v[2]), float(v[3]));
-    if (!may_execute(c)) return;
-  }
-  gl::RasterPos(c, float(v[0]), float(v[1]), float(v[2]), float(v[3]));
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glRasterPos4s(GLshort x, GLshort y, GLshort z, GLshort w) try {
-  Context& c = *current_context;
-  if (!gl::RasterPos) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_RasterPos(c, float(x), float(y), float(z), float(w));
-    if (!may_execute(c)) return;
-  }
-  gl::RasterPos(c, float(x), float(y), float(z), float(w));
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glRasterPos4sv(const GLshort* v) try {
-  Context& c = *current_context;
-  if (!gl::RasterPos) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_RasterPos(c, float(v[0]), float(v[1]), float(v[2]), float(v[3]));
-    if (!may_execute(c)) return;
-  }
-  gl::RasterPos(c, float(v[0]), float(v[1]), float(v[2]), float(v[3]));
-} catch (...) {
-  out_of_memory();
-}
+SOFTGL_EXPORT void APIENTRY glPushName(GLuint) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glRasterPos2d(GLdouble, GLdouble) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glRasterPos2dv(const GLdouble*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glRasterPos2f(GLfloat, GLfloat) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glRasterPos2fv(const GLfloat*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glRasterPos2i(GLint, GLint) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glRasterPos2iv(const GLint*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glRasterPos2s(GLshort, GLshort) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glRasterPos2sv(const GLshort*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glRasterPos3d(GLdouble, GLdouble, GLdouble) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glRasterPos3dv(const GLdouble*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glRasterPos3f(GLfloat, GLfloat, GLfloat) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glRasterPos3fv(const GLfloat*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glRasterPos3i(GLint, GLint, GLint) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glRasterPos3iv(const GLint*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glRasterPos3s(GLshort, GLshort, GLshort) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glRasterPos3sv(const GLshort*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glRasterPos4d(GLdouble, GLdouble, GLdouble, GLdouble) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glRasterPos4dv(const GLdouble*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glRasterPos4f(GLfloat, GLfloat, GLfloat, GLfloat) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glRasterPos4fv(const GLfloat*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glRasterPos4i(GLint, GLint, GLint, GLint) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glRasterPos4iv(const GLint*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glRasterPos4s(GLshort, GLshort, GLshort, GLshort) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glRasterPos4sv(const GLshort*) { unbuilt_command(); }
 SOFTGL_EXPORT void APIENTRY glReadBuffer(GLenum src) try {
   Context& c = *current_context;
-  if (!gl::ReadBuffer) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_ReadBuffer(c, src);
     if (!may_execute(c)) return;
@@ -965,7 +519,6 @@ SOFTGL_EXPORT void APIENTRY glReadBuffer(GLenum src) try {
 }
 SOFTGL_EXPORT void APIENTRY glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, void* pixels) try {
   Context& c = *current_context;
-  if (!gl::ReadPixels) return unbuilt_command();
   if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::ReadPixels(c, x, y, width, height, format, type, pixels);
 } catch (...) {
@@ -973,7 +526,6 @@ SOFTGL_EXPORT void APIENTRY glReadPixels(GLint x, GLint y, GLsizei width, GLsize
 }
 SOFTGL_EXPORT void APIENTRY glRectd(GLdouble x1, GLdouble y1, GLdouble x2, GLdouble y2) try {
   Context& c = *current_context;
-  if (!gl::Rect) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Rect(c, float(x1), float(y1), float(x2), float(y2));
     if (!may_execute(c)) return;
@@ -984,7 +536,6 @@ SOFTGL_EXPORT void APIENTRY glRectd(GLdouble x1, GLdouble y1, GLdouble x2, GLdou
 }
 SOFTGL_EXPORT void APIENTRY glRectdv(const GLdouble* v1, const GLdouble* v2) try {
   Context& c = *current_context;
-  if (!gl::Rect) return unbuilt_command();
   if (!v1 || !v2) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Rect(c, float(v1[0]), float(v1[1]), float(v2[0]), float(v2[1]));
@@ -996,7 +547,6 @@ SOFTGL_EXPORT void APIENTRY glRectdv(const GLdouble* v1, const GLdouble* v2) try
 }
 SOFTGL_EXPORT void APIENTRY glRectf(GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) try {
   Context& c = *current_context;
-  if (!gl::Rect) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Rect(c, x1, y1, x2, y2);
     if (!may_execute(c)) return;
@@ -1007,7 +557,6 @@ SOFTGL_EXPORT void APIENTRY glRectf(GLfloat x1, GLfloat y1, GLfloat x2, GLfloat 
 }
 SOFTGL_EXPORT void APIENTRY glRectfv(const GLfloat* v1, const GLfloat* v2) try {
   Context& c = *current_context;
-  if (!gl::Rect) return unbuilt_command();
   if (!v1 || !v2) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Rect(c, v1[0], v1[1], v2[0], v2[1]);
@@ -1019,7 +568,6 @@ SOFTGL_EXPORT void APIENTRY glRectfv(const GLfloat* v1, const GLfloat* v2) try {
 }
 SOFTGL_EXPORT void APIENTRY glRecti(GLint x1, GLint y1, GLint x2, GLint y2) try {
   Context& c = *current_context;
-  if (!gl::Rect) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Rect(c, float(x1), float(y1), float(x2), float(y2));
     if (!may_execute(c)) return;
@@ -1030,7 +578,6 @@ SOFTGL_EXPORT void APIENTRY glRecti(GLint x1, GLint y1, GLint x2, GLint y2) try 
 }
 SOFTGL_EXPORT void APIENTRY glRectiv(const GLint* v1, const GLint* v2) try {
   Context& c = *current_context;
-  if (!gl::Rect) return unbuilt_command();
   if (!v1 || !v2) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Rect(c, float(v1[0]), float(v1[1]), float(v2[0]), float(v2[1]));
@@ -1042,7 +589,6 @@ SOFTGL_EXPORT void APIENTRY glRectiv(const GLint* v1, const GLint* v2) try {
 }
 SOFTGL_EXPORT void APIENTRY glRects(GLshort x1, GLshort y1, GLshort x2, GLshort y2) try {
   Context& c = *current_context;
-  if (!gl::Rect) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Rect(c, float(x1), float(y1), float(x2), float(y2));
     if (!may_execute(c)) return;
@@ -1053,7 +599,6 @@ SOFTGL_EXPORT void APIENTRY glRects(GLshort x1, GLshort y1, GLshort x2, GLshort 
 }
 SOFTGL_EXPORT void APIENTRY glRectsv(const GLshort* v1, const GLshort* v2) try {
   Context& c = *current_context;
-  if (!gl::Rect) return unbuilt_command();
   if (!v1 || !v2) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Rect(c, float(v1[0]), float(v1[1]), float(v2[0]), float(v2[1]));
@@ -1063,18 +608,9 @@ SOFTGL_EXPORT void APIENTRY glRectsv(const GLshort* v1, const GLshort* v2) try {
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT GLint APIENTRY glRenderMode(GLenum mode) try {
-  Context& c = *current_context;
-  if (!gl::RenderMode) { unbuilt_command(); return 0; }
-  if (c.guard && !may_execute(c)) [[unlikely]] return 0;
-  return gl::RenderMode(c, mode);
-} catch (...) {
-  out_of_memory();
-  return 0;
-}
+SOFTGL_EXPORT GLint APIENTRY glRenderMode(GLenum) { unbuilt_command(); return 0; }
 SOFTGL_EXPORT void APIENTRY glRotated(GLdouble angle, GLdouble x, GLdouble y, GLdouble z) try {
   Context& c = *current_context;
-  if (!gl::Rotate) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Rotate(c, GLfloat(angle), GLfloat(x), GLfloat(y), GLfloat(z));
     if (!may_execute(c)) return;
@@ -1085,7 +621,6 @@ SOFTGL_EXPORT void APIENTRY glRotated(GLdouble angle, GLdouble x, GLdouble y, GL
 }
 SOFTGL_EXPORT void APIENTRY glRotatef(GLfloat angle, GLfloat x, GLfloat y, GLfloat z) try {
   Context& c = *current_context;
-  if (!gl::Rotate) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Rotate(c, angle, x, y, z);
     if (!may_execute(c)) return;
@@ -1096,7 +631,6 @@ SOFTGL_EXPORT void APIENTRY glRotatef(GLfloat angle, GLfloat x, GLfloat y, GLflo
 }
 SOFTGL_EXPORT void APIENTRY glSampleCoverage(GLfloat value, GLboolean invert) try {
   Context& c = *current_context;
-  if (!gl::SampleCoverage) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_SampleCoverage(c, value, invert);
     if (!may_execute(c)) return;
@@ -1107,7 +641,6 @@ SOFTGL_EXPORT void APIENTRY glSampleCoverage(GLfloat value, GLboolean invert) tr
 }
 SOFTGL_EXPORT void APIENTRY glSampleCoverageARB(GLfloat value, GLboolean invert) try {
   Context& c = *current_context;
-  if (!gl::SampleCoverage) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_SampleCoverage(c, value, invert);
     if (!may_execute(c)) return;
@@ -1118,7 +651,6 @@ SOFTGL_EXPORT void APIENTRY glSampleCoverageARB(GLfloat value, GLboolean invert)
 }
 SOFTGL_EXPORT void APIENTRY glScaled(GLdouble x, GLdouble y, GLdouble z) try {
   Context& c = *current_context;
-  if (!gl::Scale) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Scale(c, GLfloat(x), GLfloat(y), GLfloat(z));
     if (!may_execute(c)) return;
@@ -1129,7 +661,6 @@ SOFTGL_EXPORT void APIENTRY glScaled(GLdouble x, GLdouble y, GLdouble z) try {
 }
 SOFTGL_EXPORT void APIENTRY glScalef(GLfloat x, GLfloat y, GLfloat z) try {
   Context& c = *current_context;
-  if (!gl::Scale) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Scale(c, x, y, z);
     if (!may_execute(c)) return;
@@ -1140,7 +671,6 @@ SOFTGL_EXPORT void APIENTRY glScalef(GLfloat x, GLfloat y, GLfloat z) try {
 }
 SOFTGL_EXPORT void APIENTRY glScissor(GLint x, GLint y, GLsizei width, GLsizei height) try {
   Context& c = *current_context;
-  if (!gl::Scissor) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Scissor(c, x, y, width, height);
     if (!may_execute(c)) return;
@@ -1151,7 +681,6 @@ SOFTGL_EXPORT void APIENTRY glScissor(GLint x, GLint y, GLsizei width, GLsizei h
 }
 SOFTGL_EXPORT void APIENTRY glSecondaryColorPointer(GLint size, GLenum type, GLsizei stride, const void* pointer) try {
   Context& c = *current_context;
-  if (!gl::SecondaryColorPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::SecondaryColorPointer(c, size, type, stride, pointer);
 } catch (...) {
@@ -1159,24 +688,14 @@ SOFTGL_EXPORT void APIENTRY glSecondaryColorPointer(GLint size, GLenum type, GLs
 }
 SOFTGL_EXPORT void APIENTRY glSecondaryColorPointerEXT(GLint size, GLenum type, GLsizei stride, const void* pointer) try {
   Context& c = *current_context;
-  if (!gl::SecondaryColorPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::SecondaryColorPointer(c, size, type, stride, pointer);
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glSelectBuffer(GLsizei size, GLuint* buffer) try {
-  Context& c = *current_context;
-  if (!gl::SelectBuffer) return unbuilt_command();
-  if ((!buffer && size > 0)) [[unlikely]] return;
-  if (c.guard && !may_execute(c)) [[unlikely]] return;
-  gl::SelectBuffer(c, size, buffer);
-} catch (...) {
-  out_of_memory();
-}
+SOFTGL_EXPORT void APIENTRY glSelectBuffer(GLsizei, GLuint*) { unbuilt_command(); }
 SOFTGL_EXPORT void APIENTRY glShadeModel(GLenum mode) try {
   Context& c = *current_context;
-  if (!gl::ShadeModel) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_ShadeModel(c, mode);
     if (!may_execute(c)) return;
@@ -1187,7 +706,6 @@ SOFTGL_EXPORT void APIENTRY glShadeModel(GLenum mode) try {
 }
 SOFTGL_EXPORT void APIENTRY glStencilFunc(GLenum func, GLint ref, GLuint mask) try {
   Context& c = *current_context;
-  if (!gl::StencilFunc) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_StencilFunc(c, func, ref, mask);
     if (!may_execute(c)) return;
@@ -1198,7 +716,6 @@ SOFTGL_EXPORT void APIENTRY glStencilFunc(GLenum func, GLint ref, GLuint mask) t
 }
 SOFTGL_EXPORT void APIENTRY glStencilMask(GLuint mask) try {
   Context& c = *current_context;
-  if (!gl::StencilMask) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_StencilMask(c, mask);
     if (!may_execute(c)) return;
@@ -1209,7 +726,6 @@ SOFTGL_EXPORT void APIENTRY glStencilMask(GLuint mask) try {
 }
 SOFTGL_EXPORT void APIENTRY glStencilOp(GLenum fail, GLenum zfail, GLenum zpass) try {
   Context& c = *current_context;
-  if (!gl::StencilOp) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_StencilOp(c, fail, zfail, zpass);
     if (!may_execute(c)) return;
@@ -1220,7 +736,6 @@ SOFTGL_EXPORT void APIENTRY glStencilOp(GLenum fail, GLenum zfail, GLenum zpass)
 }
 SOFTGL_EXPORT void APIENTRY glTexCoordPointer(GLint size, GLenum type, GLsizei stride, const void* pointer) try {
   Context& c = *current_context;
-  if (!gl::TexCoordPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::TexCoordPointer(c, size, type, stride, pointer);
 } catch (...) {
@@ -1228,7 +743,6 @@ SOFTGL_EXPORT void APIENTRY glTexCoordPointer(GLint size, GLenum type, GLsizei s
 }
 SOFTGL_EXPORT void APIENTRY glTexCoordPointerEXT(GLint size, GLenum type, GLsizei stride, GLsizei, const void* pointer) try {
   Context& c = *current_context;
-  if (!gl::TexCoordPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::TexCoordPointer(c, size, type, stride, pointer);
 } catch (...) {
@@ -1236,7 +750,6 @@ SOFTGL_EXPORT void APIENTRY glTexCoordPointerEXT(GLint size, GLenum type, GLsize
 }
 SOFTGL_EXPORT void APIENTRY glTexEnvf(GLenum target, GLenum pname, GLfloat param) try {
   Context& c = *current_context;
-  if (!gl::TexEnv) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = scalar_parameter(kCountOf_texture_environment, pname, param);
   if (!values.valid) [[unlikely]] return bad_scalar_parameter(c);
@@ -1250,7 +763,6 @@ SOFTGL_EXPORT void APIENTRY glTexEnvf(GLenum target, GLenum pname, GLfloat param
 }
 SOFTGL_EXPORT void APIENTRY glTexEnvfv(GLenum target, GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
-  if (!gl::TexEnv) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_TexEnv(c, target, pname, params);
@@ -1262,7 +774,6 @@ SOFTGL_EXPORT void APIENTRY glTexEnvfv(GLenum target, GLenum pname, const GLfloa
 }
 SOFTGL_EXPORT void APIENTRY glTexEnvi(GLenum target, GLenum pname, GLint param) try {
   Context& c = *current_context;
-  if (!gl::TexEnv) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = scalar_parameter(kCountOf_texture_environment, pname, param);
   if (!values.valid) [[unlikely]] return bad_scalar_parameter(c);
@@ -1276,7 +787,6 @@ SOFTGL_EXPORT void APIENTRY glTexEnvi(GLenum target, GLenum pname, GLint param) 
 }
 SOFTGL_EXPORT void APIENTRY glTexEnviv(GLenum target, GLenum pname, const GLint* params) try {
   Context& c = *current_context;
-  if (!gl::TexEnv) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = vector_parameters(kCountOf_texture_environment, pname, params);
@@ -1290,7 +800,6 @@ SOFTGL_EXPORT void APIENTRY glTexEnviv(GLenum target, GLenum pname, const GLint*
 }
 SOFTGL_EXPORT void APIENTRY glTexGend(GLenum coord, GLenum pname, GLdouble param) try {
   Context& c = *current_context;
-  if (!gl::TexGen) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = scalar_parameter(kCountOf_texture_generation, pname, param);
   if (!values.valid) [[unlikely]] return bad_scalar_parameter(c);
@@ -1304,7 +813,6 @@ SOFTGL_EXPORT void APIENTRY glTexGend(GLenum coord, GLenum pname, GLdouble param
 }
 SOFTGL_EXPORT void APIENTRY glTexGendv(GLenum coord, GLenum pname, const GLdouble* params) try {
   Context& c = *current_context;
-  if (!gl::TexGen) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = vector_parameters(kCountOf_texture_generation, pname, params);
@@ -1318,7 +826,6 @@ SOFTGL_EXPORT void APIENTRY glTexGendv(GLenum coord, GLenum pname, const GLdoubl
 }
 SOFTGL_EXPORT void APIENTRY glTexGenf(GLenum coord, GLenum pname, GLfloat param) try {
   Context& c = *current_context;
-  if (!gl::TexGen) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = scalar_parameter(kCountOf_texture_generation, pname, param);
   if (!values.valid) [[unlikely]] return bad_scalar_parameter(c);
@@ -1332,7 +839,6 @@ SOFTGL_EXPORT void APIENTRY glTexGenf(GLenum coord, GLenum pname, GLfloat param)
 }
 SOFTGL_EXPORT void APIENTRY glTexGenfv(GLenum coord, GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
-  if (!gl::TexGen) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_TexGen(c, coord, pname, params);
@@ -1344,7 +850,6 @@ SOFTGL_EXPORT void APIENTRY glTexGenfv(GLenum coord, GLenum pname, const GLfloat
 }
 SOFTGL_EXPORT void APIENTRY glTexGeni(GLenum coord, GLenum pname, GLint param) try {
   Context& c = *current_context;
-  if (!gl::TexGen) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = scalar_parameter(kCountOf_texture_generation, pname, param);
   if (!values.valid) [[unlikely]] return bad_scalar_parameter(c);
@@ -1358,7 +863,6 @@ SOFTGL_EXPORT void APIENTRY glTexGeni(GLenum coord, GLenum pname, GLint param) t
 }
 SOFTGL_EXPORT void APIENTRY glTexGeniv(GLenum coord, GLenum pname, const GLint* params) try {
   Context& c = *current_context;
-  if (!gl::TexGen) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = vector_parameters(kCountOf_texture_generation, pname, params);
@@ -1372,7 +876,6 @@ SOFTGL_EXPORT void APIENTRY glTexGeniv(GLenum coord, GLenum pname, const GLint* 
 }
 SOFTGL_EXPORT void APIENTRY glTexImage1D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLint border, GLenum format, GLenum type, const void* pixels) try {
   Context& c = *current_context;
-  if (!gl::TexImage1D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_TexImage1D(c, target, level, internalformat, width, border, format, type, pixels);
     if (!may_execute(c)) return;
@@ -1383,7 +886,6 @@ SOFTGL_EXPORT void APIENTRY glTexImage1D(GLenum target, GLint level, GLint inter
 }
 SOFTGL_EXPORT void APIENTRY glTexImage2D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels) try {
   Context& c = *current_context;
-  if (!gl::TexImage2D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_TexImage2D(c, target, level, internalformat, width, height, border, format, type, pixels);
     if (!may_execute(c)) return;
@@ -1394,7 +896,6 @@ SOFTGL_EXPORT void APIENTRY glTexImage2D(GLenum target, GLint level, GLint inter
 }
 SOFTGL_EXPORT void APIENTRY glTexImage3D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type, const void* pixels) try {
   Context& c = *current_context;
-  if (!gl::TexImage3D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_TexImage3D(c, target, level, internalformat, width, height, depth, border, format, type, pixels);
     if (!may_execute(c)) return;
@@ -1405,7 +906,6 @@ SOFTGL_EXPORT void APIENTRY glTexImage3D(GLenum target, GLint level, GLint inter
 }
 SOFTGL_EXPORT void APIENTRY glTexImage3DEXT(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type, const void* pixels) try {
   Context& c = *current_context;
-  if (!gl::TexImage3D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_TexImage3D(c, target, level, internalformat, width, height, depth, border, format, type, pixels);
     if (!may_execute(c)) return;
@@ -1416,7 +916,6 @@ SOFTGL_EXPORT void APIENTRY glTexImage3DEXT(GLenum target, GLint level, GLint in
 }
 SOFTGL_EXPORT void APIENTRY glTexParameterf(GLenum target, GLenum pname, GLfloat param) try {
   Context& c = *current_context;
-  if (!gl::TexParameter) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = scalar_parameter(kCountOf_texture, pname, param);
   if (!values.valid) [[unlikely]] return bad_scalar_parameter(c);
@@ -1430,7 +929,6 @@ SOFTGL_EXPORT void APIENTRY glTexParameterf(GLenum target, GLenum pname, GLfloat
 }
 SOFTGL_EXPORT void APIENTRY glTexParameterfv(GLenum target, GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
-  if (!gl::TexParameter) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_TexParameter(c, target, pname, params);
@@ -1442,7 +940,6 @@ SOFTGL_EXPORT void APIENTRY glTexParameterfv(GLenum target, GLenum pname, const 
 }
 SOFTGL_EXPORT void APIENTRY glTexParameteri(GLenum target, GLenum pname, GLint param) try {
   Context& c = *current_context;
-  if (!gl::TexParameter) return unbuilt_command();
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = scalar_parameter(kCountOf_texture, pname, param);
   if (!values.valid) [[unlikely]] return bad_scalar_parameter(c);
@@ -1456,7 +953,6 @@ SOFTGL_EXPORT void APIENTRY glTexParameteri(GLenum target, GLenum pname, GLint p
 }
 SOFTGL_EXPORT void APIENTRY glTexParameteriv(GLenum target, GLenum pname, const GLint* params) try {
   Context& c = *current_context;
-  if (!gl::TexParameter) return unbuilt_command();
   if (!params) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = vector_parameters(kCountOf_texture, pname, params);
@@ -1470,7 +966,6 @@ SOFTGL_EXPORT void APIENTRY glTexParameteriv(GLenum target, GLenum pname, const 
 }
 SOFTGL_EXPORT void APIENTRY glTexSubImage1D(GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLenum type, const void* pixels) try {
   Context& c = *current_context;
-  if (!gl::TexSubImage1D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_TexSubImage1D(c, target, level, xoffset, width, format, type, pixels);
     if (!may_execute(c)) return;
@@ -1481,7 +976,6 @@ SOFTGL_EXPORT void APIENTRY glTexSubImage1D(GLenum target, GLint level, GLint xo
 }
 SOFTGL_EXPORT void APIENTRY glTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels) try {
   Context& c = *current_context;
-  if (!gl::TexSubImage2D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_TexSubImage2D(c, target, level, xoffset, yoffset, width, height, format, type, pixels);
     if (!may_execute(c)) return;
@@ -1492,7 +986,6 @@ SOFTGL_EXPORT void APIENTRY glTexSubImage2D(GLenum target, GLint level, GLint xo
 }
 SOFTGL_EXPORT void APIENTRY glTexSubImage3D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type, const void* pixels) try {
   Context& c = *current_context;
-  if (!gl::TexSubImage3D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_TexSubImage3D(c, target, level, xoffset, yoffset, zoffset, width, height, depth, format, type, pixels);
     if (!may_execute(c)) return;
@@ -1503,7 +996,6 @@ SOFTGL_EXPORT void APIENTRY glTexSubImage3D(GLenum target, GLint level, GLint xo
 }
 SOFTGL_EXPORT void APIENTRY glTexSubImage3DEXT(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type, const void* pixels) try {
   Context& c = *current_context;
-  if (!gl::TexSubImage3D) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_TexSubImage3D(c, target, level, xoffset, yoffset, zoffset, width, height, depth, format, type, pixels);
     if (!may_execute(c)) return;
@@ -1514,7 +1006,6 @@ SOFTGL_EXPORT void APIENTRY glTexSubImage3DEXT(GLenum target, GLint level, GLint
 }
 SOFTGL_EXPORT void APIENTRY glTranslated(GLdouble x, GLdouble y, GLdouble z) try {
   Context& c = *current_context;
-  if (!gl::Translate) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Translate(c, GLfloat(x), GLfloat(y), GLfloat(z));
     if (!may_execute(c)) return;
@@ -1525,7 +1016,6 @@ SOFTGL_EXPORT void APIENTRY glTranslated(GLdouble x, GLdouble y, GLdouble z) try
 }
 SOFTGL_EXPORT void APIENTRY glTranslatef(GLfloat x, GLfloat y, GLfloat z) try {
   Context& c = *current_context;
-  if (!gl::Translate) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Translate(c, x, y, z);
     if (!may_execute(c)) return;
@@ -1536,7 +1026,6 @@ SOFTGL_EXPORT void APIENTRY glTranslatef(GLfloat x, GLfloat y, GLfloat z) try {
 }
 SOFTGL_EXPORT GLboolean APIENTRY glUnmapBuffer(GLenum target) try {
   Context& c = *current_context;
-  if (!gl::UnmapBuffer) { unbuilt_command(); return 0; }
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
   return gl::UnmapBuffer(c, target);
 } catch (...) {
@@ -1545,7 +1034,6 @@ SOFTGL_EXPORT GLboolean APIENTRY glUnmapBuffer(GLenum target) try {
 }
 SOFTGL_EXPORT GLboolean APIENTRY glUnmapBufferARB(GLenum target) try {
   Context& c = *current_context;
-  if (!gl::UnmapBuffer) { unbuilt_command(); return 0; }
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
   return gl::UnmapBuffer(c, target);
 } catch (...) {
@@ -1554,7 +1042,6 @@ SOFTGL_EXPORT GLboolean APIENTRY glUnmapBufferARB(GLenum target) try {
 }
 SOFTGL_EXPORT void APIENTRY glVertexPointer(GLint size, GLenum type, GLsizei stride, const void* pointer) try {
   Context& c = *current_context;
-  if (!gl::VertexPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::VertexPointer(c, size, type, stride, pointer);
 } catch (...) {
@@ -1562,7 +1049,6 @@ SOFTGL_EXPORT void APIENTRY glVertexPointer(GLint size, GLenum type, GLsizei str
 }
 SOFTGL_EXPORT void APIENTRY glVertexPointerEXT(GLint size, GLenum type, GLsizei stride, GLsizei, const void* pointer) try {
   Context& c = *current_context;
-  if (!gl::VertexPointer) return unbuilt_command();
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::VertexPointer(c, size, type, stride, pointer);
 } catch (...) {
@@ -1570,7 +1056,6 @@ SOFTGL_EXPORT void APIENTRY glVertexPointerEXT(GLint size, GLenum type, GLsizei 
 }
 SOFTGL_EXPORT void APIENTRY glViewport(GLint x, GLint y, GLsizei width, GLsizei height) try {
   Context& c = *current_context;
-  if (!gl::Viewport) return unbuilt_command();
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Viewport(c, x, y, width, height);
     if (!may_execute(c)) return;
@@ -1579,373 +1064,37 @@ SOFTGL_EXPORT void APIENTRY glViewport(GLint x, GLint y, GLsizei width, GLsizei 
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos2d(GLdouble x, GLdouble y) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, float(x), float(y), 0.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, float(x), float(y), 0.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos2dARB(GLdouble x, GLdouble y) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, float(x), float(y), 0.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, float(x), float(y), 0.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos2dv(const GLdouble* v) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), 0.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, float(v[0]), float(v[1]), 0.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos2dvARB(const GLdouble* v) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), 0.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, float(v[0]), float(v[1]), 0.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos2f(GLfloat x, GLfloat y) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, x, y, 0.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, x, y, 0.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos2fARB(GLfloat x, GLfloat y) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, x, y, 0.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, x, y, 0.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos2fv(const GLfloat* v) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, v[0], v[1], 0.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, v[0], v[1], 0.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos2fvARB(const GLfloat* v) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, v[0], v[1], 0.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, v[0], v[1], 0.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos2i(GLint x, GLint y) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, float(x), float(y), 0.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, float(x), float(y), 0.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos2iARB(GLint x, GLint y) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, float(x), float(y), 0.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, float(x), float(y), 0.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos2iv(const GLint* v) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), 0.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, float(v[0]), float(v[1]), 0.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos2ivARB(const GLint* v) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), 0.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, float(v[0]), float(v[1]), 0.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos2s(GLshort x, GLshort y) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, float(x), float(y), 0.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, float(x), float(y), 0.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos2sARB(GLshort x, GLshort y) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, float(x), float(y), 0.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, float(x), float(y), 0.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos2sv(const GLshort* v) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), 0.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, float(v[0]), float(v[1]), 0.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos2svARB(const GLshort* v) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), 0.0f);
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, float(v[0]), float(v[1]), 0.0f);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos3d(GLdouble x, GLdouble y, GLdouble z) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, float(x), float(y), float(z));
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, float(x), float(y), float(z));
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos3dARB(GLdouble x, GLdouble y, GLdouble z) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, float(x), float(y), float(z));
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, float(x), float(y), float(z));
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos3dv(const GLdouble* v) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos3dvARB(const GLdouble* v) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos3f(GLfloat x, GLfloat y, GLfloat z) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, x, y, z);
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, x, y, z);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos3fARB(GLfloat x, GLfloat y, GLfloat z) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, x, y, z);
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, x, y, z);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos3fv(const GLfloat* v) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, v[0], v[1], v[2]);
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, v[0], v[1], v[2]);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos3fvARB(const GLfloat* v) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, v[0], v[1], v[2]);
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, v[0], v[1], v[2]);
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos3i(GLint x, GLint y, GLint z) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, float(x), float(y), float(z));
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, float(x), float(y), float(z));
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos3iARB(GLint x, GLint y, GLint z) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, float(x), float(y), float(z));
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, float(x), float(y), float(z));
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos3iv(const GLint* v) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos3ivARB(const GLint* v) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos3s(GLshort x, GLshort y, GLshort z) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, float(x), float(y), float(z));
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, float(x), float(y), float(z));
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos3sARB(GLshort x, GLshort y, GLshort z) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, float(x), float(y), float(z));
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, float(x), float(y), float(z));
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos3sv(const GLshort* v) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
-} catch (...) {
-  out_of_memory();
-}
-SOFTGL_EXPORT void APIENTRY glWindowPos3svARB(const GLshort* v) try {
-  Context& c = *current_context;
-  if (!gl::WindowPos) return unbuilt_command();
-  if (!v) [[unlikely]] return;
-  if (c.guard) [[unlikely]] {
-    if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
-    if (!may_execute(c)) return;
-  }
-  gl::WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
-} catch (...) {
-  out_of_memory();
-}
+SOFTGL_EXPORT void APIENTRY glWindowPos2d(GLdouble, GLdouble) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos2dARB(GLdouble, GLdouble) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos2dv(const GLdouble*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos2dvARB(const GLdouble*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos2f(GLfloat, GLfloat) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos2fARB(GLfloat, GLfloat) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos2fv(const GLfloat*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos2fvARB(const GLfloat*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos2i(GLint, GLint) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos2iARB(GLint, GLint) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos2iv(const GLint*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos2ivARB(const GLint*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos2s(GLshort, GLshort) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos2sARB(GLshort, GLshort) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos2sv(const GLshort*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos2svARB(const GLshort*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos3d(GLdouble, GLdouble, GLdouble) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos3dARB(GLdouble, GLdouble, GLdouble) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos3dv(const GLdouble*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos3dvARB(const GLdouble*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos3f(GLfloat, GLfloat, GLfloat) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos3fARB(GLfloat, GLfloat, GLfloat) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos3fv(const GLfloat*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos3fvARB(const GLfloat*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos3i(GLint, GLint, GLint) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos3iARB(GLint, GLint, GLint) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos3iv(const GLint*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos3ivARB(const GLint*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos3s(GLshort, GLshort, GLshort) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos3sARB(GLshort, GLshort, GLshort) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos3sv(const GLshort*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos3svARB(const GLshort*) { unbuilt_command(); }
 
 }

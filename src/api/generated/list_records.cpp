@@ -20,70 +20,6 @@ void compile_Rect(Context& c, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
     if (may_execute(c)) gl::Rect(c, x1, y1, x2, y2);
   }
 }
-void compile_EvalMesh1(Context& c, GLenum mode, GLint i1, GLint i2) {
-  const EvalMesh1Arguments kept_call{mode, i1, i2};
-  new (record(c, uint16_t(Opcode::EvalMesh1), sizeof kept_call)) EvalMesh1Arguments(kept_call);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::EvalMesh1(c, mode, i1, i2);
-  }
-}
-void compile_EvalMesh2(Context& c, GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-  const EvalMesh2Arguments kept_call{mode, i1, i2, j1, j2};
-  new (record(c, uint16_t(Opcode::EvalMesh2), sizeof kept_call)) EvalMesh2Arguments(kept_call);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::EvalMesh2(c, mode, i1, i2, j1, j2);
-  }
-}
-void compile_MapGrid1(Context& c, GLint un, GLfloat u1, GLfloat u2) {
-  const MapGrid1Arguments kept_call{un, u1, u2};
-  new (record(c, uint16_t(Opcode::MapGrid1), sizeof kept_call)) MapGrid1Arguments(kept_call);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::MapGrid1(c, un, u1, u2);
-  }
-}
-void compile_MapGrid2(Context& c, GLint un, GLfloat u1, GLfloat u2, GLint vn, GLfloat v1, GLfloat v2) {
-  const MapGrid2Arguments kept_call{un, u1, u2, vn, v1, v2};
-  new (record(c, uint16_t(Opcode::MapGrid2), sizeof kept_call)) MapGrid2Arguments(kept_call);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::MapGrid2(c, un, u1, u2, vn, v1, v2);
-  }
-}
-void compile_Map1f(Context& c, GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points) {
-  const Map1fArguments kept_call{target, u1, u2, stride, order, static_cast<const GLfloat*>(keep_bytes(c, points, payload_size(map1_bytes(target,stride,order,4))))};
-  new (record(c, uint16_t(Opcode::Map1f), sizeof kept_call)) Map1fArguments(kept_call);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::Map1f(c, target, u1, u2, stride, order, points);
-  }
-}
-void compile_Map1d(Context& c, GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order, const GLdouble* points) {
-  const Map1dArguments kept_call{target, u1, u2, stride, order, static_cast<const GLdouble*>(keep_bytes(c, points, payload_size(map1_bytes(target,stride,order,8))))};
-  new (record(c, uint16_t(Opcode::Map1d), sizeof kept_call)) Map1dArguments(kept_call);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::Map1d(c, target, u1, u2, stride, order, points);
-  }
-}
-void compile_Map2f(Context& c, GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2, GLint vstride, GLint vorder, const GLfloat* points) {
-  const Map2fArguments kept_call{target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, static_cast<const GLfloat*>(keep_bytes(c, points, payload_size(map2_bytes(target,ustride,uorder,vstride,vorder,4))))};
-  new (record(c, uint16_t(Opcode::Map2f), sizeof kept_call)) Map2fArguments(kept_call);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::Map2f(c, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-  }
-}
-void compile_Map2d(Context& c, GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1, GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points) {
-  const Map2dArguments kept_call{target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, static_cast<const GLdouble*>(keep_bytes(c, points, payload_size(map2_bytes(target,ustride,uorder,vstride,vorder,8))))};
-  new (record(c, uint16_t(Opcode::Map2d), sizeof kept_call)) Map2dArguments(kept_call);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::Map2d(c, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-  }
-}
 void compile_MatrixMode(Context& c, GLenum mode) {
   const MatrixModeArguments kept_call{mode};
   new (record(c, uint16_t(Opcode::MatrixMode), sizeof kept_call)) MatrixModeArguments(kept_call);
@@ -191,22 +127,6 @@ void compile_ClipPlane(Context& c, GLenum plane, const GLdouble* equation) {
   if (execute_too(c)) {
     const ExecuteScope scope(c);
     if (may_execute(c)) gl::ClipPlane(c, plane, equation);
-  }
-}
-void compile_RasterPos(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
-  const RasterPosArguments kept_call{x, y, z, w};
-  new (record(c, uint16_t(Opcode::RasterPos), sizeof kept_call)) RasterPosArguments(kept_call);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::RasterPos(c, x, y, z, w);
-  }
-}
-void compile_WindowPos(Context& c, GLfloat x, GLfloat y, GLfloat z) {
-  const WindowPosArguments kept_call{x, y, z};
-  new (record(c, uint16_t(Opcode::WindowPos), sizeof kept_call)) WindowPosArguments(kept_call);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::WindowPos(c, x, y, z);
   }
 }
 void compile_FrontFace(Context& c, GLenum mode) {
@@ -330,62 +250,12 @@ void compile_PixelTransfer(Context& c, GLenum pname, GLfloat param) {
     if (may_execute(c)) gl::PixelTransfer(c, pname, param);
   }
 }
-void compile_PixelMapfv(Context& c, GLenum map, GLsizei mapsize, const GLfloat* values) {
-  const PixelMapfvArguments kept_call{map, mapsize, static_cast<const GLfloat*>(keep_bytes(c, values, payload_size(mapsize*4)))};
-  new (record(c, uint16_t(Opcode::PixelMapfv), sizeof kept_call)) PixelMapfvArguments(kept_call);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::PixelMapfv(c, map, mapsize, values);
-  }
-}
-void compile_PixelMapuiv(Context& c, GLenum map, GLsizei mapsize, const GLuint* values) {
-  const PixelMapuivArguments kept_call{map, mapsize, static_cast<const GLuint*>(keep_bytes(c, values, payload_size(mapsize*4)))};
-  new (record(c, uint16_t(Opcode::PixelMapuiv), sizeof kept_call)) PixelMapuivArguments(kept_call);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::PixelMapuiv(c, map, mapsize, values);
-  }
-}
-void compile_PixelMapusv(Context& c, GLenum map, GLsizei mapsize, const GLushort* values) {
-  const PixelMapusvArguments kept_call{map, mapsize, static_cast<const GLushort*>(keep_bytes(c, values, payload_size(mapsize*2)))};
-  new (record(c, uint16_t(Opcode::PixelMapusv), sizeof kept_call)) PixelMapusvArguments(kept_call);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::PixelMapusv(c, map, mapsize, values);
-  }
-}
 void compile_PixelZoom(Context& c, GLfloat xfactor, GLfloat yfactor) {
   const PixelZoomArguments kept_call{xfactor, yfactor};
   new (record(c, uint16_t(Opcode::PixelZoom), sizeof kept_call)) PixelZoomArguments(kept_call);
   if (execute_too(c)) {
     const ExecuteScope scope(c);
     if (may_execute(c)) gl::PixelZoom(c, xfactor, yfactor);
-  }
-}
-void compile_DrawPixels(Context& c, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels) {
-  const void* kept = keep_image(c, 2, width, height, 1, format, type, pixels);
-  const DrawPixelsArguments kept_call{width, height, format, type, static_cast<const void*>(kept)};
-  new (record(c, uint16_t(Opcode::DrawPixels), sizeof kept_call)) DrawPixelsArguments(kept_call);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::DrawPixels(c, width, height, format, type, pixels);
-  }
-}
-void compile_CopyPixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type) {
-  const CopyPixelsArguments kept_call{x, y, width, height, type};
-  new (record(c, uint16_t(Opcode::CopyPixels), sizeof kept_call)) CopyPixelsArguments(kept_call);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::CopyPixels(c, x, y, width, height, type);
-  }
-}
-void compile_Bitmap(Context& c, GLsizei width, GLsizei height, GLfloat xorig, GLfloat yorig, GLfloat xmove, GLfloat ymove, const GLubyte* bitmap) {
-  const void* kept = keep_image(c, 2, width, height, 1, GL_COLOR_INDEX, GL_BITMAP, bitmap);
-  const BitmapArguments kept_call{width, height, xorig, yorig, xmove, ymove, static_cast<const GLubyte*>(kept)};
-  new (record(c, uint16_t(Opcode::Bitmap), sizeof kept_call)) BitmapArguments(kept_call);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::Bitmap(c, width, height, xorig, yorig, xmove, ymove, bitmap);
   }
 }
 void compile_ReadBuffer(Context& c, GLenum src) {
@@ -451,46 +321,6 @@ void compile_TexSubImage3D(Context& c, GLenum target, GLint level, GLint xoffset
   if (execute_too(c)) {
     const ExecuteScope scope(c);
     if (may_execute(c)) gl::TexSubImage3D(c, target, level, xoffset, yoffset, zoffset, width, height, depth, format, type, pixels);
-  }
-}
-void compile_CopyTexImage1D(Context& c, GLenum target, GLint level, GLenum internalformat, GLint x, GLint y, GLsizei width, GLint border) {
-  const CopyTexImage1DArguments kept_call{target, level, internalformat, x, y, width, border};
-  new (record(c, uint16_t(Opcode::CopyTexImage1D), sizeof kept_call)) CopyTexImage1DArguments(kept_call);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::CopyTexImage1D(c, target, level, internalformat, x, y, width, border);
-  }
-}
-void compile_CopyTexImage2D(Context& c, GLenum target, GLint level, GLenum internalformat, GLint x, GLint y, GLsizei width, GLsizei height, GLint border) {
-  const CopyTexImage2DArguments kept_call{target, level, internalformat, x, y, width, height, border};
-  new (record(c, uint16_t(Opcode::CopyTexImage2D), sizeof kept_call)) CopyTexImage2DArguments(kept_call);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::CopyTexImage2D(c, target, level, internalformat, x, y, width, height, border);
-  }
-}
-void compile_CopyTexSubImage1D(Context& c, GLenum target, GLint level, GLint xoffset, GLint x, GLint y, GLsizei width) {
-  const CopyTexSubImage1DArguments kept_call{target, level, xoffset, x, y, width};
-  new (record(c, uint16_t(Opcode::CopyTexSubImage1D), sizeof kept_call)) CopyTexSubImage1DArguments(kept_call);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::CopyTexSubImage1D(c, target, level, xoffset, x, y, width);
-  }
-}
-void compile_CopyTexSubImage2D(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint x, GLint y, GLsizei width, GLsizei height) {
-  const CopyTexSubImage2DArguments kept_call{target, level, xoffset, yoffset, x, y, width, height};
-  new (record(c, uint16_t(Opcode::CopyTexSubImage2D), sizeof kept_call)) CopyTexSubImage2DArguments(kept_call);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::CopyTexSubImage2D(c, target, level, xoffset, yoffset, x, y, width, height);
-  }
-}
-void compile_CopyTexSubImage3D(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLint x, GLint y, GLsizei width, GLsizei height) {
-  const CopyTexSubImage3DArguments kept_call{target, level, xoffset, yoffset, zoffset, x, y, width, height};
-  new (record(c, uint16_t(Opcode::CopyTexSubImage3D), sizeof kept_call)) CopyTexSubImage3DArguments(kept_call);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::CopyTexSubImage3D(c, target, level, xoffset, yoffset, zoffset, x, y, width, height);
   }
 }
 void compile_CompressedTexImage1D(Context& c, GLenum target, GLint level, GLenum internalformat, GLsizei width, GLint border, GLsizei imageSize, const void* data) {
@@ -685,22 +515,6 @@ void compile_LogicOp(Context& c, GLenum opcode) {
     if (may_execute(c)) gl::LogicOp(c, opcode);
   }
 }
-void compile_BeginQuery(Context& c, GLenum target, GLuint id) {
-  const BeginQueryArguments kept_call{target, id};
-  new (record(c, uint16_t(Opcode::BeginQuery), sizeof kept_call)) BeginQueryArguments(kept_call);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::BeginQuery(c, target, id);
-  }
-}
-void compile_EndQuery(Context& c, GLenum target) {
-  const EndQueryArguments kept_call{target};
-  new (record(c, uint16_t(Opcode::EndQuery), sizeof kept_call)) EndQueryArguments(kept_call);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::EndQuery(c, target);
-  }
-}
 void compile_DrawBuffer(Context& c, GLenum buf) {
   const DrawBufferArguments kept_call{buf};
   new (record(c, uint16_t(Opcode::DrawBuffer), sizeof kept_call)) DrawBufferArguments(kept_call);
@@ -789,52 +603,6 @@ void compile_ClearAccum(Context& c, GLfloat red, GLfloat green, GLfloat blue, GL
     if (may_execute(c)) gl::ClearAccum(c, red, green, blue, alpha);
   }
 }
-void compile_Accum(Context& c, GLenum op, GLfloat value) {
-  const AccumArguments kept_call{op, value};
-  new (record(c, uint16_t(Opcode::Accum), sizeof kept_call)) AccumArguments(kept_call);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::Accum(c, op, value);
-  }
-}
-void compile_InitNames(Context& c) {
-  record(c, uint16_t(Opcode::InitNames), 0);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::InitNames(c);
-  }
-}
-void compile_LoadName(Context& c, GLuint name) {
-  const LoadNameArguments kept_call{name};
-  new (record(c, uint16_t(Opcode::LoadName), sizeof kept_call)) LoadNameArguments(kept_call);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::LoadName(c, name);
-  }
-}
-void compile_PushName(Context& c, GLuint name) {
-  const PushNameArguments kept_call{name};
-  new (record(c, uint16_t(Opcode::PushName), sizeof kept_call)) PushNameArguments(kept_call);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::PushName(c, name);
-  }
-}
-void compile_PopName(Context& c) {
-  record(c, uint16_t(Opcode::PopName), 0);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::PopName(c);
-  }
-}
-void compile_PassThrough(Context& c, GLfloat token) {
-  const PassThroughArguments kept_call{token};
-  new (record(c, uint16_t(Opcode::PassThrough), sizeof kept_call)) PassThroughArguments(kept_call);
-  if (execute_too(c)) {
-    const ExecuteScope scope(c);
-    if (may_execute(c)) gl::PassThrough(c, token);
-  }
-}
 void compile_ListBase(Context& c, GLuint base) {
   const ListBaseArguments kept_call{base};
   new (record(c, uint16_t(Opcode::ListBase), sizeof kept_call)) ListBaseArguments(kept_call);
@@ -886,546 +654,322 @@ void compile_PopAttrib(Context& c) {
 void play_command(Context& c, uint16_t opcode, const void* arguments) {
   switch (Opcode(opcode)) {
     case Opcode::Rect: {
-      if (!gl::Rect) return unbuilt_command();
       const auto& r = *static_cast<const RectArguments*>(arguments);
       return gl::Rect(c, r.x1, r.y1, r.x2, r.y2);
     }
-    case Opcode::EvalMesh1: {
-      if (!gl::EvalMesh1) return unbuilt_command();
-      const auto& r = *static_cast<const EvalMesh1Arguments*>(arguments);
-      return gl::EvalMesh1(c, r.mode, r.i1, r.i2);
-    }
-    case Opcode::EvalMesh2: {
-      if (!gl::EvalMesh2) return unbuilt_command();
-      const auto& r = *static_cast<const EvalMesh2Arguments*>(arguments);
-      return gl::EvalMesh2(c, r.mode, r.i1, r.i2, r.j1, r.j2);
-    }
-    case Opcode::MapGrid1: {
-      if (!gl::MapGrid1) return unbuilt_command();
-      const auto& r = *static_cast<const MapGrid1Arguments*>(arguments);
-      return gl::MapGrid1(c, r.un, r.u1, r.u2);
-    }
-    case Opcode::MapGrid2: {
-      if (!gl::MapGrid2) return unbuilt_command();
-      const auto& r = *static_cast<const MapGrid2Arguments*>(arguments);
-      return gl::MapGrid2(c, r.un, r.u1, r.u2, r.vn, r.v1, r.v2);
-    }
-    case Opcode::Map1f: {
-      if (!gl::Map1f) return unbuilt_command();
-      const auto& r = *static_cast<const Map1fArguments*>(arguments);
-      return gl::Map1f(c, r.target, r.u1, r.u2, r.stride, r.order, r.points);
-    }
-    case Opcode::Map1d: {
-      if (!gl::Map1d) return unbuilt_command();
-      const auto& r = *static_cast<const Map1dArguments*>(arguments);
-      return gl::Map1d(c, r.target, r.u1, r.u2, r.stride, r.order, r.points);
-    }
-    case Opcode::Map2f: {
-      if (!gl::Map2f) return unbuilt_command();
-      const auto& r = *static_cast<const Map2fArguments*>(arguments);
-      return gl::Map2f(c, r.target, r.u1, r.u2, r.ustride, r.uorder, r.v1, r.v2, r.vstride, r.vorder, r.points);
-    }
-    case Opcode::Map2d: {
-      if (!gl::Map2d) return unbuilt_command();
-      const auto& r = *static_cast<const Map2dArguments*>(arguments);
-      return gl::Map2d(c, r.target, r.u1, r.u2, r.ustride, r.uorder, r.v1, r.v2, r.vstride, r.vorder, r.points);
-    }
     case Opcode::MatrixMode: {
-      if (!gl::MatrixMode) return unbuilt_command();
       const auto& r = *static_cast<const MatrixModeArguments*>(arguments);
       return gl::MatrixMode(c, r.mode);
     }
     case Opcode::LoadMatrix: {
-      if (!gl::LoadMatrix) return unbuilt_command();
       const auto& r = *static_cast<const LoadMatrixArguments*>(arguments);
       return gl::LoadMatrix(c, r.m);
     }
     case Opcode::MultMatrix: {
-      if (!gl::MultMatrix) return unbuilt_command();
       const auto& r = *static_cast<const MultMatrixArguments*>(arguments);
       return gl::MultMatrix(c, r.m);
     }
     case Opcode::LoadIdentity: {
-      if (!gl::LoadIdentity) return unbuilt_command();
       return gl::LoadIdentity(c);
     }
     case Opcode::Rotate: {
-      if (!gl::Rotate) return unbuilt_command();
       const auto& r = *static_cast<const RotateArguments*>(arguments);
       return gl::Rotate(c, r.angle, r.x, r.y, r.z);
     }
     case Opcode::Translate: {
-      if (!gl::Translate) return unbuilt_command();
       const auto& r = *static_cast<const TranslateArguments*>(arguments);
       return gl::Translate(c, r.x, r.y, r.z);
     }
     case Opcode::Scale: {
-      if (!gl::Scale) return unbuilt_command();
       const auto& r = *static_cast<const ScaleArguments*>(arguments);
       return gl::Scale(c, r.x, r.y, r.z);
     }
     case Opcode::Frustum: {
-      if (!gl::Frustum) return unbuilt_command();
       const auto& r = *static_cast<const FrustumArguments*>(arguments);
       return gl::Frustum(c, r.left, r.right, r.bottom, r.top, r.zNear, r.zFar);
     }
     case Opcode::Ortho: {
-      if (!gl::Ortho) return unbuilt_command();
       const auto& r = *static_cast<const OrthoArguments*>(arguments);
       return gl::Ortho(c, r.left, r.right, r.bottom, r.top, r.zNear, r.zFar);
     }
     case Opcode::PushMatrix: {
-      if (!gl::PushMatrix) return unbuilt_command();
       return gl::PushMatrix(c);
     }
     case Opcode::PopMatrix: {
-      if (!gl::PopMatrix) return unbuilt_command();
       return gl::PopMatrix(c);
     }
     case Opcode::DepthRange: {
-      if (!gl::DepthRange) return unbuilt_command();
       const auto& r = *static_cast<const DepthRangeArguments*>(arguments);
       return gl::DepthRange(c, r.n, r.f);
     }
     case Opcode::Viewport: {
-      if (!gl::Viewport) return unbuilt_command();
       const auto& r = *static_cast<const ViewportArguments*>(arguments);
       return gl::Viewport(c, r.x, r.y, r.width, r.height);
     }
     case Opcode::ClipPlane: {
-      if (!gl::ClipPlane) return unbuilt_command();
       const auto& r = *static_cast<const ClipPlaneArguments*>(arguments);
       return gl::ClipPlane(c, r.plane, r.equation);
     }
-    case Opcode::RasterPos: {
-      if (!gl::RasterPos) return unbuilt_command();
-      const auto& r = *static_cast<const RasterPosArguments*>(arguments);
-      return gl::RasterPos(c, r.x, r.y, r.z, r.w);
-    }
-    case Opcode::WindowPos: {
-      if (!gl::WindowPos) return unbuilt_command();
-      const auto& r = *static_cast<const WindowPosArguments*>(arguments);
-      return gl::WindowPos(c, r.x, r.y, r.z);
-    }
     case Opcode::FrontFace: {
-      if (!gl::FrontFace) return unbuilt_command();
       const auto& r = *static_cast<const FrontFaceArguments*>(arguments);
       return gl::FrontFace(c, r.mode);
     }
     case Opcode::Material: {
-      if (!gl::Material) return unbuilt_command();
       const auto& r = *static_cast<const MaterialArguments*>(arguments);
       return gl::Material(c, r.face, r.pname, r.params);
     }
     case Opcode::Light: {
-      if (!gl::Light) return unbuilt_command();
       const auto& r = *static_cast<const LightArguments*>(arguments);
       return gl::Light(c, r.light, r.pname, r.params);
     }
     case Opcode::LightModel: {
-      if (!gl::LightModel) return unbuilt_command();
       const auto& r = *static_cast<const LightModelArguments*>(arguments);
       return gl::LightModel(c, r.pname, r.params);
     }
     case Opcode::ColorMaterial: {
-      if (!gl::ColorMaterial) return unbuilt_command();
       const auto& r = *static_cast<const ColorMaterialArguments*>(arguments);
       return gl::ColorMaterial(c, r.face, r.mode);
     }
     case Opcode::ShadeModel: {
-      if (!gl::ShadeModel) return unbuilt_command();
       const auto& r = *static_cast<const ShadeModelArguments*>(arguments);
       return gl::ShadeModel(c, r.mode);
     }
     case Opcode::PointSize: {
-      if (!gl::PointSize) return unbuilt_command();
       const auto& r = *static_cast<const PointSizeArguments*>(arguments);
       return gl::PointSize(c, r.size);
     }
     case Opcode::PointParameter: {
-      if (!gl::PointParameter) return unbuilt_command();
       const auto& r = *static_cast<const PointParameterArguments*>(arguments);
       return gl::PointParameter(c, r.pname, r.params);
     }
     case Opcode::LineWidth: {
-      if (!gl::LineWidth) return unbuilt_command();
       const auto& r = *static_cast<const LineWidthArguments*>(arguments);
       return gl::LineWidth(c, r.width);
     }
     case Opcode::LineStipple: {
-      if (!gl::LineStipple) return unbuilt_command();
       const auto& r = *static_cast<const LineStippleArguments*>(arguments);
       return gl::LineStipple(c, r.factor, r.pattern);
     }
     case Opcode::CullFace: {
-      if (!gl::CullFace) return unbuilt_command();
       const auto& r = *static_cast<const CullFaceArguments*>(arguments);
       return gl::CullFace(c, r.mode);
     }
     case Opcode::PolygonMode: {
-      if (!gl::PolygonMode) return unbuilt_command();
       const auto& r = *static_cast<const PolygonModeArguments*>(arguments);
       return gl::PolygonMode(c, r.face, r.mode);
     }
     case Opcode::PolygonOffset: {
-      if (!gl::PolygonOffset) return unbuilt_command();
       const auto& r = *static_cast<const PolygonOffsetArguments*>(arguments);
       return gl::PolygonOffset(c, r.factor, r.units);
     }
     case Opcode::PolygonStipple: {
-      if (!gl::PolygonStipple) return unbuilt_command();
       const auto& r = *static_cast<const PolygonStippleArguments*>(arguments);
       const TightUnpacking tight(c);
       return gl::PolygonStipple(c, r.mask);
     }
     case Opcode::PixelTransfer: {
-      if (!gl::PixelTransfer) return unbuilt_command();
       const auto& r = *static_cast<const PixelTransferArguments*>(arguments);
       return gl::PixelTransfer(c, r.pname, r.param);
     }
-    case Opcode::PixelMapfv: {
-      if (!gl::PixelMapfv) return unbuilt_command();
-      const auto& r = *static_cast<const PixelMapfvArguments*>(arguments);
-      return gl::PixelMapfv(c, r.map, r.mapsize, r.values);
-    }
-    case Opcode::PixelMapuiv: {
-      if (!gl::PixelMapuiv) return unbuilt_command();
-      const auto& r = *static_cast<const PixelMapuivArguments*>(arguments);
-      return gl::PixelMapuiv(c, r.map, r.mapsize, r.values);
-    }
-    case Opcode::PixelMapusv: {
-      if (!gl::PixelMapusv) return unbuilt_command();
-      const auto& r = *static_cast<const PixelMapusvArguments*>(arguments);
-      return gl::PixelMapusv(c, r.map, r.mapsize, r.values);
-    }
     case Opcode::PixelZoom: {
-      if (!gl::PixelZoom) return unbuilt_command();
       const auto& r = *static_cast<const PixelZoomArguments*>(arguments);
       return gl::PixelZoom(c, r.xfactor, r.yfactor);
     }
-    case Opcode::DrawPixels: {
-      if (!gl::DrawPixels) return unbuilt_command();
-      const auto& r = *static_cast<const DrawPixelsArguments*>(arguments);
-      const TightUnpacking tight(c);
-      return gl::DrawPixels(c, r.width, r.height, r.format, r.type, r.pixels);
-    }
-    case Opcode::CopyPixels: {
-      if (!gl::CopyPixels) return unbuilt_command();
-      const auto& r = *static_cast<const CopyPixelsArguments*>(arguments);
-      return gl::CopyPixels(c, r.x, r.y, r.width, r.height, r.type);
-    }
-    case Opcode::Bitmap: {
-      if (!gl::Bitmap) return unbuilt_command();
-      const auto& r = *static_cast<const BitmapArguments*>(arguments);
-      const TightUnpacking tight(c);
-      return gl::Bitmap(c, r.width, r.height, r.xorig, r.yorig, r.xmove, r.ymove, r.bitmap);
-    }
     case Opcode::ReadBuffer: {
-      if (!gl::ReadBuffer) return unbuilt_command();
       const auto& r = *static_cast<const ReadBufferArguments*>(arguments);
       return gl::ReadBuffer(c, r.src);
     }
     case Opcode::TexImage1D: {
-      if (!gl::TexImage1D) return unbuilt_command();
       const auto& r = *static_cast<const TexImage1DArguments*>(arguments);
       const TightUnpacking tight(c);
       return gl::TexImage1D(c, r.target, r.level, r.internalformat, r.width, r.border, r.format, r.type, r.pixels);
     }
     case Opcode::TexImage2D: {
-      if (!gl::TexImage2D) return unbuilt_command();
       const auto& r = *static_cast<const TexImage2DArguments*>(arguments);
       const TightUnpacking tight(c);
       return gl::TexImage2D(c, r.target, r.level, r.internalformat, r.width, r.height, r.border, r.format, r.type, r.pixels);
     }
     case Opcode::TexImage3D: {
-      if (!gl::TexImage3D) return unbuilt_command();
       const auto& r = *static_cast<const TexImage3DArguments*>(arguments);
       const TightUnpacking tight(c);
       return gl::TexImage3D(c, r.target, r.level, r.internalformat, r.width, r.height, r.depth, r.border, r.format, r.type, r.pixels);
     }
     case Opcode::TexSubImage1D: {
-      if (!gl::TexSubImage1D) return unbuilt_command();
       const auto& r = *static_cast<const TexSubImage1DArguments*>(arguments);
       const TightUnpacking tight(c);
       return gl::TexSubImage1D(c, r.target, r.level, r.xoffset, r.width, r.format, r.type, r.pixels);
     }
     case Opcode::TexSubImage2D: {
-      if (!gl::TexSubImage2D) return unbuilt_command();
       const auto& r = *static_cast<const TexSubImage2DArguments*>(arguments);
       const TightUnpacking tight(c);
       return gl::TexSubImage2D(c, r.target, r.level, r.xoffset, r.yoffset, r.width, r.height, r.format, r.type, r.pixels);
     }
     case Opcode::TexSubImage3D: {
-      if (!gl::TexSubImage3D) return unbuilt_command();
       const auto& r = *static_cast<const TexSubImage3DArguments*>(arguments);
       const TightUnpacking tight(c);
       return gl::TexSubImage3D(c, r.target, r.level, r.xoffset, r.yoffset, r.zoffset, r.width, r.height, r.depth, r.format, r.type, r.pixels);
     }
-    case Opcode::CopyTexImage1D: {
-      if (!gl::CopyTexImage1D) return unbuilt_command();
-      const auto& r = *static_cast<const CopyTexImage1DArguments*>(arguments);
-      return gl::CopyTexImage1D(c, r.target, r.level, r.internalformat, r.x, r.y, r.width, r.border);
-    }
-    case Opcode::CopyTexImage2D: {
-      if (!gl::CopyTexImage2D) return unbuilt_command();
-      const auto& r = *static_cast<const CopyTexImage2DArguments*>(arguments);
-      return gl::CopyTexImage2D(c, r.target, r.level, r.internalformat, r.x, r.y, r.width, r.height, r.border);
-    }
-    case Opcode::CopyTexSubImage1D: {
-      if (!gl::CopyTexSubImage1D) return unbuilt_command();
-      const auto& r = *static_cast<const CopyTexSubImage1DArguments*>(arguments);
-      return gl::CopyTexSubImage1D(c, r.target, r.level, r.xoffset, r.x, r.y, r.width);
-    }
-    case Opcode::CopyTexSubImage2D: {
-      if (!gl::CopyTexSubImage2D) return unbuilt_command();
-      const auto& r = *static_cast<const CopyTexSubImage2DArguments*>(arguments);
-      return gl::CopyTexSubImage2D(c, r.target, r.level, r.xoffset, r.yoffset, r.x, r.y, r.width, r.height);
-    }
-    case Opcode::CopyTexSubImage3D: {
-      if (!gl::CopyTexSubImage3D) return unbuilt_command();
-      const auto& r = *static_cast<const CopyTexSubImage3DArguments*>(arguments);
-      return gl::CopyTexSubImage3D(c, r.target, r.level, r.xoffset, r.yoffset, r.zoffset, r.x, r.y, r.width, r.height);
-    }
     case Opcode::CompressedTexImage1D: {
-      if (!gl::CompressedTexImage1D) return unbuilt_command();
       const auto& r = *static_cast<const CompressedTexImage1DArguments*>(arguments);
       return gl::CompressedTexImage1D(c, r.target, r.level, r.internalformat, r.width, r.border, r.imageSize, r.data);
     }
     case Opcode::CompressedTexImage2D: {
-      if (!gl::CompressedTexImage2D) return unbuilt_command();
       const auto& r = *static_cast<const CompressedTexImage2DArguments*>(arguments);
       return gl::CompressedTexImage2D(c, r.target, r.level, r.internalformat, r.width, r.height, r.border, r.imageSize, r.data);
     }
     case Opcode::CompressedTexImage3D: {
-      if (!gl::CompressedTexImage3D) return unbuilt_command();
       const auto& r = *static_cast<const CompressedTexImage3DArguments*>(arguments);
       return gl::CompressedTexImage3D(c, r.target, r.level, r.internalformat, r.width, r.height, r.depth, r.border, r.imageSize, r.data);
     }
     case Opcode::CompressedTexSubImage1D: {
-      if (!gl::CompressedTexSubImage1D) return unbuilt_command();
       const auto& r = *static_cast<const CompressedTexSubImage1DArguments*>(arguments);
       return gl::CompressedTexSubImage1D(c, r.target, r.level, r.xoffset, r.width, r.format, r.imageSize, r.data);
     }
     case Opcode::CompressedTexSubImage2D: {
-      if (!gl::CompressedTexSubImage2D) return unbuilt_command();
       const auto& r = *static_cast<const CompressedTexSubImage2DArguments*>(arguments);
       return gl::CompressedTexSubImage2D(c, r.target, r.level, r.xoffset, r.yoffset, r.width, r.height, r.format, r.imageSize, r.data);
     }
     case Opcode::CompressedTexSubImage3D: {
-      if (!gl::CompressedTexSubImage3D) return unbuilt_command();
       const auto& r = *static_cast<const CompressedTexSubImage3DArguments*>(arguments);
       return gl::CompressedTexSubImage3D(c, r.target, r.level, r.xoffset, r.yoffset, r.zoffset, r.width, r.height, r.depth, r.format, r.imageSize, r.data);
     }
     case Opcode::TexParameter: {
-      if (!gl::TexParameter) return unbuilt_command();
       const auto& r = *static_cast<const TexParameterArguments*>(arguments);
       return gl::TexParameter(c, r.target, r.pname, r.params);
     }
     case Opcode::TexEnv: {
-      if (!gl::TexEnv) return unbuilt_command();
       const auto& r = *static_cast<const TexEnvArguments*>(arguments);
       return gl::TexEnv(c, r.target, r.pname, r.params);
     }
     case Opcode::TexGen: {
-      if (!gl::TexGen) return unbuilt_command();
       const auto& r = *static_cast<const TexGenArguments*>(arguments);
       return gl::TexGen(c, r.coord, r.pname, r.params);
     }
     case Opcode::BindTexture: {
-      if (!gl::BindTexture) return unbuilt_command();
       const auto& r = *static_cast<const BindTextureArguments*>(arguments);
       return gl::BindTexture(c, r.target, r.texture);
     }
     case Opcode::PrioritizeTextures: {
-      if (!gl::PrioritizeTextures) return unbuilt_command();
       const auto& r = *static_cast<const PrioritizeTexturesArguments*>(arguments);
       return gl::PrioritizeTextures(c, r.n, r.textures, r.priorities);
     }
     case Opcode::ActiveTexture: {
-      if (!gl::ActiveTexture) return unbuilt_command();
       const auto& r = *static_cast<const ActiveTextureArguments*>(arguments);
       return gl::ActiveTexture(c, r.texture);
     }
     case Opcode::Fog: {
-      if (!gl::Fog) return unbuilt_command();
       const auto& r = *static_cast<const FogArguments*>(arguments);
       return gl::Fog(c, r.pname, r.params);
     }
     case Opcode::Scissor: {
-      if (!gl::Scissor) return unbuilt_command();
       const auto& r = *static_cast<const ScissorArguments*>(arguments);
       return gl::Scissor(c, r.x, r.y, r.width, r.height);
     }
     case Opcode::SampleCoverage: {
-      if (!gl::SampleCoverage) return unbuilt_command();
       const auto& r = *static_cast<const SampleCoverageArguments*>(arguments);
       return gl::SampleCoverage(c, r.value, r.invert);
     }
     case Opcode::AlphaFunc: {
-      if (!gl::AlphaFunc) return unbuilt_command();
       const auto& r = *static_cast<const AlphaFuncArguments*>(arguments);
       return gl::AlphaFunc(c, r.func, r.ref);
     }
     case Opcode::StencilFunc: {
-      if (!gl::StencilFunc) return unbuilt_command();
       const auto& r = *static_cast<const StencilFuncArguments*>(arguments);
       return gl::StencilFunc(c, r.func, r.ref, r.mask);
     }
     case Opcode::StencilOp: {
-      if (!gl::StencilOp) return unbuilt_command();
       const auto& r = *static_cast<const StencilOpArguments*>(arguments);
       return gl::StencilOp(c, r.fail, r.zfail, r.zpass);
     }
     case Opcode::DepthFunc: {
-      if (!gl::DepthFunc) return unbuilt_command();
       const auto& r = *static_cast<const DepthFuncArguments*>(arguments);
       return gl::DepthFunc(c, r.func);
     }
     case Opcode::BlendFunc: {
-      if (!gl::BlendFunc) return unbuilt_command();
       const auto& r = *static_cast<const BlendFuncArguments*>(arguments);
       return gl::BlendFunc(c, r.sfactor, r.dfactor);
     }
     case Opcode::BlendFuncSeparate: {
-      if (!gl::BlendFuncSeparate) return unbuilt_command();
       const auto& r = *static_cast<const BlendFuncSeparateArguments*>(arguments);
       return gl::BlendFuncSeparate(c, r.sfactorRGB, r.dfactorRGB, r.sfactorAlpha, r.dfactorAlpha);
     }
     case Opcode::BlendEquation: {
-      if (!gl::BlendEquation) return unbuilt_command();
       const auto& r = *static_cast<const BlendEquationArguments*>(arguments);
       return gl::BlendEquation(c, r.mode);
     }
     case Opcode::BlendColor: {
-      if (!gl::BlendColor) return unbuilt_command();
       const auto& r = *static_cast<const BlendColorArguments*>(arguments);
       return gl::BlendColor(c, r.red, r.green, r.blue, r.alpha);
     }
     case Opcode::LogicOp: {
-      if (!gl::LogicOp) return unbuilt_command();
       const auto& r = *static_cast<const LogicOpArguments*>(arguments);
       return gl::LogicOp(c, r.opcode);
     }
-    case Opcode::BeginQuery: {
-      if (!gl::BeginQuery) return unbuilt_command();
-      const auto& r = *static_cast<const BeginQueryArguments*>(arguments);
-      return gl::BeginQuery(c, r.target, r.id);
-    }
-    case Opcode::EndQuery: {
-      if (!gl::EndQuery) return unbuilt_command();
-      const auto& r = *static_cast<const EndQueryArguments*>(arguments);
-      return gl::EndQuery(c, r.target);
-    }
     case Opcode::DrawBuffer: {
-      if (!gl::DrawBuffer) return unbuilt_command();
       const auto& r = *static_cast<const DrawBufferArguments*>(arguments);
       return gl::DrawBuffer(c, r.buf);
     }
     case Opcode::ColorMask: {
-      if (!gl::ColorMask) return unbuilt_command();
       const auto& r = *static_cast<const ColorMaskArguments*>(arguments);
       return gl::ColorMask(c, r.red, r.green, r.blue, r.alpha);
     }
     case Opcode::IndexMask: {
-      if (!gl::IndexMask) return unbuilt_command();
       const auto& r = *static_cast<const IndexMaskArguments*>(arguments);
       return gl::IndexMask(c, r.mask);
     }
     case Opcode::DepthMask: {
-      if (!gl::DepthMask) return unbuilt_command();
       const auto& r = *static_cast<const DepthMaskArguments*>(arguments);
       return gl::DepthMask(c, r.flag);
     }
     case Opcode::StencilMask: {
-      if (!gl::StencilMask) return unbuilt_command();
       const auto& r = *static_cast<const StencilMaskArguments*>(arguments);
       return gl::StencilMask(c, r.mask);
     }
     case Opcode::Clear: {
-      if (!gl::Clear) return unbuilt_command();
       const auto& r = *static_cast<const ClearArguments*>(arguments);
       return gl::Clear(c, r.mask);
     }
     case Opcode::ClearColor: {
-      if (!gl::ClearColor) return unbuilt_command();
       const auto& r = *static_cast<const ClearColorArguments*>(arguments);
       return gl::ClearColor(c, r.red, r.green, r.blue, r.alpha);
     }
     case Opcode::ClearIndex: {
-      if (!gl::ClearIndex) return unbuilt_command();
       const auto& r = *static_cast<const ClearIndexArguments*>(arguments);
       return gl::ClearIndex(c, r.value);
     }
     case Opcode::ClearDepth: {
-      if (!gl::ClearDepth) return unbuilt_command();
       const auto& r = *static_cast<const ClearDepthArguments*>(arguments);
       return gl::ClearDepth(c, r.depth);
     }
     case Opcode::ClearStencil: {
-      if (!gl::ClearStencil) return unbuilt_command();
       const auto& r = *static_cast<const ClearStencilArguments*>(arguments);
       return gl::ClearStencil(c, r.s);
     }
     case Opcode::ClearAccum: {
-      if (!gl::ClearAccum) return unbuilt_command();
       const auto& r = *static_cast<const ClearAccumArguments*>(arguments);
       return gl::ClearAccum(c, r.red, r.green, r.blue, r.alpha);
     }
-    case Opcode::Accum: {
-      if (!gl::Accum) return unbuilt_command();
-      const auto& r = *static_cast<const AccumArguments*>(arguments);
-      return gl::Accum(c, r.op, r.value);
-    }
-    case Opcode::InitNames: {
-      if (!gl::InitNames) return unbuilt_command();
-      return gl::InitNames(c);
-    }
-    case Opcode::LoadName: {
-      if (!gl::LoadName) return unbuilt_command();
-      const auto& r = *static_cast<const LoadNameArguments*>(arguments);
-      return gl::LoadName(c, r.name);
-    }
-    case Opcode::PushName: {
-      if (!gl::PushName) return unbuilt_command();
-      const auto& r = *static_cast<const PushNameArguments*>(arguments);
-      return gl::PushName(c, r.name);
-    }
-    case Opcode::PopName: {
-      if (!gl::PopName) return unbuilt_command();
-      return gl::PopName(c);
-    }
-    case Opcode::PassThrough: {
-      if (!gl::PassThrough) return unbuilt_command();
-      const auto& r = *static_cast<const PassThroughArguments*>(arguments);
-      return gl::PassThrough(c, r.token);
-    }
     case Opcode::ListBase: {
-      if (!gl::ListBase) return unbuilt_command();
       const auto& r = *static_cast<const ListBaseArguments*>(arguments);
       return gl::ListBase(c, r.base);
     }
     case Opcode::Hint: {
-      if (!gl::Hint) return unbuilt_command();
       const auto& r = *static_cast<const HintArguments*>(arguments);
       return gl::Hint(c, r.target, r.mode);
     }
     case Opcode::Enable: {
-      if (!gl::Enable) return unbuilt_command();
       const auto& r = *static_cast<const EnableArguments*>(arguments);
       return gl::Enable(c, r.cap);
     }
     case Opcode::Disable: {
-      if (!gl::Disable) return unbuilt_command();
       const auto& r = *static_cast<const DisableArguments*>(arguments);
       return gl::Disable(c, r.cap);
     }
     case Opcode::PushAttrib: {
-      if (!gl::PushAttrib) return unbuilt_command();
       const auto& r = *static_cast<const PushAttribArguments*>(arguments);
       return gl::PushAttrib(c, r.mask);
     }
     case Opcode::PopAttrib: {
-      if (!gl::PopAttrib) return unbuilt_command();
       return gl::PopAttrib(c);
     }
   }
@@ -1442,14 +986,6 @@ bool allowed_inside_begin_end(uint16_t opcode) {
 const char* opcode_name(uint16_t opcode) {
   static const char* const names[] = {
       "Rect",
-      "EvalMesh1",
-      "EvalMesh2",
-      "MapGrid1",
-      "MapGrid2",
-      "Map1f",
-      "Map1d",
-      "Map2f",
-      "Map2d",
       "MatrixMode",
       "LoadMatrix",
       "MultMatrix",
@@ -1464,8 +1000,6 @@ const char* opcode_name(uint16_t opcode) {
       "DepthRange",
       "Viewport",
       "ClipPlane",
-      "RasterPos",
-      "WindowPos",
       "FrontFace",
       "Material",
       "Light",
@@ -1481,13 +1015,7 @@ const char* opcode_name(uint16_t opcode) {
       "PolygonOffset",
       "PolygonStipple",
       "PixelTransfer",
-      "PixelMapfv",
-      "PixelMapuiv",
-      "PixelMapusv",
       "PixelZoom",
-      "DrawPixels",
-      "CopyPixels",
-      "Bitmap",
       "ReadBuffer",
       "TexImage1D",
       "TexImage2D",
@@ -1495,11 +1023,6 @@ const char* opcode_name(uint16_t opcode) {
       "TexSubImage1D",
       "TexSubImage2D",
       "TexSubImage3D",
-      "CopyTexImage1D",
-      "CopyTexImage2D",
-      "CopyTexSubImage1D",
-      "CopyTexSubImage2D",
-      "CopyTexSubImage3D",
       "CompressedTexImage1D",
       "CompressedTexImage2D",
       "CompressedTexImage3D",
@@ -1524,8 +1047,6 @@ const char* opcode_name(uint16_t opcode) {
       "BlendEquation",
       "BlendColor",
       "LogicOp",
-      "BeginQuery",
-      "EndQuery",
       "DrawBuffer",
       "ColorMask",
       "IndexMask",
@@ -1537,12 +1058,6 @@ const char* opcode_name(uint16_t opcode) {
       "ClearDepth",
       "ClearStencil",
       "ClearAccum",
-      "Accum",
-      "InitNames",
-      "LoadName",
-      "PushName",
-      "PopName",
-      "PassThrough",
       "ListBase",
       "Hint",
       "Enable",

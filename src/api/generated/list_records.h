@@ -11,14 +11,6 @@ struct Context;
 
 enum class Opcode : uint16_t {
   Rect,
-  EvalMesh1,
-  EvalMesh2,
-  MapGrid1,
-  MapGrid2,
-  Map1f,
-  Map1d,
-  Map2f,
-  Map2d,
   MatrixMode,
   LoadMatrix,
   MultMatrix,
@@ -33,8 +25,6 @@ enum class Opcode : uint16_t {
   DepthRange,
   Viewport,
   ClipPlane,
-  RasterPos,
-  WindowPos,
   FrontFace,
   Material,
   Light,
@@ -50,13 +40,7 @@ enum class Opcode : uint16_t {
   PolygonOffset,
   PolygonStipple,
   PixelTransfer,
-  PixelMapfv,
-  PixelMapuiv,
-  PixelMapusv,
   PixelZoom,
-  DrawPixels,
-  CopyPixels,
-  Bitmap,
   ReadBuffer,
   TexImage1D,
   TexImage2D,
@@ -64,11 +48,6 @@ enum class Opcode : uint16_t {
   TexSubImage1D,
   TexSubImage2D,
   TexSubImage3D,
-  CopyTexImage1D,
-  CopyTexImage2D,
-  CopyTexSubImage1D,
-  CopyTexSubImage2D,
-  CopyTexSubImage3D,
   CompressedTexImage1D,
   CompressedTexImage2D,
   CompressedTexImage3D,
@@ -93,8 +72,6 @@ enum class Opcode : uint16_t {
   BlendEquation,
   BlendColor,
   LogicOp,
-  BeginQuery,
-  EndQuery,
   DrawBuffer,
   ColorMask,
   IndexMask,
@@ -106,12 +83,6 @@ enum class Opcode : uint16_t {
   ClearDepth,
   ClearStencil,
   ClearAccum,
-  Accum,
-  InitNames,
-  LoadName,
-  PushName,
-  PopName,
-  PassThrough,
   ListBase,
   Hint,
   Enable,
@@ -119,17 +90,9 @@ enum class Opcode : uint16_t {
   PushAttrib,
   PopAttrib,
 };
-constexpr int kOpcodes = 108;
+constexpr int kOpcodes = 79;
 
 struct RectArguments { GLfloat x1; GLfloat y1; GLfloat x2; GLfloat y2; };
-struct EvalMesh1Arguments { GLenum mode; GLint i1; GLint i2; };
-struct EvalMesh2Arguments { GLenum mode; GLint i1; GLint i2; GLint j1; GLint j2; };
-struct MapGrid1Arguments { GLint un; GLfloat u1; GLfloat u2; };
-struct MapGrid2Arguments { GLint un; GLfloat u1; GLfloat u2; GLint vn; GLfloat v1; GLfloat v2; };
-struct Map1fArguments { GLenum target; GLfloat u1; GLfloat u2; GLint stride; GLint order; const GLfloat* points; };
-struct Map1dArguments { GLenum target; GLdouble u1; GLdouble u2; GLint stride; GLint order; const GLdouble* points; };
-struct Map2fArguments { GLenum target; GLfloat u1; GLfloat u2; GLint ustride; GLint uorder; GLfloat v1; GLfloat v2; GLint vstride; GLint vorder; const GLfloat* points; };
-struct Map2dArguments { GLenum target; GLdouble u1; GLdouble u2; GLint ustride; GLint uorder; GLdouble v1; GLdouble v2; GLint vstride; GLint vorder; const GLdouble* points; };
 struct MatrixModeArguments { GLenum mode; };
 struct LoadMatrixArguments { const GLfloat* m; };
 struct MultMatrixArguments { const GLfloat* m; };
@@ -141,8 +104,6 @@ struct OrthoArguments { GLfloat left; GLfloat right; GLfloat bottom; GLfloat top
 struct DepthRangeArguments { GLdouble n; GLdouble f; };
 struct ViewportArguments { GLint x; GLint y; GLsizei width; GLsizei height; };
 struct ClipPlaneArguments { GLenum plane; const GLdouble* equation; };
-struct RasterPosArguments { GLfloat x; GLfloat y; GLfloat z; GLfloat w; };
-struct WindowPosArguments { GLfloat x; GLfloat y; GLfloat z; };
 struct FrontFaceArguments { GLenum mode; };
 struct MaterialArguments { GLenum face; GLenum pname; const GLfloat* params; };
 struct LightArguments { GLenum light; GLenum pname; const GLfloat* params; };
@@ -158,13 +119,7 @@ struct PolygonModeArguments { GLenum face; GLenum mode; };
 struct PolygonOffsetArguments { GLfloat factor; GLfloat units; };
 struct PolygonStippleArguments { const GLubyte* mask; };
 struct PixelTransferArguments { GLenum pname; GLfloat param; };
-struct PixelMapfvArguments { GLenum map; GLsizei mapsize; const GLfloat* values; };
-struct PixelMapuivArguments { GLenum map; GLsizei mapsize; const GLuint* values; };
-struct PixelMapusvArguments { GLenum map; GLsizei mapsize; const GLushort* values; };
 struct PixelZoomArguments { GLfloat xfactor; GLfloat yfactor; };
-struct DrawPixelsArguments { GLsizei width; GLsizei height; GLenum format; GLenum type; const void* pixels; };
-struct CopyPixelsArguments { GLint x; GLint y; GLsizei width; GLsizei height; GLenum type; };
-struct BitmapArguments { GLsizei width; GLsizei height; GLfloat xorig; GLfloat yorig; GLfloat xmove; GLfloat ymove; const GLubyte* bitmap; };
 struct ReadBufferArguments { GLenum src; };
 struct TexImage1DArguments { GLenum target; GLint level; GLint internalformat; GLsizei width; GLint border; GLenum format; GLenum type; const void* pixels; };
 struct TexImage2DArguments { GLenum target; GLint level; GLint internalformat; GLsizei width; GLsizei height; GLint border; GLenum format; GLenum type; const void* pixels; };
@@ -172,11 +127,6 @@ struct TexImage3DArguments { GLenum target; GLint level; GLint internalformat; G
 struct TexSubImage1DArguments { GLenum target; GLint level; GLint xoffset; GLsizei width; GLenum format; GLenum type; const void* pixels; };
 struct TexSubImage2DArguments { GLenum target; GLint level; GLint xoffset; GLint yoffset; GLsizei width; GLsizei height; GLenum format; GLenum type; const void* pixels; };
 struct TexSubImage3DArguments { GLenum target; GLint level; GLint xoffset; GLint yoffset; GLint zoffset; GLsizei width; GLsizei height; GLsizei depth; GLenum format; GLenum type; const void* pixels; };
-struct CopyTexImage1DArguments { GLenum target; GLint level; GLenum internalformat; GLint x; GLint y; GLsizei width; GLint border; };
-struct CopyTexImage2DArguments { GLenum target; GLint level; GLenum internalformat; GLint x; GLint y; GLsizei width; GLsizei height; GLint border; };
-struct CopyTexSubImage1DArguments { GLenum target; GLint level; GLint xoffset; GLint x; GLint y; GLsizei width; };
-struct CopyTexSubImage2DArguments { GLenum target; GLint level; GLint xoffset; GLint yoffset; GLint x; GLint y; GLsizei width; GLsizei height; };
-struct CopyTexSubImage3DArguments { GLenum target; GLint level; GLint xoffset; GLint yoffset; GLint zoffset; GLint x; GLint y; GLsizei width; GLsizei height; };
 struct CompressedTexImage1DArguments { GLenum target; GLint level; GLenum internalformat; GLsizei width; GLint border; GLsizei imageSize; const void* data; };
 struct CompressedTexImage2DArguments { GLenum target; GLint level; GLenum internalformat; GLsizei width; GLsizei height; GLint border; GLsizei imageSize; const void* data; };
 struct CompressedTexImage3DArguments { GLenum target; GLint level; GLenum internalformat; GLsizei width; GLsizei height; GLsizei depth; GLint border; GLsizei imageSize; const void* data; };
@@ -201,8 +151,6 @@ struct BlendFuncSeparateArguments { GLenum sfactorRGB; GLenum dfactorRGB; GLenum
 struct BlendEquationArguments { GLenum mode; };
 struct BlendColorArguments { GLfloat red; GLfloat green; GLfloat blue; GLfloat alpha; };
 struct LogicOpArguments { GLenum opcode; };
-struct BeginQueryArguments { GLenum target; GLuint id; };
-struct EndQueryArguments { GLenum target; };
 struct DrawBufferArguments { GLenum buf; };
 struct ColorMaskArguments { GLboolean red; GLboolean green; GLboolean blue; GLboolean alpha; };
 struct IndexMaskArguments { GLuint mask; };
@@ -214,10 +162,6 @@ struct ClearIndexArguments { GLfloat value; };
 struct ClearDepthArguments { GLdouble depth; };
 struct ClearStencilArguments { GLint s; };
 struct ClearAccumArguments { GLfloat red; GLfloat green; GLfloat blue; GLfloat alpha; };
-struct AccumArguments { GLenum op; GLfloat value; };
-struct LoadNameArguments { GLuint name; };
-struct PushNameArguments { GLuint name; };
-struct PassThroughArguments { GLfloat token; };
 struct ListBaseArguments { GLuint base; };
 struct HintArguments { GLenum target; GLenum mode; };
 struct EnableArguments { GLenum cap; };
@@ -225,14 +169,6 @@ struct DisableArguments { GLenum cap; };
 struct PushAttribArguments { GLbitfield mask; };
 
 void compile_Rect(Context& c, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2);
-void compile_EvalMesh1(Context& c, GLenum mode, GLint i1, GLint i2);
-void compile_EvalMesh2(Context& c, GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2);
-void compile_MapGrid1(Context& c, GLint un, GLfloat u1, GLfloat u2);
-void compile_MapGrid2(Context& c, GLint un, GLfloat u1, GLfloat u2, GLint vn, GLfloat v1, GLfloat v2);
-void compile_Map1f(Context& c, GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points);
-void compile_Map1d(Context& c, GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order, const GLdouble* points);
-void compile_Map2f(Context& c, GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2, GLint vstride, GLint vorder, const GLfloat* points);
-void compile_Map2d(Context& c, GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1, GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points);
 void compile_MatrixMode(Context& c, GLenum mode);
 void compile_LoadMatrix(Context& c, const GLfloat* m);
 void compile_MultMatrix(Context& c, const GLfloat* m);
@@ -247,8 +183,6 @@ void compile_PopMatrix(Context& c);
 void compile_DepthRange(Context& c, GLdouble n, GLdouble f);
 void compile_Viewport(Context& c, GLint x, GLint y, GLsizei width, GLsizei height);
 void compile_ClipPlane(Context& c, GLenum plane, const GLdouble* equation);
-void compile_RasterPos(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w);
-void compile_WindowPos(Context& c, GLfloat x, GLfloat y, GLfloat z);
 void compile_FrontFace(Context& c, GLenum mode);
 void compile_Material(Context& c, GLenum face, GLenum pname, const GLfloat* params);
 void compile_Light(Context& c, GLenum light, GLenum pname, const GLfloat* params);
@@ -264,13 +198,7 @@ void compile_PolygonMode(Context& c, GLenum face, GLenum mode);
 void compile_PolygonOffset(Context& c, GLfloat factor, GLfloat units);
 void compile_PolygonStipple(Context& c, const GLubyte* mask);
 void compile_PixelTransfer(Context& c, GLenum pname, GLfloat param);
-void compile_PixelMapfv(Context& c, GLenum map, GLsizei mapsize, const GLfloat* values);
-void compile_PixelMapuiv(Context& c, GLenum map, GLsizei mapsize, const GLuint* values);
-void compile_PixelMapusv(Context& c, GLenum map, GLsizei mapsize, const GLushort* values);
 void compile_PixelZoom(Context& c, GLfloat xfactor, GLfloat yfactor);
-void compile_DrawPixels(Context& c, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels);
-void compile_CopyPixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type);
-void compile_Bitmap(Context& c, GLsizei width, GLsizei height, GLfloat xorig, GLfloat yorig, GLfloat xmove, GLfloat ymove, const GLubyte* bitmap);
 void compile_ReadBuffer(Context& c, GLenum src);
 void compile_TexImage1D(Context& c, GLenum target, GLint level, GLint internalformat, GLsizei width, GLint border, GLenum format, GLenum type, const void* pixels);
 void compile_TexImage2D(Context& c, GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels);
@@ -278,11 +206,6 @@ void compile_TexImage3D(Context& c, GLenum target, GLint level, GLint internalfo
 void compile_TexSubImage1D(Context& c, GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLenum type, const void* pixels);
 void compile_TexSubImage2D(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels);
 void compile_TexSubImage3D(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type, const void* pixels);
-void compile_CopyTexImage1D(Context& c, GLenum target, GLint level, GLenum internalformat, GLint x, GLint y, GLsizei width, GLint border);
-void compile_CopyTexImage2D(Context& c, GLenum target, GLint level, GLenum internalformat, GLint x, GLint y, GLsizei width, GLsizei height, GLint border);
-void compile_CopyTexSubImage1D(Context& c, GLenum target, GLint level, GLint xoffset, GLint x, GLint y, GLsizei width);
-void compile_CopyTexSubImage2D(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint x, GLint y, GLsizei width, GLsizei height);
-void compile_CopyTexSubImage3D(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLint x, GLint y, GLsizei width, GLsizei height);
 void compile_CompressedTexImage1D(Context& c, GLenum target, GLint level, GLenum internalformat, GLsizei width, GLint border, GLsizei imageSize, const void* data);
 void compile_CompressedTexImage2D(Context& c, GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const void* data);
 void compile_CompressedTexImage3D(Context& c, GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLsizei imageSize, const void* data);
@@ -307,8 +230,6 @@ void compile_BlendFuncSeparate(Context& c, GLenum sfactorRGB, GLenum dfactorRGB,
 void compile_BlendEquation(Context& c, GLenum mode);
 void compile_BlendColor(Context& c, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha);
 void compile_LogicOp(Context& c, GLenum opcode);
-void compile_BeginQuery(Context& c, GLenum target, GLuint id);
-void compile_EndQuery(Context& c, GLenum target);
 void compile_DrawBuffer(Context& c, GLenum buf);
 void compile_ColorMask(Context& c, GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha);
 void compile_IndexMask(Context& c, GLuint mask);
@@ -320,12 +241,6 @@ void compile_ClearIndex(Context& c, GLfloat value);
 void compile_ClearDepth(Context& c, GLdouble depth);
 void compile_ClearStencil(Context& c, GLint s);
 void compile_ClearAccum(Context& c, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha);
-void compile_Accum(Context& c, GLenum op, GLfloat value);
-void compile_InitNames(Context& c);
-void compile_LoadName(Context& c, GLuint name);
-void compile_PushName(Context& c, GLuint name);
-void compile_PopName(Context& c);
-void compile_PassThrough(Context& c, GLfloat token);
 void compile_ListBase(Context& c, GLuint base);
 void compile_Hint(Context& c, GLenum target, GLenum mode);
 void compile_Enable(Context& c, GLenum cap);
