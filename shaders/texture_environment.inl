@@ -57,9 +57,36 @@ static inline bool function_saturates(CombineFunction f) {
   return f == CombineFunction::Add || f == CombineFunction::AddSigned || f == CombineFunction::Subtract || f >= CombineFunction::Dot3Rgb;
 }
 
+static inline bool same_argument(const CombineArgument& a, const CombineArgument& b) {
+  return a.source == b.source && a.alpha == b.alpha && a.complement == b.complement;
+}
+static inline bool complements(const CombineArgument& a, const CombineArgument& b) {
+  return a.source == b.source && a.alpha == b.alpha && a.complement != b.complement;
+}
+
+/// a * c + b * (1 - c), in the form that OSMesa's compiler leaves: common factors are taken out, 1 - (1 - c) is c.
+static inline void interpolate(FragmentBlock& block, const TextureUnitConstants& t, const CombineArgument* argument, int k, const float* a,
+                               const float* b, float* out) {
+  alignas(64) float c[kLanes], rest[kLanes];
+  CombineArgument opposite = argument[2];
+  opposite.complement = !opposite.complement;
+  combine_argument(block, t, argument[2], k, c);
+  if (argument[2].complement) combine_argument(block, t, opposite, k, rest);
+  else SOFTGL_FOR_LANES(block, i) rest[i] = 1.0f - c[i];
+  if (same_argument(argument[0], argument[1])) {
+    SOFTGL_FOR_LANES(block, i) out[i] = a[i];
+  } else if (same_argument(argument[1], argument[2])) {
+    SOFTGL_FOR_LANES(block, i) out[i] = c[i] * (a[i] + rest[i]);
+  } else if (complements(argument[0], argument[2])) {
+    SOFTGL_FOR_LANES(block, i) out[i] = rest[i] * (c[i] + b[i]);
+  } else {
+    SOFTGL_FOR_LANES(block, i) out[i] = a[i] * c[i] + b[i] * rest[i];
+  }
+}
+
 /// One component of the result before scaling. `part` is 0 for rgb, 1 for alpha.
 static inline void combine_component(FragmentBlock& block, const TextureUnitConstants& t, int part, int k, float* out) {
-  alignas(64) float a[kLanes], b[kLanes], c[kLanes];
+  alignas(64) float a[kLanes], b[kLanes];
   const CombineArgument* argument = t.argument[part];
   combine_argument(block, t, argument[0], k, a);
   const CombineFunction function = t.function[part];
@@ -68,25 +95,40 @@ static inline void combine_component(FragmentBlock& block, const TextureUnitCons
   case CombineFunction::Replace: SOFTGL_FOR_LANES(block, i) out[i] = a[i]; break;
   case CombineFunction::Modulate: SOFTGL_FOR_LANES(block, i) out[i] = a[i] * b[i]; break;
   case CombineFunction::Add: SOFTGL_FOR_LANES(block, i) out[i] = a[i] + b[i]; break;
-  case CombineFunction::AddSigned: SOFTGL_FOR_LANES(block, i) out[i] = (a[i] + b[i]) + -0.5f; break;
-  case CombineFunction::Subtract: SOFTGL_FOR_LANES(block, i) out[i] = a[i] - b[i]; break;
-  case CombineFunction::Interpolate:
-    combine_argument(block, t, argument[2], k, c);
-    SOFTGL_FOR_LANES(block, i) out[i] = a[i] * c[i] + b[i] * (1.0f - c[i]);
+  case CombineFunction::AddSigned: // the constant goes to the first argument; (1 - x) - 0.5 becomes 0.5 - x
+    if (argument[0].complement) {
+      CombineArgument plain = argument[0];
+      plain.complement = 0;
+      combine_argument(block, t, plain, k, a);
+      SOFTGL_FOR_LANES(block, i) out[i] = (0.5f - a[i]) + b[i];
+    } else {
+      SOFTGL_FOR_LANES(block, i) out[i] = (a[i] + -0.5f) + b[i];
+    }
     break;
+  case CombineFunction::Subtract: SOFTGL_FOR_LANES(block, i) out[i] = a[i] - b[i]; break;
+  case CombineFunction::Interpolate: interpolate(block, t, argument, k, a, b, out); break;
   default: break; // the dot products are made of three components at once
   }
 }
 
+/// The sum of products runs from blue to red; an argument that is one alpha for all components is a common factor.
 static inline void combine_dot3(FragmentBlock& block, const TextureUnitConstants& t, float* out) {
-  alignas(64) float product[3][kLanes];
+  alignas(64) float a[3][kLanes], b[3][kLanes];
   for (int k = 0; k < 3; ++k) {
-    alignas(64) float a[kLanes], b[kLanes];
-    combine_argument(block, t, t.argument[0][0], k, a);
-    combine_argument(block, t, t.argument[0][1], k, b);
-    SOFTGL_FOR_LANES(block, i) product[k][i] = (a[i] * 2.0f + -1.0f) * (b[i] * 2.0f + -1.0f);
+    combine_argument(block, t, t.argument[0][0], k, a[k]);
+    combine_argument(block, t, t.argument[0][1], k, b[k]);
+    SOFTGL_FOR_LANES(block, i) {
+      a[k][i] = a[k][i] * 2.0f + -1.0f;
+      b[k][i] = b[k][i] * 2.0f + -1.0f;
+    }
   }
-  SOFTGL_FOR_LANES(block, i) out[i] = (product[2][i] + product[1][i]) + product[0][i];
+  if (t.argument[0][0].alpha) {
+    SOFTGL_FOR_LANES(block, i) out[i] = a[0][i] * (b[0][i] + (b[1][i] + b[2][i]));
+  } else if (t.argument[0][1].alpha) {
+    SOFTGL_FOR_LANES(block, i) out[i] = b[0][i] * (a[0][i] + (a[1][i] + a[2][i]));
+  } else {
+    SOFTGL_FOR_LANES(block, i) out[i] = a[0][i] * b[0][i] + (a[1][i] * b[1][i] + a[2][i] * b[2][i]);
+  }
 }
 
 static inline void environment_combine(FragmentBlock& block, const FragmentConstants& constants, int unit) {
