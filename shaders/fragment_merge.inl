@@ -107,35 +107,53 @@ SOFTGL_INLINE uint16_t cut_565(uint32_t c) {
   return uint16_t((c & 0xf8) << 8 | (c >> 5 & 0x7e0) | (c >> 19 & 0x1f));
 }
 
-/// Blending of one pixel in float, for 16-bit and float surfaces.
-static void blend_float(const FragmentKey& key, const FragmentConstants& k, const float* s, const float* d, float* out) {
+/// The factor of channel c (3 = alpha) of one pixel; `one` is the number that stands for 1.
+template <class T> SOFTGL_INLINE T factor_of_channel(BlendFactor f, int c, const T* s, const T* d, const T* constant, T one) {
+  switch (f) {
+  case BlendFactor::Zero: return 0;
+  case BlendFactor::One: return one;
+  case BlendFactor::SourceColor: return s[c];
+  case BlendFactor::OneMinusSourceColor: return one - s[c];
+  case BlendFactor::SourceAlpha: return s[3];
+  case BlendFactor::OneMinusSourceAlpha: return one - s[3];
+  case BlendFactor::DestinationAlpha: return d[3];
+  case BlendFactor::OneMinusDestinationAlpha: return one - d[3];
+  case BlendFactor::DestinationColor: return d[c];
+  case BlendFactor::OneMinusDestinationColor: return one - d[c];
+  case BlendFactor::SourceAlphaSaturate: return c == 3 ? one : s[3] < one - d[3] ? s[3] : one - d[3];
+  case BlendFactor::ConstantColor: return constant[c];
+  case BlendFactor::OneMinusConstantColor: return one - constant[c];
+  case BlendFactor::ConstantAlpha: return constant[3];
+  case BlendFactor::OneMinusConstantAlpha: return one - constant[3];
+  }
+  return 0;
+}
+
+SOFTGL_INLINE float combine_products(BlendEquation equation, float a, float b) {
+  return equation == BlendEquation::Subtract ? a - b : equation == BlendEquation::ReverseSubtract ? b - a : a + b;
+}
+/// 16-bit sums saturate.
+SOFTGL_INLINE int64_t combine_products(BlendEquation equation, int64_t a, int64_t b) {
+  const int64_t v = equation == BlendEquation::Subtract ? a - b : equation == BlendEquation::ReverseSubtract ? b - a : a + b;
+  return v < 0 ? 0 : v > 65535 ? 65535 : v;
+}
+SOFTGL_INLINE float product(float a, float b) { return a * b; }
+/// a * b / 65535 as OSMesa 22.3.6 rounds it.
+SOFTGL_INLINE int64_t product(int64_t a, int64_t b) {
+  const int64_t p = a * b;
+  return (p + (p >> 16) + 0x8000) >> 16;
+}
+
+/// Blending of one pixel of a float (T = float) or 16-bit (T = int64_t) surface.
+template <class T> static void blend_wide(const FragmentKey& key, const T* constant, T one, const T* s, const T* d, T* out) {
+  const auto equation = BlendEquation(key.blend_equation);
   for (int c = 0; c < 4; ++c) {
-    auto factor = [&](BlendFactor f) -> float {
-      switch (f) {
-      case BlendFactor::Zero: return 0;
-      case BlendFactor::One: return 1;
-      case BlendFactor::SourceColor: return s[c];
-      case BlendFactor::OneMinusSourceColor: return 1 - s[c];
-      case BlendFactor::SourceAlpha: return s[3];
-      case BlendFactor::OneMinusSourceAlpha: return 1 - s[3];
-      case BlendFactor::DestinationAlpha: return d[3];
-      case BlendFactor::OneMinusDestinationAlpha: return 1 - d[3];
-      case BlendFactor::DestinationColor: return d[c];
-      case BlendFactor::OneMinusDestinationColor: return 1 - d[c];
-      case BlendFactor::SourceAlphaSaturate: return c == 3 ? 1 : s[3] < 1 - d[3] ? s[3] : 1 - d[3];
-      case BlendFactor::ConstantColor: return k.blend_color[c];
-      case BlendFactor::OneMinusConstantColor: return 1 - k.blend_color[c];
-      case BlendFactor::ConstantAlpha: return k.blend_color[3];
-      case BlendFactor::OneMinusConstantAlpha: return 1 - k.blend_color[3];
-      }
-      return 0;
-    };
-    const auto equation = BlendEquation(key.blend_equation);
     if (equation == BlendEquation::Min) { out[c] = s[c] < d[c] ? s[c] : d[c]; continue; }
     if (equation == BlendEquation::Max) { out[c] = s[c] > d[c] ? s[c] : d[c]; continue; }
-    const float a = s[c] * factor(BlendFactor(c == 3 ? key.blend_source_alpha : key.blend_source_rgb));
-    const float b = d[c] * factor(BlendFactor(c == 3 ? key.blend_destination_alpha : key.blend_destination_rgb));
-    out[c] = equation == BlendEquation::Subtract ? a - b : equation == BlendEquation::ReverseSubtract ? b - a : a + b;
+    const auto sf = BlendFactor(c == 3 ? key.blend_source_alpha : key.blend_source_rgb);
+    const auto df = BlendFactor(c == 3 ? key.blend_destination_alpha : key.blend_destination_rgb);
+    out[c] = combine_products(equation, product(s[c], factor_of_channel(sf, c, s, d, constant, one)),
+                              product(d[c], factor_of_channel(df, c, s, d, constant, one)));
   }
 }
 
@@ -144,39 +162,33 @@ SOFTGL_INLINE uint16_t unorm_16(float v) {
   return uint16_t(_mm_cvtss_si32(_mm_set_ss(c * 65535.0f)));
 }
 
+SOFTGL_INLINE uint16_t logic_16(unsigned operation, uint16_t s, uint16_t d) {
+  const uint16_t results[16] = {0, uint16_t(s & d), uint16_t(s & ~d), s, uint16_t(~s & d), d, uint16_t(s ^ d), uint16_t(s | d),
+                                uint16_t(~(s | d)), uint16_t(~(s ^ d)), uint16_t(~d), uint16_t(s | ~d), uint16_t(~s),
+                                uint16_t(~s | d), uint16_t(~(s & d)), 0xffff};
+  return results[operation];
+}
+
 /// One pixel of a 16-bit or float surface.
 static void store_wide(const FragmentProgram& program, ColorFormat format, const float source[4], void* color, size_t pixel) {
   const FragmentKey& key = program.key;
-  float s[4] = {source[0], source[1], source[2], source[3]}, d[4], out[4];
-  uint16_t* narrow = static_cast<uint16_t*>(color) + 4 * pixel;
-  float* wide = static_cast<float*>(color) + 4 * pixel;
+  const FragmentConstants& k = *program.constants;
   if (format == ColorFormat::Rgba16) {
+    uint16_t* target = static_cast<uint16_t*>(color) + 4 * pixel;
+    int64_t s[4], d[4], out[4], constant[4];
+    for (int c = 0; c < 4; ++c) out[c] = s[c] = unorm_16(source[c]), d[c] = target[c], constant[c] = unorm_16(k.blend_color[c]);
+    if (key.blend) blend_wide<int64_t>(key, constant, 65535, s, d, out);
     for (int c = 0; c < 4; ++c) {
-      s[c] = s[c] > 0.0f ? (s[c] < 1.0f ? s[c] : 1.0f) : 0.0f;
-      d[c] = float(narrow[c]) * (1.0f / 65535.0f);
+      if (!(key.color_mask >> c & 1)) continue;
+      target[c] = key.logic_op ? logic_16(unsigned(key.blend_source_rgb), uint16_t(out[c]), target[c]) : uint16_t(out[c]);
     }
-  } else {
-    for (int c = 0; c < 4; ++c) d[c] = wide[c];
+    return;
   }
-  if (key.blend) blend_float(key, *program.constants, s, d, out);
-  else for (int c = 0; c < 4; ++c) out[c] = s[c];
-  for (int c = 0; c < 4; ++c) {
-    if (!(key.color_mask >> c & 1)) continue;
-    if (format == ColorFormat::Rgba16) {
-      uint16_t v = unorm_16(out[c]);
-      if (key.logic_op) {
-        const uint16_t t = narrow[c];
-        const unsigned op = unsigned(key.blend_source_rgb);
-        const uint16_t table[16] = {0, uint16_t(v & t), uint16_t(v & ~t), v, uint16_t(~v & t), t, uint16_t(v ^ t), uint16_t(v | t),
-                                    uint16_t(~(v | t)), uint16_t(~(v ^ t)), uint16_t(~t), uint16_t(v | ~t), uint16_t(~v),
-                                    uint16_t(~v | t), uint16_t(~(v & t)), 0xffff};
-        v = table[op];
-      }
-      narrow[c] = v;
-    } else {
-      wide[c] = out[c];
-    }
-  }
+  float* target = static_cast<float*>(color) + 4 * pixel;
+  float out[4] = {source[0], source[1], source[2], source[3]};
+  if (key.blend) blend_wide<float>(key, k.blend_color, 1.0f, source, target, out);
+  for (int c = 0; c < 4; ++c)
+    if (key.color_mask >> c & 1) target[c] = out[c];
 }
 
 } // namespace SOFTGL_ISA

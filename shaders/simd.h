@@ -2,6 +2,11 @@
 // interpolation. GCC's vector extension does the arithmetic; intrinsics only what it cannot say.
 #pragma once
 
+#if defined(__GNUC__) && !defined(__clang__) && defined(__AVX512F__)
+// GCC 12's own header starts from undefined registers (GCC bug 105593).
+#pragma GCC diagnostic ignored "-Wuninitialized"
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 #include <immintrin.h>
 #include <stddef.h>
 #include <stdint.h>
