@@ -57,8 +57,9 @@ void remove_slot(VertexBuilder& b, int slot) {
   b.out = b.base + size_t(count) * 4 * slots;
 }
 
-void forget_run(VertexBuilder& b) {
-  std::free(b.base);
+void forget_run(Context& c) {
+  VertexBuilder& b = c.builder;
+  c.lists.vertices.reset();
   b.base = b.out = b.limit = nullptr;
   b.capacity = 0;
   b.mode = kNoPrimitive;
@@ -113,8 +114,8 @@ void finish_run(Context& c, bool fragment) {
     if (b.base) {
       float* fitted = static_cast<float*>(std::realloc(b.base, size_t(count) * b.slots * 16 + 16));
       run->block->vertices = fitted ? fitted : b.base;
-      b.base = nullptr;
-      b.out = VertexBuilder::kNoChunk;
+      (void)c.lists.vertices.release();
+      b.base = b.out = nullptr;
       describe_vertices(*run, run->block->vertices, run->block->source);
     }
     c.lists.list->runs.push_back(run);
@@ -124,7 +125,7 @@ void finish_run(Context& c, bool fragment) {
       play_run(c, run);
     }
   }
-  forget_run(b);
+  forget_run(c);
   c.guard &= ~(kRunPending | kInsideBeginEnd);
 }
 
@@ -141,7 +142,7 @@ void finish_deferred(Context& c) {
 
 void close_run(Context& c) { c.builder.close_run(c); }
 
-void* record(Context& c, uint16_t opcode, size_t bytes) {
+void* record(Context& c, uint16_t opcode, size_t bytes) try {
   VertexBuilder& b = c.builder;
   c.lists.last_was_error = false;
   if (b.mode != kNoPrimitive) { // not allowed between Begin and End
@@ -153,6 +154,11 @@ void* record(Context& c, uint16_t opcode, size_t bytes) {
   if (b.limit) close_loose_run(c, false);
   close_compiled_run(c);
   return append(c, opcode, bytes ? bytes : 8);
+} catch (const std::bad_alloc&) {
+  if (bytes > sizeof c.lists.emergency) throw;
+  set_error(c, GL_OUT_OF_MEMORY);
+  c.lists.last_was_error = true;
+  return c.lists.emergency;
 }
 
 const void* keep(Context& c, const void* data, size_t bytes) {

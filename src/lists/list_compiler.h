@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <memory>
 #include <vector>
 
@@ -24,15 +25,19 @@ struct ListCompiler {
   VertexBuilder executing_builder;
   uint32_t executing_guard = 0;
 
+  struct Free { void operator()(float* p) const { std::free(p); } };
+  std::unique_ptr<float, Free> vertices; // the builder's chunk while a list is compiled
+
   bool last_was_error = false;   // the last record stands for an error: nothing to execute
   std::vector<uint64_t> scratch; // takes the arguments of a command that only raises an error
+  uint64_t emergency[32];        // the same when there is no memory: more than any command's arguments
 };
 
 /// Closes a pending run; see VertexBuilder::close_run.
 void close_run(Context& context);
 
 /// Appends a command to the list; returns where its arguments go (aligned to 8 bytes, valid until the next record).
-/// Throws std::bad_alloc.
+/// Without memory the error is set; only more than 256 bytes of arguments throw std::bad_alloc.
 void* record(Context& context, uint16_t opcode, size_t argument_bytes);
 /// A copy of `bytes` bytes that lives as long as the list. Throws std::bad_alloc.
 const void* keep(Context& context, const void* data, size_t bytes);

@@ -44,7 +44,7 @@ struct Context {
 
 /// The calling thread's context; never null: without one it is a context whose guard is kNoContext. Initial-exec,
 /// because it is one pointer and is read by every call.
-extern thread_local Context* current_context __attribute__((tls_model("initial-exec")));
+extern constinit thread_local Context* current_context __attribute__((tls_model("initial-exec")));
 
 /// Records `code` unless an earlier error waits to be read (2.5).
 inline void set_error(Context& c, GLenum code) {

@@ -24,10 +24,11 @@ inline void emit_vertex4(Context& c, float x, float y, float z, float w) {
   float* out = b.out;
   // Outside Begin and End `limit` is null; a chunk that is full looks the same.
   if (__builtin_expect(out >= b.limit, 0)) return emit_vertex_without_room(c, x, y, z, w);
-  const unsigned slots = b.slots;
+  const float* value = b.value[0];
   _mm_store_ps(out, _mm_setr_ps(x, y, z, w));
-  for (unsigned i = 1; i < slots; ++i) _mm_store_ps(out + 4 * i, _mm_load_ps(b.value[i]));
-  b.out = out + 4 * slots;
+  const size_t end = 4 * size_t(b.slots);
+  for (size_t i = 4; i != end; i += 4) _mm_store_ps(out + i, _mm_load_ps(value + i));
+  b.out = out + end;
 }
 inline void emit_vertex2(Context& c, float x, float y) { emit_vertex4(c, x, y, 0, 1); }
 inline void emit_vertex3(Context& c, float x, float y, float z) { emit_vertex4(c, x, y, z, 1); }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 
 #include "base/gl_types.h"
 
@@ -42,6 +43,7 @@ struct BufferObject {
   };
   static constexpr size_t kCachedRanges = 256;
   std::unique_ptr<CachedRange[]> ranges;
+  std::mutex ranges_mutex; // contexts of several threads may draw from one buffer
 
   size_t size() const { return storage ? storage->size : 0; }
 };

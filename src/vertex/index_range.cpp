@@ -56,6 +56,7 @@ IndexRange copy_indices(const void* indices, GLenum type, uint32_t count, void* 
 }
 
 IndexRange index_range(BufferObject& buffer, size_t offset, GLenum type, uint32_t count) {
+  std::lock_guard lock(buffer.ranges_mutex);
   if (!buffer.ranges) buffer.ranges = std::make_unique<BufferObject::CachedRange[]>(BufferObject::kCachedRanges);
   const size_t hash = (offset / 4 * 0x9e3779b97f4a7c15ull + count * 0xc2b2ae3d27d4eb4full) >> 56;
   BufferObject::CachedRange& entry = buffer.ranges[hash % BufferObject::kCachedRanges];

@@ -23,6 +23,7 @@ void open_chunk(Context& c, size_t minimum = kSmallestChunk) {
   if (b.compiling) {
     b.base = static_cast<float*>(std::malloc(minimum));
     if (!b.base) throw std::bad_alloc();
+    c.lists.vertices.reset(b.base);
     b.capacity = minimum;
   } else {
     b.base = static_cast<float*>(c.frame.arena().allocate_rest(minimum, b.capacity));
@@ -37,6 +38,8 @@ void grow_chunk(Context& c, size_t bytes) {
   if (b.compiling) {
     float* moved = static_cast<float*>(std::realloc(b.base, bytes));
     if (!moved) throw std::bad_alloc();
+    (void)c.lists.vertices.release(); // realloc() has freed it
+    c.lists.vertices.reset(moved);
     b.base = moved;
     b.capacity = bytes;
   } else {
@@ -78,8 +81,7 @@ void draw_chunk(Context& c) {
   const uint32_t count = b.vertex_count();
   Arena& arena = c.frame.arena();
   float* base = b.base;
-  b.base = nullptr;
-  b.out = VertexBuilder::kNoChunk;
+  b.base = b.out = nullptr;
   if (!base) return;
   arena.give_back(base, size_t(count) * b.slots * 16);
   if (b.primitives.empty()) return;

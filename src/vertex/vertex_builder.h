@@ -21,11 +21,8 @@ constexpr GLenum kNoPrimitive = 0xffff;
 /// of their first setting. Setting an attribute writes its slot in `value`; a vertex copies `value` behind its position
 /// (measured: 2.5-3.0 ns for a normal and a vertex, against 4-6 ns for packed or separate arrays).
 struct VertexBuilder {
-  /// `out` while no chunk is open: above `last`, so that a vertex outside Begin and End takes the cold path.
-  alignas(16) static inline float kNoChunk[4] = {};
-
   // Touched by every call.
-  float* out = kNoChunk;  // the next vertex
+  float* out = nullptr;   // the next vertex
   float* limit = nullptr; // a vertex fits while out < limit; null when no primitive is open
   uint32_t slots = 1;     // per vertex
   uint32_t present = 1;   // bit s: attribute s has a slot (the position always has)

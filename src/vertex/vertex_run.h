@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "frame/draw_call.h"
@@ -38,9 +39,12 @@ struct VertexRun {
   /// Not a sequence of whole primitives: some vertices belong to a primitive that begins or ends outside of the run.
   bool fragment = false;
 
-  /// Vertices that are alike, joined: made at the second playing.
+  /// Made at the second playing, when it pays: vertices that are alike are joined, and these name them.
   uint32_t plays = 0;
   std::vector<uint32_t> indices;
+  uint32_t distinct_count = 0;
+
+  std::mutex mutex; // contexts of several threads may play one list
 };
 
 /// Draws the run with the present state, and makes its last attribute values current.
