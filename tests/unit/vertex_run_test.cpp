@@ -1,6 +1,7 @@
 // Runs of vertices: layout, values, pieces; and that lists replay what immediate mode draws.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <functional>
 
 #include "api/generated/commands.h"
@@ -188,6 +189,40 @@ TEST_CASE("a list replays what immediate mode draws", "[vertex][lists]") {
     INFO("seed " << seed);
     check_lists([&](Context& c) { random_stream(c, seed); });
   }
+}
+
+TEST_CASE("equal vertices of a list are joined at its second playing", "[lists]") {
+  const Stream stream = [](Context& c) {
+    for (GLenum mode : {GL_TRIANGLES, GL_QUAD_STRIP, GL_TRIANGLES}) {
+      gl::Begin(c, mode);
+      for (int i = 0; i < 600; ++i) {
+        set_attribute3(c, kNormal, 0, float(i % 7), 1);
+        if (i % 5 == 0) set_attribute2(c, kTexCoord0, float(i % 10), 1);
+        emit_vertex3(c, float(i % 20), i % 40 < 20 ? 0.0f : -0.0f, 1); // 0 and -0 are two vertices
+      }
+      gl::End(c);
+    }
+  };
+  check_lists(stream);
+  auto c = make_recording_context();
+  gl::NewList(*c, 1, GL_COMPILE);
+  stream(*c);
+  gl::EndList(*c);
+  for (int i = 0; i < 3; ++i) gl::CallList(*c, 1);
+  REQUIRE(recorded_draws(*c) == 3);
+  CHECK(c->frame.items()[0].draw->call.vertex_count == 1800);
+  CHECK(c->frame.items()[2].draw->call.vertex_count < 600);
+  // Between Begin and End the list is replayed call by call; its own Begins are errors.
+  gl::NewList(*c, 2, GL_COMPILE);
+  gl::Begin(*c, GL_POINTS);
+  gl::CallList(*c, 1);
+  gl::End(*c);
+  gl::EndList(*c);
+  gl::CallList(*c, 2);
+  state_change(*c);
+  CHECK(c->error == GL_INVALID_OPERATION);
+  const auto p = recorded_primitives(*c);
+  CHECK(std::count_if(p.begin(), p.end(), [](const auto& one) { return one.mode == GL_POINTS; }) == 600);
 }
 
 TEST_CASE("vertices of a list take the colour that is current when it is played", "[lists]") {
