@@ -1,0 +1,59 @@
+// Hostile command streams: softgl must survive them, and name the same errors as OSMesa.
+#include <catch2/catch.hpp>
+
+#include <string>
+#include <vector>
+
+#include "fuzz/commands.h"
+
+namespace softgl::test {
+namespace {
+
+struct Step {
+  std::string name;
+  GLenum error;
+};
+
+// Runs `length` commands in a new context. Errors are asked for only where glGetError is allowed.
+std::vector<Step> run(const Gl& gl, uint64_t seed, int length) {
+  std::vector<Step> steps;
+  std::vector<unsigned char> color(64 * 48 * 4);
+  void* context = gl.OSMesaCreateContextExt(kOSMesaRgba, 24, 8, 0, nullptr);
+  REQUIRE(gl.OSMesaMakeCurrent(context, color.data(), GL_UNSIGNED_BYTE, 64, 48));
+  Random random(seed * 1000003u);
+  bool inside = false;
+  for (int i = 0; i < length; i++) {
+    const FuzzCommand& command = random_fuzz_command(random);
+    Random arguments(random.bits()); // however many numbers the command draws, the stream goes on the same
+    command.call(gl, arguments);
+    const std::string name = command.name;
+    if (name == "Begin") inside = true;
+    if (name == "End") inside = false;
+    steps.push_back({name, inside ? GLenum(GL_NO_ERROR) : gl.GetError()});
+  }
+  if (inside) gl.End();
+  gl.EndList();
+  gl.Finish();
+  gl.OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+  gl.OSMesaDestroyContext(context);
+  return steps;
+}
+
+} // namespace
+
+TEST_CASE("hostile commands do no harm", "[fuzz]") {
+  for (uint64_t seed = 0; seed < 300; seed++) CHECK(run(softgl_library(), seed, 400).size() == 400);
+}
+
+TEST_CASE("hostile commands raise the errors that OSMesa names", "[fuzz][slow]") {
+  for (uint64_t seed = 1000; seed < 1100; seed++) {
+    const auto ours = run(softgl_library(), seed, 60), theirs = run(osmesa_library(), seed, 60);
+    for (size_t i = 0; i < ours.size(); i++) {
+      INFO("seed " << seed << ", command " << i << ": gl" << ours[i].name << ", before it gl" << (i ? ours[i - 1].name : ""));
+      CHECK(ours[i].error == theirs[i].error);
+      if (ours[i].error != theirs[i].error) break;
+    }
+  }
+}
+
+} // namespace softgl::test
