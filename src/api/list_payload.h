@@ -11,7 +11,10 @@ namespace softgl {
 
 /// Copies into the list that is being compiled; null for a null pointer or nothing.
 const void* keep_bytes(Context& c, const void* data, size_t bytes);
+/// Parameters of a pname; of one that GL does not know, zeros: the command looks at them before it raises the error.
 inline const GLfloat* keep_values(Context& c, const GLfloat* values, size_t count) {
+  static constexpr GLfloat kNone[4] = {};
+  if (count == 0) return kNone;
   return static_cast<const GLfloat*>(keep_bytes(c, values, count * sizeof(GLfloat)));
 }
 /// A byte count from GL's signed sizes: 0 for a negative one (the command itself raises the error).

@@ -126,6 +126,12 @@ const FuzzCommand kCommands[] = {
 
 } // namespace
 
+void set_up_arrays(const Gl& gl) {
+  gl.VertexPointer(4, GL_FLOAT, 0, memory);
+  gl.ColorPointer(4, GL_FLOAT, 0, memory);
+  gl.NormalPointer(GL_FLOAT, 0, memory);
+}
+
 const FuzzCommand& random_fuzz_command(Random& random) {
   return kCommands[random.integer(0, int(sizeof kCommands / sizeof *kCommands) - 1)];
 }

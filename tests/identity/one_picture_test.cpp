@@ -25,7 +25,7 @@ bool built(const std::string& isa) { return std::string("," SOFTGL_TEST_ISAS ","
 // The hash of every scene, from a process of its own.
 std::map<std::string, std::string> hashes(const std::string& isa, int threads) {
   const std::string command = "SOFTGL_ISA=" + isa + " SOFTGL_THREADS=" + std::to_string(threads) + " '" SOFTGL_TEST_BINARY_DIR
-                              "/softgl_conformance' --library softgl --hash --count 160 --expect-isa " + isa;
+                              "/softgl_conformance' --library softgl --hash --count 100 --expect-isa " + isa;
   std::map<std::string, std::string> result;
   FILE* pipe = popen(command.c_str(), "r");
   REQUIRE(pipe);
