@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <memory>
 #include <vector>
 
 #include "api/generated/commands.h"
+#include "frame/thread_pool.h"
 #include "framebuffer/read_surface.h"
 #include "state/context.h"
 #include "texture/pixel_formats.h"
@@ -62,38 +64,53 @@ void transfer(const Context& c, float (*rgba)[4], int count, bool clamp, bool lu
   }
 }
 
-void read_colors(const Context& c, const Target& t) {
+/// The rows first .. end - 1 of the target. Scratch memory is the caller's: 16 bytes per pixel each.
+void read_color_rows(const Context& c, const Target& t, int first, int end, unsigned char* row, unsigned char* converted) {
   const Surface& s = c.framebuffer.surface;
-  std::vector<unsigned char> row(size_t(t.count) * 16);
-  const auto surface_row = [&](int r) { copy_color_row(s, t.x, s.height - 1 - (t.bottom + r), t.count, row.data()); };
-  if (s.color_format == ColorFormat::Rgba16 && !needs_floats(c, t.format)) {
-    for (int r = t.first_row; r < t.first_row + t.rows; ++r) {
-      surface_row(r);
-      pack_pixels(t.format, reinterpret_cast<const uint16_t(*)[4]>(row.data()), t.count, t.swap, t.pixels(r));
-    }
-    return;
-  }
-  if (!needs_floats(c, t.format)) {
-    std::vector<uint8_t> bytes(size_t(t.count) * 4);
-    auto* rgba = reinterpret_cast<uint8_t(*)[4]>(bytes.data());
-    for (int r = t.first_row; r < t.first_row + t.rows; ++r) {
-      surface_row(r);
-      color_row_to_bytes(s.color_format, row.data(), t.count, rgba);
+  const auto surface_row = [&](int r, void* to) { copy_color_row(s, t.x, s.height - 1 - (t.bottom + r), t.count, to); };
+  if (needs_floats(c, t.format)) {
+    auto* rgba = reinterpret_cast<float(*)[4]>(converted);
+    // OSMesa 22.3.6: floating-point surfaces are clamped when read; of others a transfer may leave [0,1] when the result
+    // is signed or float, except where luminance is summed.
+    const bool clamp = s.color_format == ColorFormat::RgbaFloat || t.format.luminance;
+    for (int r = first; r < end; ++r) {
+      surface_row(r, row);
+      color_row_to_floats(s.color_format, row, t.count, rgba);
+      transfer(c, rgba, t.count, clamp, t.format.luminance);
       pack_pixels(t.format, rgba, t.count, t.swap, t.pixels(r));
     }
-    return;
+  } else if (s.color_format == ColorFormat::Rgba16) {
+    for (int r = first; r < end; ++r) {
+      surface_row(r, row);
+      pack_pixels(t.format, reinterpret_cast<const uint16_t(*)[4]>(row), t.count, t.swap, t.pixels(r));
+    }
+  } else if (s.color_format == ColorFormat::Rgba8 && t.format.format == GL_RGBA && t.format.channel == PixelChannel::UnsignedByte) {
+    for (int r = first; r < end; ++r) surface_row(r, t.pixels(r));
+  } else {
+    auto* rgba = reinterpret_cast<uint8_t(*)[4]>(converted);
+    for (int r = first; r < end; ++r) {
+      surface_row(r, row);
+      color_row_to_bytes(s.color_format, row, t.count, rgba);
+      pack_pixels(t.format, rgba, t.count, t.swap, t.pixels(r));
+    }
   }
-  std::vector<float> floats(size_t(t.count) * 4);
-  auto* rgba = reinterpret_cast<float(*)[4]>(floats.data());
-  // OSMesa 22.3.6: floating-point surfaces are clamped when read; of others a transfer may leave [0,1] when the result
-  // is signed or float, except where luminance is summed.
-  const bool clamp = s.color_format == ColorFormat::RgbaFloat || t.format.luminance;
-  for (int r = t.first_row; r < t.first_row + t.rows; ++r) {
-    surface_row(r);
-    color_row_to_floats(s.color_format, row.data(), t.count, rgba);
-    transfer(c, rgba, t.count, clamp, t.format.luminance);
-    pack_pixels(t.format, rgba, t.count, t.swap, t.pixels(r));
-  }
+}
+
+void read_colors(const Context& c, const Target& t) {
+  const size_t scratch_bytes = size_t(t.count) * 16;
+  constexpr int kRowsPerTask = 32;
+  // Rows that overlap (a row length below the width) have an order; a small rectangle is read before a thread wakes.
+  const bool overlapping = t.layout.row_stride < t.layout.row_bytes;
+  const auto read = [&](int first, int end) {
+    const std::unique_ptr<unsigned char[]> scratch(new unsigned char[2 * scratch_bytes]);
+    read_color_rows(c, t, first, end, scratch.get(), scratch.get() + scratch_bytes);
+  };
+  const int end = t.first_row + t.rows;
+  if (overlapping || int64_t(t.count) * t.rows < 128 * 1024) return read(t.first_row, end);
+  ThreadPool::instance().run(size_t((t.rows + kRowsPerTask - 1) / kRowsPerTask), [&](size_t task, int) {
+    const int first = t.first_row + int(task) * kRowsPerTask;
+    read(first, std::min(first + kRowsPerTask, end));
+  });
 }
 
 void read_depths(const Context& c, const Target& t) {

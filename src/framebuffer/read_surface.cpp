@@ -21,6 +21,9 @@ template <class Pixel> void copy_row(const Surface& s, const Pixel* plane, int x
   }
 }
 
+// `row` may be the client's memory, which need not be aligned.
+struct Bytes2 { unsigned char b[2]; };
+struct Bytes4 { unsigned char b[4]; };
 struct Bytes8 { unsigned char b[8]; };
 struct Bytes16 { unsigned char b[16]; };
 
@@ -36,10 +39,10 @@ template <class Row> void for_each_row(const Surface& s, int x, int y, int width
 
 void copy_color_row(const Surface& s, int x, int y, int count, void* row) {
   switch (s.color_format) {
-    case ColorFormat::Rgba8: return copy_row(s, static_cast<const uint32_t*>(s.color), x, y, count, static_cast<uint32_t*>(row));
+    case ColorFormat::Rgba8: return copy_row(s, static_cast<const Bytes4*>(s.color), x, y, count, static_cast<Bytes4*>(row));
     case ColorFormat::Rgba16: return copy_row(s, static_cast<const Bytes8*>(s.color), x, y, count, static_cast<Bytes8*>(row));
     case ColorFormat::RgbaFloat: return copy_row(s, static_cast<const Bytes16*>(s.color), x, y, count, static_cast<Bytes16*>(row));
-    case ColorFormat::Rgb565: return copy_row(s, static_cast<const uint16_t*>(s.color), x, y, count, static_cast<uint16_t*>(row));
+    case ColorFormat::Rgb565: return copy_row(s, static_cast<const Bytes2*>(s.color), x, y, count, static_cast<Bytes2*>(row));
   }
 }
 

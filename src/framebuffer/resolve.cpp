@@ -1,5 +1,6 @@
 // From the surface's blocks to the rows of the caller's buffer.
 #include <GL/osmesa.h>
+#include <emmintrin.h>
 
 #include <cstring>
 
@@ -28,26 +29,47 @@ struct Copy16 {
   static constexpr size_t kFrom = 2, kTo = 2;
   static void run(const unsigned char* from, unsigned char* to, int count) { std::memcpy(to, from, size_t(count) * 2); }
 };
+/// Applies `Swizzle` to four pixels at a time, then to the rest. GCC 12 leaves the plain loop scalar: three times slower.
+template <class Swizzle> void swizzle_row(const unsigned char* from, unsigned char* to, int count, Swizzle swizzle) {
+  int i = 0;
+  for (; i + 4 <= count; i += 4) {
+    const __m128i p = _mm_loadu_si128(reinterpret_cast<const __m128i*>(from + 4 * i));
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(to + 4 * i), swizzle(p));
+  }
+  for (; i < count; ++i) {
+    int pixel;
+    std::memcpy(&pixel, from + 4 * i, 4);
+    pixel = _mm_cvtsi128_si32(swizzle(_mm_cvtsi32_si128(pixel)));
+    std::memcpy(to + 4 * i, &pixel, 4);
+  }
+}
 struct SwapRedAndBlue {
   static constexpr size_t kFrom = 4, kTo = 4;
   static void run(const unsigned char* from, unsigned char* to, int count) {
-    for (int i = 0; i < count; ++i) {
-      uint32_t p;
-      std::memcpy(&p, from + 4 * i, 4);
-      p = (p & 0xff00ff00u) | (p >> 16 & 0xffu) | (p & 0xffu) << 16;
-      std::memcpy(to + 4 * i, &p, 4);
-    }
+    swizzle_row(from, to, count, [](__m128i p) {
+      const __m128i green_alpha = _mm_and_si128(p, _mm_set1_epi32(int(0xff00ff00u)));
+      const __m128i red_blue = _mm_andnot_si128(_mm_set1_epi32(int(0xff00ff00u)), p);
+      return _mm_or_si128(green_alpha, _mm_or_si128(_mm_slli_epi32(red_blue, 16), _mm_srli_epi32(red_blue, 16)));
+    });
   }
 };
 struct AlphaFirst {
   static constexpr size_t kFrom = 4, kTo = 4;
   static void run(const unsigned char* from, unsigned char* to, int count) {
-    for (int i = 0; i < count; ++i) {
-      uint32_t p;
-      std::memcpy(&p, from + 4 * i, 4);
-      p = p << 8 | p >> 24;
-      std::memcpy(to + 4 * i, &p, 4);
+    swizzle_row(from, to, count, [](__m128i p) { return _mm_or_si128(_mm_slli_epi32(p, 8), _mm_srli_epi32(p, 24)); });
+  }
+};
+struct BytesWithoutAlpha {
+  static constexpr size_t kFrom = 4, kTo = 3;
+  static void run(const unsigned char* from, unsigned char* to, int count) {
+    int i = 0;
+    for (; i + 4 <= count; i += 4) {
+      uint32_t p[4];
+      std::memcpy(p, from + 4 * i, 16);
+      const uint32_t q[3] = {(p[0] & 0xffffffu) | p[1] << 24, (p[1] >> 8 & 0xffffu) | p[2] << 16, (p[2] >> 16 & 0xffu) | p[3] << 8};
+      std::memcpy(to + 3 * i, q, 12);
     }
+    for (; i < count; ++i) std::memcpy(to + 3 * i, from + 4 * i, 3);
   }
 };
 /// Three of four components of `bytes` each.
@@ -125,7 +147,7 @@ void resolve(const Surface& s, const ClientBuffer& client) {
   const bool rgb = client.format == OSMESA_RGB;
   switch (s.color_format) {
     case ColorFormat::Rgba8:
-      if (rgb) return resolve_as<DropAlpha<1>>(s, client);
+      if (rgb) return resolve_as<BytesWithoutAlpha>(s, client);
       if (client.format == OSMESA_BGRA) return resolve_as<SwapRedAndBlue>(s, client);
       if (client.format == OSMESA_ARGB) return resolve_as<AlphaFirst>(s, client);
       return resolve_as<Copy32>(s, client);
