@@ -43,7 +43,8 @@ static inline float convert_component(const unsigned char* p, ComponentType type
   case ComponentType::Int: {
     int32_t v;
     memcpy(&v, p + 4 * component, 4);
-    return normalized ? float(double(2.0f * float(v) + 1.0f) * (1.0 / 4294967294.0)) : float(v);
+    // The 1 of 2c + 1 is below a float's precision, so this is the specification and OSMesa.
+    return normalized ? float(v) * (1.0f / 2147483648.0f) : float(v);
   }
   case ComponentType::UnsignedInt: {
     uint32_t v;
