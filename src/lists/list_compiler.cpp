@@ -27,8 +27,8 @@ void append_attribute(Context& c, int slot, const float* value) {
   std::memcpy(r.value, value, sizeof r.value);
   std::memcpy(append(c, kPlayAttribute, sizeof r), &r, sizeof r);
   if (execute_too(c)) {
-    ExecuteScope scope(c);
-    set_attribute4(c, slot, value[0], value[1], value[2], value[3]);
+    ExecuteScope scope(c); // `value` may be in the builder that this puts aside
+    set_attribute4(c, slot, r.value[0], r.value[1], r.value[2], r.value[3]);
   }
 }
 

@@ -246,6 +246,25 @@ TEST_CASE("vertices of a list take the colour that is current when it is played"
   CHECK(value_of(p[2], 1, kColor)[1] == 1);
 }
 
+TEST_CASE("a list that is compiled and executed calls another", "[lists]") {
+  auto c = make_recording_context();
+  gl::NewList(*c, 1, GL_COMPILE);
+  gl::Begin(*c, GL_LINES);
+  emit_vertex2(*c, 1, 0);
+  set_attribute4(*c, kColor, 0, 1, 0, 1);
+  emit_vertex2(*c, 2, 0);
+  gl::End(*c);
+  gl::EndList(*c);
+  gl::NewList(*c, 2, GL_COMPILE_AND_EXECUTE);
+  set_attribute4(*c, kColor, 0.25f, 0, 0, 1);
+  gl::CallList(*c, 1);
+  CHECK(c->state.current.slot[kColor] == Vec4(0, 1, 0, 1));
+  gl::EndList(*c);
+  const auto p = recorded_primitives(*c);
+  REQUIRE(p.size() == 1);
+  CHECK(value_of(p[0], 0, kColor) == AttributeValue{0.25f, 0, 0, 1});
+}
+
 TEST_CASE("a primitive may begin and end in different lists", "[lists]") {
   auto c = make_recording_context();
   gl::NewList(*c, 1, GL_COMPILE);
