@@ -30,6 +30,12 @@ std::vector<Footprint> footprints(int from, int to) {
   return result;
 }
 
+// 8 bits to the stored bits, filled to a byte again: 4 bits round, 5 and 6 drop the rest, fewer round (llvmpipe's scale_bits).
+uint8_t restore(uint32_t value, int bits) {
+  if (bits == 0 || bits == 8) return uint8_t(value);
+  return uint8_t(convert_unorm(bits == 5 || bits == 6 ? value >> (8 - bits) : convert_unorm(value, 8, bits), bits, 8));
+}
+
 int lerp8(int w, int a, int b) { return a + ((w * (b - a) + 128) >> 8); }
 
 void reduce_rgba8(const TextureImage& from, TextureImage& to) {
@@ -47,8 +53,7 @@ void reduce_rgba8(const TextureImage& from, TextureImage& to) {
             return lerp8(fy.weight, row(fy.first), row(fy.second));
           };
           const int value = fz.first == fz.second ? plane(fz.first) : lerp8(fz.weight, plane(fz.first), plane(fz.second));
-          const int bits = format.bits[k];
-          target[k] = uint8_t(bits == 0 || bits == 8 ? uint32_t(value) : convert_unorm(uint32_t(value) >> (8 - bits), bits, 8));
+          target[k] = restore(uint32_t(value), format.bits[k]);
         }
       }
     }
@@ -84,7 +89,8 @@ template <class T> void reduce_wide(const TextureImage& from, TextureImage& to, 
           };
           const float a = plane(fz.first);
           const float value = fz.first == fz.second ? a : fz.fraction * (plane(fz.second) - a) + a;
-          const T v = T(float_to_unorm(value, bits));
+          // 10 bits are the upper ones of 16.
+          const T v = T(bits == 10 ? float_to_unorm(value, 16) >> 6 : float_to_unorm(value, bits));
           std::memcpy(to.at(x, y, z) + size_t(k) * sizeof(T), &v, sizeof v);
         }
       }
