@@ -463,12 +463,66 @@ SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage3DARB(GLenum target, GLint le
   out_of_memory();
 }
 SOFTGL_EXPORT void APIENTRY glCopyPixels(GLint, GLint, GLsizei, GLsizei, GLenum) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glCopyTexImage1D(GLenum, GLint, GLenum, GLint, GLint, GLsizei, GLint) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glCopyTexImage2D(GLenum, GLint, GLenum, GLint, GLint, GLsizei, GLsizei, GLint) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glCopyTexSubImage1D(GLenum, GLint, GLint, GLint, GLint, GLsizei) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glCopyTexSubImage2D(GLenum, GLint, GLint, GLint, GLint, GLint, GLsizei, GLsizei) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glCopyTexSubImage3D(GLenum, GLint, GLint, GLint, GLint, GLint, GLint, GLsizei, GLsizei) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glCopyTexSubImage3DEXT(GLenum, GLint, GLint, GLint, GLint, GLint, GLint, GLsizei, GLsizei) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glCopyTexImage1D(GLenum target, GLint level, GLenum internalformat, GLint x, GLint y, GLsizei width, GLint border) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_CopyTexImage1D(c, target, level, internalformat, x, y, width, border);
+    if (!may_execute(c)) return;
+  }
+  gl::CopyTexImage1D(c, target, level, internalformat, x, y, width, border);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glCopyTexImage2D(GLenum target, GLint level, GLenum internalformat, GLint x, GLint y, GLsizei width, GLsizei height, GLint border) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_CopyTexImage2D(c, target, level, internalformat, x, y, width, height, border);
+    if (!may_execute(c)) return;
+  }
+  gl::CopyTexImage2D(c, target, level, internalformat, x, y, width, height, border);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glCopyTexSubImage1D(GLenum target, GLint level, GLint xoffset, GLint x, GLint y, GLsizei width) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_CopyTexSubImage1D(c, target, level, xoffset, x, y, width);
+    if (!may_execute(c)) return;
+  }
+  gl::CopyTexSubImage1D(c, target, level, xoffset, x, y, width);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glCopyTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint x, GLint y, GLsizei width, GLsizei height) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_CopyTexSubImage2D(c, target, level, xoffset, yoffset, x, y, width, height);
+    if (!may_execute(c)) return;
+  }
+  gl::CopyTexSubImage2D(c, target, level, xoffset, yoffset, x, y, width, height);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glCopyTexSubImage3D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLint x, GLint y, GLsizei width, GLsizei height) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_CopyTexSubImage3D(c, target, level, xoffset, yoffset, zoffset, x, y, width, height);
+    if (!may_execute(c)) return;
+  }
+  gl::CopyTexSubImage3D(c, target, level, xoffset, yoffset, zoffset, x, y, width, height);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glCopyTexSubImage3DEXT(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLint x, GLint y, GLsizei width, GLsizei height) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_CopyTexSubImage3D(c, target, level, xoffset, yoffset, zoffset, x, y, width, height);
+    if (!may_execute(c)) return;
+  }
+  gl::CopyTexSubImage3D(c, target, level, xoffset, yoffset, zoffset, x, y, width, height);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glCullFace(GLenum mode) try {
   Context& c = *current_context;
   if (c.guard) [[unlikely]] {

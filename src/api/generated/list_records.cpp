@@ -323,6 +323,46 @@ void compile_TexSubImage3D(Context& c, GLenum target, GLint level, GLint xoffset
     if (may_execute(c)) gl::TexSubImage3D(c, target, level, xoffset, yoffset, zoffset, width, height, depth, format, type, pixels);
   }
 }
+void compile_CopyTexImage1D(Context& c, GLenum target, GLint level, GLenum internalformat, GLint x, GLint y, GLsizei width, GLint border) {
+  const CopyTexImage1DArguments kept_call{target, level, internalformat, x, y, width, border};
+  new (record(c, uint16_t(Opcode::CopyTexImage1D), sizeof kept_call)) CopyTexImage1DArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::CopyTexImage1D(c, target, level, internalformat, x, y, width, border);
+  }
+}
+void compile_CopyTexImage2D(Context& c, GLenum target, GLint level, GLenum internalformat, GLint x, GLint y, GLsizei width, GLsizei height, GLint border) {
+  const CopyTexImage2DArguments kept_call{target, level, internalformat, x, y, width, height, border};
+  new (record(c, uint16_t(Opcode::CopyTexImage2D), sizeof kept_call)) CopyTexImage2DArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::CopyTexImage2D(c, target, level, internalformat, x, y, width, height, border);
+  }
+}
+void compile_CopyTexSubImage1D(Context& c, GLenum target, GLint level, GLint xoffset, GLint x, GLint y, GLsizei width) {
+  const CopyTexSubImage1DArguments kept_call{target, level, xoffset, x, y, width};
+  new (record(c, uint16_t(Opcode::CopyTexSubImage1D), sizeof kept_call)) CopyTexSubImage1DArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::CopyTexSubImage1D(c, target, level, xoffset, x, y, width);
+  }
+}
+void compile_CopyTexSubImage2D(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint x, GLint y, GLsizei width, GLsizei height) {
+  const CopyTexSubImage2DArguments kept_call{target, level, xoffset, yoffset, x, y, width, height};
+  new (record(c, uint16_t(Opcode::CopyTexSubImage2D), sizeof kept_call)) CopyTexSubImage2DArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::CopyTexSubImage2D(c, target, level, xoffset, yoffset, x, y, width, height);
+  }
+}
+void compile_CopyTexSubImage3D(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLint x, GLint y, GLsizei width, GLsizei height) {
+  const CopyTexSubImage3DArguments kept_call{target, level, xoffset, yoffset, zoffset, x, y, width, height};
+  new (record(c, uint16_t(Opcode::CopyTexSubImage3D), sizeof kept_call)) CopyTexSubImage3DArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::CopyTexSubImage3D(c, target, level, xoffset, yoffset, zoffset, x, y, width, height);
+  }
+}
 void compile_CompressedTexImage1D(Context& c, GLenum target, GLint level, GLenum internalformat, GLsizei width, GLint border, GLsizei imageSize, const void* data) {
   const CompressedTexImage1DArguments kept_call{target, level, internalformat, width, border, imageSize, static_cast<const void*>(keep_bytes(c, data, payload_size(imageSize)))};
   new (record(c, uint16_t(Opcode::CompressedTexImage1D), sizeof kept_call)) CompressedTexImage1DArguments(kept_call);
@@ -809,6 +849,26 @@ void play_command(Context& c, uint16_t opcode, const void* arguments) {
       const TightUnpacking tight(c);
       return gl::TexSubImage3D(c, r.target, r.level, r.xoffset, r.yoffset, r.zoffset, r.width, r.height, r.depth, r.format, r.type, r.pixels);
     }
+    case Opcode::CopyTexImage1D: {
+      const auto& r = *static_cast<const CopyTexImage1DArguments*>(arguments);
+      return gl::CopyTexImage1D(c, r.target, r.level, r.internalformat, r.x, r.y, r.width, r.border);
+    }
+    case Opcode::CopyTexImage2D: {
+      const auto& r = *static_cast<const CopyTexImage2DArguments*>(arguments);
+      return gl::CopyTexImage2D(c, r.target, r.level, r.internalformat, r.x, r.y, r.width, r.height, r.border);
+    }
+    case Opcode::CopyTexSubImage1D: {
+      const auto& r = *static_cast<const CopyTexSubImage1DArguments*>(arguments);
+      return gl::CopyTexSubImage1D(c, r.target, r.level, r.xoffset, r.x, r.y, r.width);
+    }
+    case Opcode::CopyTexSubImage2D: {
+      const auto& r = *static_cast<const CopyTexSubImage2DArguments*>(arguments);
+      return gl::CopyTexSubImage2D(c, r.target, r.level, r.xoffset, r.yoffset, r.x, r.y, r.width, r.height);
+    }
+    case Opcode::CopyTexSubImage3D: {
+      const auto& r = *static_cast<const CopyTexSubImage3DArguments*>(arguments);
+      return gl::CopyTexSubImage3D(c, r.target, r.level, r.xoffset, r.yoffset, r.zoffset, r.x, r.y, r.width, r.height);
+    }
     case Opcode::CompressedTexImage1D: {
       const auto& r = *static_cast<const CompressedTexImage1DArguments*>(arguments);
       return gl::CompressedTexImage1D(c, r.target, r.level, r.internalformat, r.width, r.border, r.imageSize, r.data);
@@ -1023,6 +1083,11 @@ const char* opcode_name(uint16_t opcode) {
       "TexSubImage1D",
       "TexSubImage2D",
       "TexSubImage3D",
+      "CopyTexImage1D",
+      "CopyTexImage2D",
+      "CopyTexSubImage1D",
+      "CopyTexSubImage2D",
+      "CopyTexSubImage3D",
       "CompressedTexImage1D",
       "CompressedTexImage2D",
       "CompressedTexImage3D",

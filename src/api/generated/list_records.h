@@ -48,6 +48,11 @@ enum class Opcode : uint16_t {
   TexSubImage1D,
   TexSubImage2D,
   TexSubImage3D,
+  CopyTexImage1D,
+  CopyTexImage2D,
+  CopyTexSubImage1D,
+  CopyTexSubImage2D,
+  CopyTexSubImage3D,
   CompressedTexImage1D,
   CompressedTexImage2D,
   CompressedTexImage3D,
@@ -90,7 +95,7 @@ enum class Opcode : uint16_t {
   PushAttrib,
   PopAttrib,
 };
-constexpr int kOpcodes = 79;
+constexpr int kOpcodes = 84;
 
 struct RectArguments { GLfloat x1; GLfloat y1; GLfloat x2; GLfloat y2; };
 struct MatrixModeArguments { GLenum mode; };
@@ -127,6 +132,11 @@ struct TexImage3DArguments { GLenum target; GLint level; GLint internalformat; G
 struct TexSubImage1DArguments { GLenum target; GLint level; GLint xoffset; GLsizei width; GLenum format; GLenum type; const void* pixels; };
 struct TexSubImage2DArguments { GLenum target; GLint level; GLint xoffset; GLint yoffset; GLsizei width; GLsizei height; GLenum format; GLenum type; const void* pixels; };
 struct TexSubImage3DArguments { GLenum target; GLint level; GLint xoffset; GLint yoffset; GLint zoffset; GLsizei width; GLsizei height; GLsizei depth; GLenum format; GLenum type; const void* pixels; };
+struct CopyTexImage1DArguments { GLenum target; GLint level; GLenum internalformat; GLint x; GLint y; GLsizei width; GLint border; };
+struct CopyTexImage2DArguments { GLenum target; GLint level; GLenum internalformat; GLint x; GLint y; GLsizei width; GLsizei height; GLint border; };
+struct CopyTexSubImage1DArguments { GLenum target; GLint level; GLint xoffset; GLint x; GLint y; GLsizei width; };
+struct CopyTexSubImage2DArguments { GLenum target; GLint level; GLint xoffset; GLint yoffset; GLint x; GLint y; GLsizei width; GLsizei height; };
+struct CopyTexSubImage3DArguments { GLenum target; GLint level; GLint xoffset; GLint yoffset; GLint zoffset; GLint x; GLint y; GLsizei width; GLsizei height; };
 struct CompressedTexImage1DArguments { GLenum target; GLint level; GLenum internalformat; GLsizei width; GLint border; GLsizei imageSize; const void* data; };
 struct CompressedTexImage2DArguments { GLenum target; GLint level; GLenum internalformat; GLsizei width; GLsizei height; GLint border; GLsizei imageSize; const void* data; };
 struct CompressedTexImage3DArguments { GLenum target; GLint level; GLenum internalformat; GLsizei width; GLsizei height; GLsizei depth; GLint border; GLsizei imageSize; const void* data; };
@@ -206,6 +216,11 @@ void compile_TexImage3D(Context& c, GLenum target, GLint level, GLint internalfo
 void compile_TexSubImage1D(Context& c, GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLenum type, const void* pixels);
 void compile_TexSubImage2D(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels);
 void compile_TexSubImage3D(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type, const void* pixels);
+void compile_CopyTexImage1D(Context& c, GLenum target, GLint level, GLenum internalformat, GLint x, GLint y, GLsizei width, GLint border);
+void compile_CopyTexImage2D(Context& c, GLenum target, GLint level, GLenum internalformat, GLint x, GLint y, GLsizei width, GLsizei height, GLint border);
+void compile_CopyTexSubImage1D(Context& c, GLenum target, GLint level, GLint xoffset, GLint x, GLint y, GLsizei width);
+void compile_CopyTexSubImage2D(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint x, GLint y, GLsizei width, GLsizei height);
+void compile_CopyTexSubImage3D(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLint x, GLint y, GLsizei width, GLsizei height);
 void compile_CompressedTexImage1D(Context& c, GLenum target, GLint level, GLenum internalformat, GLsizei width, GLint border, GLsizei imageSize, const void* data);
 void compile_CompressedTexImage2D(Context& c, GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const void* data);
 void compile_CompressedTexImage3D(Context& c, GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLsizei imageSize, const void* data);

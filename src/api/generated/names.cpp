@@ -85,6 +85,12 @@ DOOR(glCompressedTexSubImage2D);
 DOOR(glCompressedTexSubImage2DARB);
 DOOR(glCompressedTexSubImage3D);
 DOOR(glCompressedTexSubImage3DARB);
+DOOR(glCopyTexImage1D);
+DOOR(glCopyTexImage2D);
+DOOR(glCopyTexSubImage1D);
+DOOR(glCopyTexSubImage2D);
+DOOR(glCopyTexSubImage3D);
+DOOR(glCopyTexSubImage3DEXT);
 DOOR(glCullFace);
 DOOR(glDeleteBuffers);
 DOOR(glDeleteBuffersARB);
@@ -549,6 +555,12 @@ const NamedDoor kNamedDoors[] = {
     {"glCompressedTexSubImage2DARB", door_glCompressedTexSubImage2DARB},
     {"glCompressedTexSubImage3D", door_glCompressedTexSubImage3D},
     {"glCompressedTexSubImage3DARB", door_glCompressedTexSubImage3DARB},
+    {"glCopyTexImage1D", door_glCopyTexImage1D},
+    {"glCopyTexImage2D", door_glCopyTexImage2D},
+    {"glCopyTexSubImage1D", door_glCopyTexSubImage1D},
+    {"glCopyTexSubImage2D", door_glCopyTexSubImage2D},
+    {"glCopyTexSubImage3D", door_glCopyTexSubImage3D},
+    {"glCopyTexSubImage3DEXT", door_glCopyTexSubImage3DEXT},
     {"glCullFace", door_glCullFace},
     {"glDeleteBuffers", door_glDeleteBuffers},
     {"glDeleteBuffersARB", door_glDeleteBuffersARB},
