@@ -1,6 +1,7 @@
 #include "spec/state_commands.h"
 
 #include <array>
+#include <cmath>
 #include <sstream>
 
 #include "spec/state_snapshot.h"
@@ -32,6 +33,7 @@ template <class F, class T, size_t N, class... A> StateCommand call_v(const char
 #define CALLV(name, vector, ...) call_v("gl" #name, &Gl::name, vector __VA_OPT__(, ) __VA_ARGS__)
 
 float number(Random& r) {
+  if (r.chance(3)) return r.pick({1e20f, -1e20f, 1e-30f, -1e-42f, INFINITY, -INFINITY, NAN, -0.0f});
   switch (r.integer(0, 9)) {
   case 0: return 0;
   case 1: return 1;

@@ -9,6 +9,7 @@ namespace softgl::test {
 namespace {
 
 std::string text(double v) {
+  if (std::isnan(v)) return "nan ";
   char buffer[40];
   std::snprintf(buffer, sizeof buffer, v == std::floor(v) && std::fabs(v) < 1e9 ? "%.0f " : "%.17g ", v);
   return buffer;
