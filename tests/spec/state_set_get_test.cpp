@@ -1,5 +1,6 @@
 // GL 1.5, 6.1: what is set is what is read, converted to the type that is asked for; stacks give back what they saved.
 #include <catch2/catch.hpp>
+#include <algorithm>
 #include <cstdint>
 
 #include "spec/state_commands.h"
@@ -214,4 +215,39 @@ TEST_CASE("colour material follows the colour and keeps the last one", "[spec][s
   gl.Disable(GL_COLOR_MATERIAL);
   gl.Color3f(0.75f, 0, 0);
   REQUIRE(red(GL_BACK, GL_EMISSION) == 0.5f);
+}
+
+TEST_CASE("vectors are rounded when they are asked for as integers", "[spec][state]") {
+  const Gl& gl = softgl_library();
+  CurrentContext context(gl);
+  const GLfloat v[4] = {1.75f, -1.75f, 0.5f, 0};
+  GLint i[4] = {};
+  gl.Lightfv(GL_LIGHT0, GL_POSITION, v);
+  gl.GetLightiv(GL_LIGHT0, GL_POSITION, i);
+  REQUIRE((i[0] == 2 && i[1] == -2 && i[2] == 1 && i[3] == 0));
+  gl.TexGenfv(GL_T, GL_OBJECT_PLANE, v);
+  gl.GetTexGeniv(GL_T, GL_OBJECT_PLANE, i);
+  REQUIRE((i[0] == 2 && i[1] == -2 && i[2] == 1 && i[3] == 0));
+}
+
+TEST_CASE("a polygon stipple is read back as it was given", "[spec][state]") {
+  const Gl& gl = softgl_library();
+  CurrentContext context(gl);
+  Random random(11);
+  GLubyte pattern[128], read[1024];
+  for (GLubyte& byte : pattern) byte = GLubyte(random.bits());
+  gl.PolygonStipple(pattern);
+  gl.GetPolygonStipple(read);
+  REQUIRE(std::equal(pattern, pattern + 128, read));
+  gl.PixelStorei(GL_PACK_LSB_FIRST, 1);
+  gl.PixelStorei(GL_PACK_ROW_LENGTH, 64);
+  gl.PixelStorei(GL_PACK_SKIP_PIXELS, 5);
+  std::fill(read, read + 1024, GLubyte(0xff));
+  gl.GetPolygonStipple(read);
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 64; ++x) {
+      const bool bit = read[y * 8 + x / 8] >> (x % 8) & 1;
+      const int from = x - 5; // beside the pattern nothing is touched
+      REQUIRE(bit == (from < 0 || from >= 32 || (pattern[y * 4 + from / 8] >> (7 - from % 8) & 1)));
+    }
 }
