@@ -31,12 +31,12 @@ struct Copy16 {
 };
 /// Applies `Swizzle` to four pixels at a time, then to the rest. GCC 12 leaves the plain loop scalar: three times slower.
 template <class Swizzle> void swizzle_row(const unsigned char* from, unsigned char* to, int count, Swizzle swizzle) {
-  int i = 0;
-  for (; i + 4 <= count; i += 4) {
+  const size_t n = size_t(count), whole = n & ~size_t(3);
+  for (size_t i = 0; i < whole; i += 4) {
     const __m128i p = _mm_loadu_si128(reinterpret_cast<const __m128i*>(from + 4 * i));
     _mm_storeu_si128(reinterpret_cast<__m128i*>(to + 4 * i), swizzle(p));
   }
-  for (; i < count; ++i) {
+  for (size_t i = whole; i < n; ++i) {
     int pixel;
     std::memcpy(&pixel, from + 4 * i, 4);
     pixel = _mm_cvtsi128_si32(swizzle(_mm_cvtsi32_si128(pixel)));
@@ -62,14 +62,14 @@ struct AlphaFirst {
 struct BytesWithoutAlpha {
   static constexpr size_t kFrom = 4, kTo = 3;
   static void run(const unsigned char* from, unsigned char* to, int count) {
-    int i = 0;
-    for (; i + 4 <= count; i += 4) {
+    const size_t n = size_t(count), whole = n & ~size_t(3);
+    for (size_t i = 0; i < whole; i += 4) {
       uint32_t p[4];
       std::memcpy(p, from + 4 * i, 16);
       const uint32_t q[3] = {(p[0] & 0xffffffu) | p[1] << 24, (p[1] >> 8 & 0xffffu) | p[2] << 16, (p[2] >> 16 & 0xffu) | p[3] << 8};
       std::memcpy(to + 3 * i, q, 12);
     }
-    for (; i < count; ++i) std::memcpy(to + 3 * i, from + 4 * i, 3);
+    for (size_t i = whole; i < n; ++i) std::memcpy(to + 3 * i, from + 4 * i, 3);
   }
 };
 /// Three of four components of `bytes` each.
