@@ -98,7 +98,7 @@ void draw_lists(Stage& s) {
   for (int i = 1; i <= lists; i++) {
     const bool execute = r.chance(20);
     gl.NewList(GLuint(i), execute ? GL_COMPILE_AND_EXECUTE : GL_COMPILE);
-    list_content(s, GLuint(i - 1), partial && !execute, execute);
+    list_content(s, execute ? 0 : GLuint(i - 1), partial && !execute, execute);
     gl.EndList();
   }
   // A list may leave attribute groups pushed: calls are counted so that the stack cannot overflow.
