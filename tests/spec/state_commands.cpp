@@ -184,7 +184,8 @@ StateCommand texture_command(Random& r) {
   const GLenum target = ANY(GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP);
   switch (r.integer(0, 12)) {
   // Units 8 and above exist in OSMesa, for shaders; here they are an error (2.7), tested elsewhere.
-  case 0: return CALL(ActiveTexture, GLenum(GL_TEXTURE0) + GLenum(r.integer(0, 7)));
+  // Unit 7: when PopAttrib makes it active, OSMesa's texture matrix commands go on with the matrix of another unit.
+  case 0: return CALL(ActiveTexture, GLenum(GL_TEXTURE0) + GLenum(r.integer(0, 6)));
   case 1: return CALL(ClientActiveTexture, GLenum(GL_TEXTURE0) + GLenum(r.integer(0, 7)));
   case 2: return CALL(TexEnvi, GLenum(GL_TEXTURE_ENV), GLenum(GL_TEXTURE_ENV_MODE), GLint(ANY(GL_MODULATE, GL_BLEND, GL_DECAL, GL_REPLACE, GL_ADD, GL_COMBINE)));
   case 3: return CALLV(TexEnvfv, vector4(r), GLenum(GL_TEXTURE_ENV), GLenum(GL_TEXTURE_ENV_COLOR));
@@ -223,7 +224,13 @@ StateCommand stack_command(Random& r) {
   switch (r.integer(0, 5)) {
   case 0: { GLbitfield mask = r.chance(30) ? GLbitfield(r.bits()) : 1u << r.integer(0, 19);
             if (r.chance(10)) mask = GL_MULTISAMPLE_BIT;
-            return CALL(PushAttrib, mask); }
+            // An inner level saves everything: OSMesa forgets what was changed inside of it and not saved by it, so that
+            // the outer PopAttrib leaves it changed. "an outer PopAttrib restores what was changed inside an inner one".
+            return {format("glPushAttrib", mask), [=](const Gl& gl) {
+                      GLint depth = 0;
+                      gl.GetIntegerv(GL_ATTRIB_STACK_DEPTH, &depth);
+                      gl.PushAttrib(depth > 0 ? GLbitfield(GL_ALL_ATTRIB_BITS) : mask);
+                    }}; }
   case 1: case 2: return CALL(PopAttrib);
   case 3: return CALL(PushClientAttrib, GLbitfield(r.integer(0, 3)));
   case 4: return CALL(PopClientAttrib);

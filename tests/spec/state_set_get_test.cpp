@@ -167,6 +167,35 @@ TEST_CASE("pushing and popping everything leaves everything as it was", "[spec][
   }
 }
 
+TEST_CASE("an outer PopAttrib restores what was changed inside an inner one", "[spec][state]") {
+  const Gl& gl = softgl_library();
+  CurrentContext context(gl);
+  gl.PushAttrib(GL_LINE_BIT | GL_POINT_BIT);
+  gl.PushAttrib(GL_POINT_BIT);
+  gl.LineWidth(5);
+  gl.PointSize(6);
+  gl.PopAttrib();
+  REQUIRE(integer(gl, GL_LINE_WIDTH) == 5);
+  REQUIRE(integer(gl, GL_POINT_SIZE) == 1);
+  gl.PopAttrib();
+  REQUIRE(integer(gl, GL_LINE_WIDTH) == 1);
+}
+
+TEST_CASE("matrix commands follow the texture unit that PopAttrib makes active", "[spec][state]") {
+  const Gl& gl = softgl_library();
+  CurrentContext context(gl);
+  gl.ActiveTexture(GL_TEXTURE7);
+  gl.MatrixMode(GL_TEXTURE);
+  gl.PushAttrib(GL_ALL_ATTRIB_BITS);
+  gl.ActiveTexture(GL_TEXTURE1);
+  gl.MatrixMode(GL_PROJECTION);
+  gl.PopAttrib();
+  gl.Scalef(2, 3, 4);
+  GLfloat m[16];
+  gl.GetFloatv(GL_TEXTURE_MATRIX, m);
+  REQUIRE((m[0] == 2 && m[5] == 3 && m[10] == 4));
+}
+
 TEST_CASE("a popped texture binding and its parameters are the pushed ones", "[spec][state]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
