@@ -48,7 +48,7 @@ static void interpolate_block(const RasterDraw& draw, const RasterPrimitive& p, 
   };
   for (int c = 0; c < 4; ++c) fill(p.plane[kPlaneColor + c], block.color[c], p.flat);
   if (draw.secondary_plane >= 0)
-    for (int c = 0; c < 3; ++c) fill(p.plane[draw.secondary_plane + c], block.secondary[c], p.flat);
+    for (int c = 0; c < 3; ++c) fill(p.plane[draw.secondary_plane + c], block.secondary[c], draw.flat_secondary);
   if (draw.fog_plane >= 0) fill(p.plane[draw.fog_plane], block.fog, false);
   for (int u = 0; u < kBlockTextureUnits; ++u) {
     if (draw.unit_plane[u] < 0) continue;
@@ -91,7 +91,6 @@ SOFTGL_INLINE void interpolate_unit(BlockCoordinates& t, int lane, int coordinat
 /// Fills the inputs of lanes [0, block.lanes), each of its own primitive.
 static void interpolate_lanes(const RasterDraw& draw, const RasterPrimitive* const* primitive, FragmentBlock& block) {
   const FragmentProgram& program = *draw.program;
-  const bool flat = program.key.flat;
   for (int i = 0; i < block.lanes; i += kWidth) {
     const IntV px = load(block.x + i), py = load(block.y + i);
     const FloatV x = to_float(px), y = to_float(py);
@@ -108,9 +107,9 @@ static void interpolate_lanes(const RasterDraw& draw, const RasterPrimitive* con
       const PlaneV p = plane(index);
       store(out + i, constant ? p.a : value_at(p, x, y) * rw);
     };
-    for (int c = 0; c < 4; ++c) put(kPlaneColor + c, block.color[c], flat);
+    for (int c = 0; c < 4; ++c) put(kPlaneColor + c, block.color[c], draw.flat_color);
     if (draw.secondary_plane >= 0)
-      for (int c = 0; c < 3; ++c) put(draw.secondary_plane + c, block.secondary[c], flat);
+      for (int c = 0; c < 3; ++c) put(draw.secondary_plane + c, block.secondary[c], draw.flat_secondary);
     if (draw.fog_plane >= 0) put(draw.fog_plane, block.fog, false);
     for (int u = 0; u < kBlockTextureUnits; ++u) {
       if (draw.unit_plane[u] < 0) continue;

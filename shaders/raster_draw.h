@@ -21,6 +21,8 @@ struct RasterDraw {
   // Index of the planes of a primitive: z, 1/w, r g b a, then what the program reads. -1: not there.
   int8_t secondary_plane, fog_plane, unit_plane[kBlockTextureUnits];
   uint8_t plane_count;
+  // Colours that are not interpolated but taken from corner 2: flat shading, or the same for all vertices of the draw.
+  bool flat_color, flat_secondary;
   bool small;  // triangles of few pixels become finished fragments
   bool direct; // no stage runs, RGBA8, no stencil: blocks of pixels bypass the FragmentBlock
   uint32_t color_mask; // of an RGBA8 word

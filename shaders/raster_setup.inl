@@ -232,7 +232,6 @@ SOFTGL_INLINE void load_slot(const CornerPlaces& c, int slot, int back_slot, boo
 /// Sets up the large triangles of a batch: planes and edges into *record[i].
 static void setup_triangles(const RasterDraw& draw, const TriangleOutput& batch, RasterPrimitive* const* record) {
   const RasterConstants& r = *draw.raster;
-  const FragmentKey& key = draw.program->key;
   alignas(64) float planes[kMaxPlanes][3][kWidth];
   alignas(64) float offset[kWidth];
   alignas(64) int32_t x[3][kWidth], y[3][kWidth];
@@ -259,15 +258,15 @@ static void setup_triangles(const RasterDraw& draw, const TriangleOutput& batch,
     put(kPlaneW, w);
     auto perspective = [&](int index, FloatV a0, FloatV a1, FloatV a2) { put(index, plane_of(basis, a0 * w0, a1 * w1, a2 * w2)); };
     FloatV a[3][4];
-    auto colors = [&](int index, int slot, int back_slot, int channels) {
+    auto colors = [&](int index, int slot, int back_slot, int channels, bool flat) {
       load_slot(c, slot, back_slot, r.two_sided && back_slot >= 0, a);
       for (int k = 0; k < channels; ++k) {
-        if (key.flat) put(index + k, PlaneV{a[2][k], FloatV{}, FloatV{}});
+        if (flat) put(index + k, PlaneV{a[2][k], FloatV{}, FloatV{}});
         else perspective(index + k, a[0][k], a[1][k], a[2][k]);
       }
     };
-    colors(kPlaneColor, draw.layout.color, draw.layout.back_color, 4);
-    if (draw.secondary_plane >= 0) colors(draw.secondary_plane, draw.layout.secondary, draw.layout.back_secondary, 3);
+    colors(kPlaneColor, draw.layout.color, draw.layout.back_color, 4, draw.flat_color);
+    if (draw.secondary_plane >= 0) colors(draw.secondary_plane, draw.layout.secondary, draw.layout.back_secondary, 3, draw.flat_secondary);
     if (draw.fog_plane >= 0) {
       load_slot(c, draw.layout.secondary, -1, false, a);
       perspective(draw.fog_plane, a[0][3], a[1][3], a[2][3]);
@@ -281,7 +280,7 @@ static void setup_triangles(const RasterDraw& draw, const TriangleOutput& batch,
       RasterPrimitive& q = *record[base + i];
       for (int k = 0; k < draw.plane_count; ++k) q.plane[k] = {planes[k][0][i], planes[k][1][i], planes[k][2][i]};
       q.w_is_one = q.plane[kPlaneW].a == 1.0f && q.plane[kPlaneW].gx == 0.0f && q.plane[kPlaneW].gy == 0.0f;
-      q.flat = key.flat;
+      q.flat = draw.flat_color;
       q.depth_offset = offset[i];
       q.edges = 3;
       int32_t min_x = x[0][i], max_x = min_x, min_y = y[0][i], max_y = min_y;

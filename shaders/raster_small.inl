@@ -38,7 +38,7 @@ static void shade_small(const RasterDraw& draw, const TriangleInput& in, Triangl
       auto perspective = [&](FloatV a0, FloatV a1, FloatV a2) { return value_at(plane_of(basis, a0 * w0, a1 * w1, a2 * w2), x, y) * w; };
       FloatV color[4];
       load_slot(c, draw.layout.color, draw.layout.back_color, r.two_sided && draw.layout.back_color >= 0, a);
-      for (int k = 0; k < 4; ++k) color[k] = key.flat ? a[2][k] : perspective(a[0][k], a[1][k], a[2][k]);
+      for (int k = 0; k < 4; ++k) color[k] = draw.flat_color ? a[2][k] : perspective(a[0][k], a[1][k], a[2][k]);
       if (program.step_count == 0) {
         store(out.color + f, pack_color(color[0], color[1], color[2], color[3]));
         continue;
@@ -46,7 +46,7 @@ static void shade_small(const RasterDraw& draw, const TriangleInput& in, Triangl
       for (int k = 0; k < 4; ++k) store(block.color[k] + j, color[k]);
       if (draw.secondary_plane >= 0) {
         load_slot(c, draw.layout.secondary, draw.layout.back_secondary, r.two_sided && draw.layout.back_secondary >= 0, a);
-        for (int k = 0; k < 3; ++k) store(block.secondary[k] + j, key.flat ? a[2][k] : perspective(a[0][k], a[1][k], a[2][k]));
+        for (int k = 0; k < 3; ++k) store(block.secondary[k] + j, draw.flat_secondary ? a[2][k] : perspective(a[0][k], a[1][k], a[2][k]));
       }
       if (draw.fog_plane >= 0) {
         load_slot(c, draw.layout.secondary, -1, false, a);

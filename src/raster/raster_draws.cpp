@@ -1,5 +1,7 @@
 #include "raster/raster_draws.h"
 
+#include "vertex_program.h"
+
 namespace softgl {
 
 RasterDraw make_raster_draw(const DrawRecord& draw) {
@@ -18,6 +20,12 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
   d.fog_plane = take(key.fog_coordinate && d.layout.secondary >= 0, 1);
   for (int u = 0; u < kBlockTextureUnits; ++u) d.unit_plane[u] = take((key.texture_units >> u & 1) && d.layout.texcoord[u] >= 0, 4);
   d.plane_count = uint8_t(planes);
+  // OSMesa 22.3.6 hands an unlit colour that no vertex sets straight to the fragments, without interpolating it (which
+  // would disturb its last bits: 0.3 * 255 is a tie).
+  const bool unlit = draw.vertex && !draw.vertex->lit && draw.call.source;
+  auto constant = [&](AttributeSlot slot) { return unlit && !(draw.call.source->present >> slot & 1); };
+  d.flat_color = key.flat || constant(kColor);
+  d.flat_secondary = key.flat || constant(kSecondaryColor);
   const auto format = static_cast<ColorFormat>(key.color_format);
   d.small = format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565;
   d.direct = draw.fragment->step_count == 0 && format == ColorFormat::Rgba8 && !key.stencil;
