@@ -295,18 +295,20 @@ static void emit_material(Stage& s, bool front_only) {
 
 void random_primitive(Stage& s, const PrimitiveOptions& o) {
   const Gl& gl = s.gl;
-  // Smooth quads have a family of their own: where OSMesa cuts them depends on clipping, lists and indices.
+  // Smooth quads have a family of their own: where OSMesa cuts them depends on clipping, lists and indices. OSMesa cuts
+  // flat ones like them where a texture replaces the colour (reference/DEVIATIONS.md): textured quads become strips.
+  const GLenum mode = o.mode == GL_QUADS && o.texture_coordinates ? GL_QUAD_STRIP : o.mode;
   GLint shade_model = GL_FLAT;
-  if (o.mode == GL_QUADS) {
+  if (mode == GL_QUADS) {
     gl.GetIntegerv(GL_SHADE_MODEL, &shade_model);
     gl.ShadeModel(GL_FLAT);
   }
   const int primitives = o.primitives ? o.primitives : s.random.chance(70) ? s.random.integer(1, 6) : s.random.integer(7, 60);
-  const int count = vertices_of(o.mode, primitives) + (s.random.chance(10) ? s.random.integer(0, 2) : 0);
-  const std::vector<Float4> p = random_positions(s, o.mode, count, o.spread, o.planar);
+  const int count = vertices_of(mode, primitives) + (s.random.chance(10) ? s.random.integer(0, 2) : 0);
+  const std::vector<Float4> p = random_positions(s, mode, count, o.spread, o.planar);
   const int color_every = s.random.pick({1, 1, 1, 3});
   const bool alpha = s.random.chance(70);
-  gl.Begin(o.mode);
+  gl.Begin(mode);
   for (int i = 0; i < count; i++) {
     const Float4& v = p[size_t(i)];
     if (o.colors && i % color_every == 0) emit_color(s, alpha);
