@@ -19,7 +19,7 @@ static inline void eye_depth(const VertexBlock& b, const VertexProgram& p, bool 
   SOFTGL_FOR_LANES(i, n) out[i] = absolute(out[i]);
 }
 
-/// r = u - 2 (n.u) n with u the normalized eye position.
+/// r = u - 2 (n.u) n with u the normalized eye position; out[3] = rz + 1 in the order to which llvmpipe's compiler brings it.
 static inline void reflection(const VertexBlock& b, float (*out)[kLanes], int n) {
   const float (*u)[kLanes] = b.lighting.eye_unit;
   const float (*normal)[kLanes] = b.lighting.normal;
@@ -29,6 +29,7 @@ static inline void reflection(const VertexBlock& b, float (*out)[kLanes], int n)
     out[0][i] = -d2 * normal[0][i] + u[0][i];
     out[1][i] = -d2 * normal[1][i] + u[1][i];
     out[2][i] = -d2 * normal[2][i] + u[2][i];
+    out[3][i] = (-d2 * normal[2][i] + 1.0f) + u[2][i];
   }
 }
 
@@ -54,7 +55,7 @@ static inline void generate_coordinates(VertexBlock& b, const CoordinateConstant
       } else {
         const float* rc = r[c < 2 ? c : 0];
         SOFTGL_FOR_LANES(i, n) {
-          const float x = r[0][i], y = r[1][i], z = r[2][i] + 1.0f;
+          const float x = r[0][i], y = r[1][i], z = r[3][i];
           out[i] = rc[i] * (reciprocal_root(dot3(x, y, z, x, y, z)) * 0.5f) + 0.5f;
         }
       }
