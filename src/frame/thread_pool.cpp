@@ -48,10 +48,11 @@ struct ThreadPool::State {
   std::atomic<int> workers{default_workers()};
   int started = 0; // threads besides the caller; guarded by owner
 
-  // The run under way; written under mutex.
+  // The run under way; written under mutex. Workers join while it is open; one that wakes too late is not waited for.
   std::atomic<uint64_t> generation{0};
-  int wanted = 0;            // workers of this run, the caller included
-  std::atomic<int> busy{0};  // threads that have not finished it
+  bool open = false;
+  int wanted = 0;             // workers of this run, the caller included
+  std::atomic<int> active{0}; // threads that have joined and not finished
   Call call = nullptr;
   void* object = nullptr;
   size_t count = 0;
@@ -78,19 +79,16 @@ struct ThreadPool::State {
     for (;;) {
       // The phases of a frame follow each other closely, so look a while before going to sleep.
       for (int i = 0; i < 2000 && generation.load(std::memory_order_acquire) == seen; ++i) _mm_pause();
-      bool mine;
       {
         std::unique_lock lock(mutex);
         wake.wait(lock, [&] { return generation.load(std::memory_order_relaxed) != seen; });
         seen = generation.load(std::memory_order_relaxed);
-        mine = worker < wanted;
+        if (!open || worker >= wanted) continue;
+        active.fetch_add(1, std::memory_order_relaxed);
       }
-      if (!mine) continue;
       work(worker);
-      if (busy.fetch_sub(1, std::memory_order_acq_rel) == 1) {
-        std::lock_guard lock(mutex);
-        done.notify_one();
-      }
+      std::lock_guard lock(mutex);
+      if (active.fetch_sub(1, std::memory_order_release) == 1) done.notify_one();
     }
   }
 
@@ -154,15 +152,19 @@ void ThreadPool::run_erased(size_t count, Call call, void* object) {
     s.next.store(0, std::memory_order_relaxed);
     s.failure = nullptr;
     s.wanted = others + 1;
-    s.busy.store(others, std::memory_order_relaxed);
+    s.open = true;
     s.generation.fetch_add(1, std::memory_order_release);
   }
   s.wake.notify_all();
   s.work(0);
-  for (int i = 0; i < 2000 && s.busy.load(std::memory_order_acquire) != 0; ++i) _mm_pause();
+  {
+    std::lock_guard lock(s.mutex);
+    s.open = false;
+  }
+  for (int i = 0; i < 2000 && s.active.load(std::memory_order_acquire) != 0; ++i) _mm_pause();
   {
     std::unique_lock lock(s.mutex);
-    s.done.wait(lock, [&] { return s.busy.load(std::memory_order_acquire) == 0; });
+    s.done.wait(lock, [&] { return s.active.load(std::memory_order_acquire) == 0; });
   }
   if (s.failure) std::rethrow_exception(std::exchange(s.failure, nullptr));
 }
