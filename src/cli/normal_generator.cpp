@@ -3,6 +3,7 @@
 #include "trigonometry.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace softgl::cli {
@@ -86,6 +87,7 @@ public:
     const uint64_t missing = prepare_corners();
     if (missing == 0) return 0;
     const size_t count = model.position_count;
+    find_places();
     sums.fill(3 * count, 0.0f);
     sharp.fill(count, 0);
     if (use_groups && model.has_smoothing_groups) groups.fill(count, kUnseen);
@@ -99,6 +101,44 @@ public:
 
 private:
   static constexpr int32_t kUnseen = -2;
+
+  // Vertices at one place, of exactly the same coordinates, are one for the normals.
+  void find_places() {
+    const size_t count = model.position_count;
+    size_t slots = 64;
+    while (slots < 2 * count) slots *= 2;
+    GrowingArray<int32_t> table;
+    table.fill(slots, -1);
+    bool any = false;
+    places.extend(count);
+    for (size_t i = 0; i < count; ++i) {
+      places[i] = static_cast<int32_t>(i);
+      const float* p = positions + 3 * i;
+      uint32_t bits[3];
+      for (size_t axis = 0; axis < 3; ++axis) bits[axis] = std::bit_cast<uint32_t>(p[axis] + 0.0f); // no -0
+      uint64_t hash = (bits[0] | uint64_t(bits[1]) << 32) * 0x9e3779b97f4a7c15u;
+      hash = (hash ^ (hash >> 29) ^ bits[2]) * 0xbf58476d1ce4e5b9u;
+      size_t slot = (hash >> 32) & (slots - 1);
+      for (int probes = 0; probes < 64; ++probes, slot = (slot + 1) & (slots - 1)) {
+        int32_t& entry = table[slot];
+        if (entry < 0) {
+          entry = static_cast<int32_t>(i);
+          break;
+        }
+        const float* q = positions + 3 * static_cast<size_t>(entry);
+        if (p[0] == q[0] && p[1] == q[1] && p[2] == q[2]) {
+          places[i] = entry;
+          any = true;
+          break;
+        }
+      }
+    }
+    if (!any) places.release();
+  }
+
+  size_t place_of(int32_t vertex) const {
+    return static_cast<size_t>(places.empty() ? vertex : places[static_cast<size_t>(vertex)]);
+  }
 
   uint64_t prepare_corners() {
     uint64_t missing = 0;
@@ -143,7 +183,7 @@ private:
       block.compute_angles();
       for (size_t i = 0; i < count; ++i)
         for (size_t k = 0; k < 3; ++k) {
-          float* sum = &sums[3 * static_cast<size_t>(vertices[3 * i + k])];
+          float* sum = &sums[3 * place_of(vertices[3 * i + k])];
           const float weight = block.angle[k][i];
           sum[0] += weight * block.nx[i];
           sum[1] += weight * block.ny[i];
@@ -151,7 +191,7 @@ private:
         }
       if (groups.empty()) return;
       for (size_t i = 0; i < 3 * count; ++i) {
-        const auto vertex = static_cast<size_t>(vertices[i]);
+        const size_t vertex = place_of(vertices[i]);
         if (groups[vertex] == kUnseen) groups[vertex] = group;
         if (groups[vertex] != group || group == 0) sharp[vertex] = 1;
       }
@@ -182,7 +222,7 @@ private:
       block.compute_normals();
       for (size_t i = 0; i < count; ++i)
         for (size_t k = 0; k < 3; ++k) {
-          const auto vertex = static_cast<size_t>(vertices[3 * i + k]);
+          const size_t vertex = place_of(vertices[3 * i + k]);
           const float* mean = &sums[3 * vertex];
           const float towards = mean[0] * block.nx[i] + mean[1] * block.ny[i] + mean[2] * block.nz[i];
           const bool flat = block.nx[i] == 0 && block.ny[i] == 0 && block.nz[i] == 0;
@@ -197,7 +237,7 @@ private:
     for (ObjChunk& chunk : model.chunks)
       for (size_t i = 0; i < chunk.corner_normals.values.size(); ++i) {
         int32_t& normal = chunk.corner_normals.values[i];
-        if (normal == kAbsent) normal = base + chunk.corner_vertices.values[i];
+        if (normal == kAbsent) normal = base + static_cast<int32_t>(place_of(chunk.corner_vertices.values[i]));
       }
   }
 
@@ -206,12 +246,12 @@ private:
     GrowingArray<uint32_t> start; // of each sharp position's incidences
     size_t total = 0;
     for (const ObjChunk& chunk : model.chunks)
-      for (const int32_t vertex : chunk.corner_vertices.values) total += sharp[static_cast<size_t>(vertex)];
+      for (const int32_t vertex : chunk.corner_vertices.values) total += sharp[place_of(vertex)];
     if (total == 0) return;
     start.fill(model.position_count + 1, 0);
     for (const ObjChunk& chunk : model.chunks)
       for (const int32_t vertex : chunk.corner_vertices.values)
-        start[static_cast<size_t>(vertex) + 1] += sharp[static_cast<size_t>(vertex)];
+        start[place_of(vertex) + 1] += sharp[place_of(vertex)];
     for (size_t i = 0; i < model.position_count; ++i) start[i + 1] += start[i];
     GrowingArray<Incidence> incidences;
     incidences.extend(total);
@@ -219,14 +259,14 @@ private:
       const int32_t* vertices = chunk.corner_vertices.values.data() + 3 * first;
       int32_t* normals = chunk.corner_normals.values.data() + 3 * first;
       bool any = false;
-      for (size_t i = 0; i < 3 * count; ++i) any |= sharp[static_cast<size_t>(vertices[i])] != 0;
+      for (size_t i = 0; i < 3 * count; ++i) any |= sharp[place_of(vertices[i])] != 0;
       if (!any) return;
       block.load(positions, vertices, count);
       block.compute_normals();
       block.compute_angles();
       for (size_t i = 0; i < count; ++i)
         for (size_t k = 0; k < 3; ++k) {
-          const auto vertex = static_cast<size_t>(vertices[3 * i + k]);
+          const size_t vertex = place_of(vertices[3 * i + k]);
           if (!sharp[vertex]) continue;
           int32_t* normal = normals + 3 * i + k;
           incidences[start[vertex]++] = {{block.nx[i], block.ny[i], block.nz[i]},
@@ -314,6 +354,7 @@ private:
   const bool use_groups;
   float cos_crease, cos_half_crease;
   TriangleBlock block;
+  GrowingArray<int32_t> places; // per vertex, the first one at its place; empty if no two share one
   GrowingArray<float> sums;
   GrowingArray<uint8_t> sharp;
   GrowingArray<int32_t> groups; // the first face's group at each position; empty without smoothing groups

@@ -18,7 +18,8 @@ struct NormalOptions {
 // Gives every corner of the (triangulated) model a normal. A generated normal is the mean of the face normals around the
 // position, weighted by the faces' angles there, over the faces that belong together: those of the same smoothing
 // group, or - before the first `s` statement or without any - those within the crease angle. Group 0 (`s off`) is flat.
-// Positions count, not pairs of position and texture coordinate: a texture seam does not show.
+// Places count, not pairs of position and texture coordinate, nor vertices: neither a texture seam nor a vertex that the
+// file repeats shows.
 // Returns how many corners were given one.
 uint64_t generate_normals(ObjModel& model, const ModelFrame& frame, const NormalOptions& options);
 

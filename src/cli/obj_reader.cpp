@@ -52,12 +52,15 @@ std::vector<ObjChunk> cut(const char* begin, const char* end) {
   return chunks;
 }
 
-void parse_all(std::vector<ObjChunk>& chunks, unsigned threads) {
+void parse_all(const SourceText& text, std::vector<ObjChunk>& chunks, unsigned threads) {
   std::atomic<size_t> next{0};
   std::vector<std::exception_ptr> failures(std::max<size_t>(1, std::min<size_t>(threads, chunks.size())));
   const auto work = [&](size_t worker) {
     try {
-      for (size_t i; (i = next.fetch_add(1)) < chunks.size();) parse_obj_chunk(chunks[i]);
+      for (size_t i; (i = next.fetch_add(1)) < chunks.size();) {
+        parse_obj_chunk(chunks[i]);
+        text.forget(chunks[i].begin, chunks[i].end);
+      }
     } catch (...) {
       failures[worker] = std::current_exception();
     }
@@ -254,7 +257,7 @@ ObjModel read_obj(const SourceText& text, unsigned threads, RemarkList& remarks)
   const char* begin = text.begin() + (starts_with(text, "\xef\xbb\xbf") ? 3 : 0);
   ObjModel model;
   model.chunks = cut(begin, text.end());
-  parse_all(model.chunks, threads);
+  parse_all(text, model.chunks, threads);
 
   uint64_t corner_count = 0;
   for (const ObjChunk& chunk : model.chunks) {

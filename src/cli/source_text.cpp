@@ -82,6 +82,15 @@ SourceText::SourceText(SourceText&& other) noexcept
   begin_ = mapping_ ? other.begin_ : owned_.c_str(); // a short string moves its bytes
 }
 
+void SourceText::forget(const char* first, const char* last) const {
+  constexpr size_t kWorthIt = size_t(32) << 20;
+  if (!mapping_ || size_ < kWorthIt) return;
+  const auto page = static_cast<size_t>(::sysconf(_SC_PAGESIZE));
+  const size_t begin = (static_cast<size_t>(first - begin_) + page - 1) / page * page;
+  const size_t end = static_cast<size_t>(last - begin_) / page * page;
+  if (begin < end) ::madvise(static_cast<char*>(mapping_) + begin, end - begin, MADV_DONTNEED);
+}
+
 SourceText::~SourceText() {
   if (mapping_) ::munmap(mapping_, mapping_size_);
 }

@@ -22,6 +22,8 @@ public:
   const char* begin() const { return begin_; }
   const char* end() const { return begin_ + size_; }
   size_t size() const { return size_; }
+  // A large file need not stay in memory once it is parsed; it is read again where a message needs it.
+  void forget(const char* first, const char* last) const;
 
 private:
   SourceText() = default;
