@@ -17,7 +17,7 @@ constexpr const char* kExtensions =
     "GL_ARB_multitexture GL_ARB_point_parameters GL_ARB_texture_mirrored_repeat GL_ARB_transpose_matrix "
     "GL_ARB_vertex_buffer_object GL_EXT_bgra GL_EXT_blend_color GL_EXT_blend_func_separate GL_EXT_blend_minmax "
     "GL_EXT_blend_subtract GL_EXT_draw_range_elements GL_EXT_fog_coord GL_EXT_multi_draw_arrays GL_EXT_packed_pixels "
-    "GL_EXT_polygon_offset GL_EXT_rescale_normal GL_EXT_secondary_color GL_EXT_separate_specular_color "
+    "GL_EXT_rescale_normal GL_EXT_secondary_color GL_EXT_separate_specular_color "
     "GL_EXT_stencil_wrap GL_EXT_texture_edge_clamp GL_EXT_texture_object GL_EXT_vertex_array "
     "GL_SGIS_generate_mipmap GL_SGIS_texture_edge_clamp GL_SGIS_texture_lod ";
 
