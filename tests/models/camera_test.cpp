@@ -155,8 +155,7 @@ TEST_CASE("camera: sine and cosine", "[models][camera]") {
 }
 
 TEST_CASE("camera: the picture touches the frame", "[models][program]") {
-  const std::string folder = std::string(SOFTGL_TEST_OUTPUT) + "/camera/";
-  std::filesystem::create_directories(folder);
+  const std::string folder = test::output_folder("camera");
   // A body without symmetry, seen in many ways.
   std::ofstream(folder + "body.obj") << "v 0 0 0\nv 3 0 0.5\nv 1 2 0\nv 0.5 0.7 4\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n";
   const std::vector<std::string> views[] = {{}, {"--view", "front"}, {"--view", "top", "--ortho"}, {"--az", "-100", "--el", "-40"},

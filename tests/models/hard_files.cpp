@@ -1,5 +1,7 @@
 #include "models/hard_files.h"
 
+#include "models/program_runner.h"
+
 #include "test_paths.h"
 
 #include "image_writer.h"
@@ -261,8 +263,7 @@ const std::vector<std::pair<std::string, std::string>>& hard_file_companions() {
 }
 
 std::string write_hard_files() {
-  const std::string folder = std::string(SOFTGL_TEST_OUTPUT) + "/hard-files/";
-  std::filesystem::create_directories(folder);
+  const std::string folder = output_folder("hard-files");
   const auto write = [&folder](const std::string& name, const std::string& bytes) {
     std::ofstream(folder + name, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   };

@@ -24,12 +24,16 @@ std::string read_bytes(const std::string& path) {
   return bytes.str();
 }
 
+std::string output_folder(const std::string& name) {
+  const std::string folder = std::string(SOFTGL_TEST_OUTPUT) + "/" + name + "-" + std::to_string(::getpid()) + "/";
+  std::filesystem::create_directories(folder);
+  return folder;
+}
+
 // Files instead of pipes: no deadlock, whatever the amount.
 ProgramRun run_softgl(const std::vector<std::string>& arguments, const std::string& input) {
-  const std::string folder = std::string(SOFTGL_TEST_OUTPUT) + "/program/";
-  std::filesystem::create_directories(folder);
-  const std::string stem = folder + std::to_string(::getpid());
-  const std::string paths[3] = {stem + ".in", stem + ".out", stem + ".err"};
+  const std::string stem = output_folder("run");
+  const std::string paths[3] = {stem + "in", stem + "out", stem + "err"};
   std::ofstream(paths[0], std::ios::binary) << input;
   const std::string program = std::string(SOFTGL_TEST_BINARY_DIR) + "/softgl";
   std::vector<char*> argv{const_cast<char*>(program.c_str())};

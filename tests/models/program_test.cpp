@@ -9,20 +9,13 @@
 #include <filesystem>
 #include <fstream>
 
-#include <unistd.h>
-
 using namespace softgl::test;
 
 namespace {
 
 const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
-// One folder per process: ctest runs the cases side by side, and several of them write a model.obj.
-std::string folder() {
-  static const std::string path = std::string(SOFTGL_TEST_OUTPUT) + "/program-test-" + std::to_string(getpid()) + "/";
-  std::filesystem::create_directories(path);
-  return path;
-}
+std::string folder() { return output_folder("program"); }
 
 std::string write(const std::string& name, const std::string& text) {
   std::ofstream(folder() + name, std::ios::binary) << text;
