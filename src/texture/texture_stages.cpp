@@ -126,6 +126,8 @@ bool fixed_point(const TextureUnitConstants& t) {
   return (t.shape == TextureShape::TwoD || t.shape == TextureShape::OneD) && t.texel == TextureTexel::Rgba8 && fixed_wrap(t.wrap[0]) && fixed_wrap(t.wrap[1]);
 }
 
+bool reads_r(const TextureUnitConstants& t) { return t.shape == TextureShape::ThreeD || t.shape == TextureShape::Cube || t.compares; }
+
 } // namespace
 
 void append_texture_stages(Context& c, Arena& arena, FragmentProgram& program, FragmentConstants& constants) {
@@ -142,6 +144,7 @@ void append_texture_stages(Context& c, Arena& arena, FragmentProgram& program, F
     if (!units[u]) continue;
     set_environment(c.state.texture.unit[u], u, base[u], sampled, *units[u]);
     constants.texture[u] = units[u];
+    if (reads_r(*units[u])) program.r_units = uint8_t(program.r_units | 1u << u);
     if (reads_source(*units[u], CombineSource::Primary)) program.keeps_primary = true;
     for (int other = 0; other < kMaxTextureUnits; ++other)
       crossbar |= other != u && reads_source(*units[u], CombineSource(int(CombineSource::Texture0) + other));

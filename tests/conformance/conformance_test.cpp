@@ -39,13 +39,7 @@ void add(const Scene& scene, int first, int count) {
 // Called from main, when all scenes have registered themselves.
 void register_conformance_tests() {
   for (const Scene& scene : named_scenes()) add(scene, 0, 1);
-  // Not yet equal to OSMesa: see tests/NOTES.md.
-  auto compared = [](const Scene& family) {
-    for (const char* name : {"texels_3d", "texels_cube", "texels_depth", "coordinates", "attenuated"})
-      if (family.name == name) return false;
-    return true;
-  };
-  for (const Scene& family : families()) if (compared(family))
+  for (const Scene& family : families())
     for (int i = 0; i < kCasesPerFamily; i++) add(family, i * kSeedsPerCase, kSeedsPerCase);
 }
 

@@ -1,0 +1,21 @@
+# cmake -DPROGRAM=FILE -DARGUMENTS=LIST -P compare_hashes.cmake
+# Runs a benchmark twice, as it is and with three threads and the baseline instruction set. Both must print a hash for
+# every line with a time, and the same ones.
+function(collect result)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env ${ARGN} ${PROGRAM} ${ARGUMENTS} OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
+  string(REGEX MATCHALL "[^\n]+ m?[nu]?s [^\n]*" lines "${text}")
+  string(REGEX MATCHALL "[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]" hashes "${text}")
+  list(LENGTH lines times)
+  list(LENGTH hashes count)
+  if(count EQUAL 0 OR NOT count EQUAL times)
+    message(FATAL_ERROR "${times} times but ${count} hashes:\n${text}")
+  endif()
+  set(${result} "${hashes}" PARENT_SCOPE)
+endfunction()
+collect(first)
+collect(second SOFTGL_THREADS=3 SOFTGL_ISA=baseline)
+if(NOT first STREQUAL second)
+  message(FATAL_ERROR "the hashes differ:\n${first}\n${second}")
+endif()
+list(LENGTH first count)
+message("${count} hashes, twice the same")
