@@ -31,6 +31,10 @@ SOFTGL_INLINE void quad_differences(const float* value, float* dx, float* dy) {
 /// Coordinates of a unit that are read: s and t, or s, t and r.
 SOFTGL_INLINE int coordinates_read(const FragmentProgram& program, int unit) { return program.r_units >> unit & 1 ? 3 : 2; }
 
+SOFTGL_INLINE float* lanes_of(FragmentBlock& block, const Varying& v, int component) {
+  return reinterpret_cast<float*>(reinterpret_cast<char*>(&block) + v.lanes) + component * kLanes;
+}
+
 /// Fills the inputs of lanes [0, block.lanes), which are strips of one primitive; block.x and block.y are set.
 static void interpolate_block(const RasterDraw& draw, const RasterPrimitive& p, FragmentBlock& block) {
   const FragmentProgram& program = *draw.program;
@@ -46,10 +50,10 @@ static void interpolate_block(const RasterDraw& draw, const RasterPrimitive& p, 
     if (constant) for (int i = 0; i < lanes; i += kWidth) store(out + i, splat(q.a));
     else for (int i = 0; i < lanes; i += kWidth) store(out + i, at(q, load(x + i), load(y + i)) * load(w + i));
   };
-  for (int c = 0; c < 4; ++c) fill(p.plane[kPlaneColor + c], block.color[c], p.flat);
-  if (draw.secondary_plane >= 0)
-    for (int c = 0; c < 3; ++c) fill(p.plane[draw.secondary_plane + c], block.secondary[c], draw.flat_secondary);
-  if (draw.fog_plane >= 0) fill(p.plane[draw.fog_plane], block.fog, false);
+  for (int i = 0; i < draw.varying_count; ++i) {
+    const Varying& v = draw.varying[i];
+    for (int k = 0; k < v.components; ++k) fill(p.plane[v.plane + k], lanes_of(block, v, k), v.flat);
+  }
   for (int u = 0; u < kBlockTextureUnits; ++u) {
     if (draw.unit_plane[u] < 0) continue;
     const Plane* q = p.plane + draw.unit_plane[u];
@@ -107,10 +111,8 @@ static void interpolate_lanes(const RasterDraw& draw, const RasterPrimitive* con
       const PlaneV p = plane(index);
       store(out + i, constant ? p.a : value_at(p, x, y) * rw);
     };
-    for (int c = 0; c < 4; ++c) put(kPlaneColor + c, block.color[c], draw.flat_color);
-    if (draw.secondary_plane >= 0)
-      for (int c = 0; c < 3; ++c) put(draw.secondary_plane + c, block.secondary[c], draw.flat_secondary);
-    if (draw.fog_plane >= 0) put(draw.fog_plane, block.fog, false);
+    for (int v = 0; v < draw.varying_count; ++v)
+      for (int k = 0; k < draw.varying[v].components; ++k) put(draw.varying[v].plane + k, lanes_of(block, draw.varying[v], k), draw.varying[v].flat);
     for (int u = 0; u < kBlockTextureUnits; ++u) {
       if (draw.unit_plane[u] < 0) continue;
       const int coordinates = coordinates_read(program, u);

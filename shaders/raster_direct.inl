@@ -24,7 +24,7 @@ static void direct_primitive(const RasterDraw& draw, const TileTarget& tile, con
   const Compare function = Compare(key.depth_function);
   const bool less = function == Compare::Less;
   const IntV depth_mask = splat(key.depth_write ? 0xffffff : 0), color_mask = splat(int32_t(draw.color_mask));
-  const bool flat = p.flat, divide = !p.flat && !p.w_is_one;
+  const bool flat = draw.varying[0].flat, divide = !flat && !p.w_is_one; // the first varying is the colour
   const FloatV offset = splat(p.depth_offset);
   IntV constant_color = IntV{};
   if (flat) {

@@ -13,21 +13,36 @@ struct Plane {
   float a, gx, gy;
 };
 
+/// Components first .. of a vertex slot, interpolated into lanes of the fragment block.
+struct Varying {
+  uint32_t lanes;         // where in FragmentBlock the first component's lanes are, in bytes; the others' follow
+  int8_t slot, back_slot; // of vertices of front- and of back-facing polygons
+  int8_t first, components;
+  int8_t plane;           // the first component's plane; the others' follow
+  bool flat;              // not interpolated but taken from corner 2: flat shading, or the same for all vertices
+};
+constexpr int kMaxVaryings = 3;
+
 /// Derived once per draw and frame.
 struct RasterDraw {
   const FragmentProgram* program;
   const RasterConstants* raster;
   ShadedLayout layout;
-  // Index of the planes of a primitive: z, 1/w, r g b a, then what the program reads. -1: not there.
-  int8_t secondary_plane, fog_plane, unit_plane[kBlockTextureUnits];
-  uint8_t plane_count;
-  // Colours that are not interpolated but taken from corner 2: flat shading, or the same for all vertices of the draw.
-  bool flat_color, flat_secondary;
+  // Planes of a primitive: z, 1/w, those of the varyings (the primary colour first), then s t r q of texture units; -1: not
+  // there.
+  uint8_t plane_count, varying_count;
+  Varying varying[kMaxVaryings];
+  int8_t unit_plane[kBlockTextureUnits];
   bool small;  // triangles of few pixels become finished fragments
   bool direct; // no stage runs, RGBA8, no stencil: blocks of pixels bypass the FragmentBlock
   uint32_t color_mask; // of an RGBA8 word
 };
 constexpr int kPlaneZ = 0, kPlaneW = 1, kPlaneColor = 2;
+
+/// The coordinates of a texture unit that is in use; they have no lanes of their own, being divided by q.
+inline Varying coordinates_of_unit(const RasterDraw& draw, int unit) {
+  return {0, draw.layout.texcoord[unit], draw.layout.texcoord[unit], 0, 4, draw.unit_plane[unit], false};
+}
 constexpr int kMaxPlanes = 2 + 4 + 3 + 1 + 4 * kBlockTextureUnits;
 
 /// A set-up triangle, line or point: convex, 3 or 4 edges or, for points, none but the box (unused edges accept all). A pixel is covered iff c - a * px + b * py >= 0 for all edges;
@@ -40,7 +55,6 @@ struct alignas(16) RasterPrimitive {
   int32_t edges; // 0, 3 or 4
   float depth_offset;
   bool w_is_one;         // the plane of 1/w is exactly 1 everywhere, so the division changes nothing
-  bool flat;             // colour planes hold constants
   Plane plane[];         // plane_count of them
 };
 

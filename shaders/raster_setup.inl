@@ -216,9 +216,9 @@ SOFTGL_INLINE void find_corners(const TriangleOutput& batch, const uint8_t* tria
   }
 }
 
-/// Loads slot `slot` (or `back_slot` where the triangle is back-facing) of the three corners.
-SOFTGL_INLINE void load_slot(const CornerPlaces& c, int slot, int back_slot, bool two_sided, FloatV out[3][4]) {
-  if (two_sided) {
+/// Loads slot `slot` (`back_slot` where the triangle is back-facing) of the three corners.
+SOFTGL_INLINE void load_slot(const CornerPlaces& c, int slot, int back_slot, FloatV out[3][4]) {
+  if (slot != back_slot) {
     const float* place[kWidth];
     for (int k = 0; k < 3; ++k) {
       for (int i = 0; i < kWidth; ++i) place[i] = c.p[k][i] + 4 * (c.back[i] ? back_slot : slot);
@@ -242,7 +242,7 @@ static void setup_triangles(const RasterDraw& draw, const TriangleOutput& batch,
     CornerPlaces c;
     find_corners(batch, numbers, c);
     FloatV p[3][4];
-    load_slot(c, 0, 0, false, p);
+    load_slot(c, 0, 0, p);
     for (int k = 0; k < 3; ++k) {
       store(x[k], round_to_int(snap_scaled(p[k][0])));
       store(y[k], round_to_int(snap_scaled(p[k][1])));
@@ -256,31 +256,22 @@ static void setup_triangles(const RasterDraw& draw, const TriangleOutput& batch,
     put(kPlaneZ, plane_of(basis, p[0][2], p[1][2], p[2][2]));
     const PlaneV w = plane_of(basis, w0, w1, w2);
     put(kPlaneW, w);
-    auto perspective = [&](int index, FloatV a0, FloatV a1, FloatV a2) { put(index, plane_of(basis, a0 * w0, a1 * w1, a2 * w2)); };
-    FloatV a[3][4];
-    auto colors = [&](int index, int slot, int back_slot, int channels, bool flat) {
-      load_slot(c, slot, back_slot, r.two_sided && back_slot >= 0, a);
-      for (int k = 0; k < channels; ++k) {
-        if (flat) put(index + k, PlaneV{a[2][k], FloatV{}, FloatV{}});
-        else perspective(index + k, a[0][k], a[1][k], a[2][k]);
+    auto attributes = [&](const Varying& v) {
+      FloatV a[3][4];
+      load_slot(c, v.slot, v.back_slot, a);
+      for (int k = 0; k < v.components; ++k) {
+        const int channel = v.first + k;
+        if (v.flat) put(v.plane + k, PlaneV{a[2][channel], FloatV{}, FloatV{}});
+        else put(v.plane + k, plane_of(basis, a[0][channel] * w0, a[1][channel] * w1, a[2][channel] * w2));
       }
     };
-    colors(kPlaneColor, draw.layout.color, draw.layout.back_color, 4, draw.flat_color);
-    if (draw.secondary_plane >= 0) colors(draw.secondary_plane, draw.layout.secondary, draw.layout.back_secondary, 3, draw.flat_secondary);
-    if (draw.fog_plane >= 0) {
-      load_slot(c, draw.layout.secondary, -1, false, a);
-      perspective(draw.fog_plane, a[0][3], a[1][3], a[2][3]);
-    }
-    for (int u = 0; u < kBlockTextureUnits; ++u) {
-      if (draw.unit_plane[u] < 0) continue;
-      load_slot(c, draw.layout.texcoord[u], -1, false, a);
-      for (int k = 0; k < 4; ++k) perspective(draw.unit_plane[u] + k, a[0][k], a[1][k], a[2][k]);
-    }
+    for (int i = 0; i < draw.varying_count; ++i) attributes(draw.varying[i]);
+    for (int u = 0; u < kBlockTextureUnits; ++u)
+      if (draw.unit_plane[u] >= 0) attributes(coordinates_of_unit(draw, u));
     for (int i = 0; i < lanes; ++i) {
       RasterPrimitive& q = *record[base + i];
       for (int k = 0; k < draw.plane_count; ++k) q.plane[k] = {planes[k][0][i], planes[k][1][i], planes[k][2][i]};
       q.w_is_one = q.plane[kPlaneW].a == 1.0f && q.plane[kPlaneW].gx == 0.0f && q.plane[kPlaneW].gy == 0.0f;
-      q.flat = draw.flat_color;
       q.depth_offset = offset[i];
       q.edges = 3;
       int32_t min_x = x[0][i], max_x = min_x, min_y = y[0][i], max_y = min_y;

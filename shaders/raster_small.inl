@@ -24,7 +24,7 @@ static void shade_small(const RasterDraw& draw, const TriangleInput& in, Triangl
       CornerPlaces c;
       find_corners(out, out.triangle + f, c);
       FloatV p[3][4], a[3][4];
-      load_slot(c, 0, 0, false, p);
+      load_slot(c, 0, 0, p);
       const IntV px = load(out.x + f), py = load(out.y + f);
       const FloatV x = to_float(px), y = to_float(py);
       store(out.tile + f, multiply(py >> 6, splat(in.tiles_x)) + (px >> 6));
@@ -36,25 +36,21 @@ static void shade_small(const RasterDraw& draw, const TriangleInput& in, Triangl
       const FloatV w0 = p[0][3], w1 = p[1][3], w2 = p[2][3];
       const FloatV w = splat(1.0f) / value_at(plane_of(basis, w0, w1, w2), x, y);
       auto perspective = [&](FloatV a0, FloatV a1, FloatV a2) { return value_at(plane_of(basis, a0 * w0, a1 * w1, a2 * w2), x, y) * w; };
-      FloatV color[4];
-      load_slot(c, draw.layout.color, draw.layout.back_color, r.two_sided && draw.layout.back_color >= 0, a);
-      for (int k = 0; k < 4; ++k) color[k] = draw.flat_color ? a[2][k] : perspective(a[0][k], a[1][k], a[2][k]);
-      if (program.step_count == 0) {
-        store(out.color + f, pack_color(color[0], color[1], color[2], color[3]));
-        continue;
+      for (int i = 0; i < draw.varying_count; ++i) {
+        const Varying& v = draw.varying[i];
+        load_slot(c, v.slot, v.back_slot, a);
+        FloatV value[4];
+        for (int k = 0; k < v.components; ++k) {
+          const int channel = v.first + k;
+          value[k] = v.flat ? a[2][channel] : perspective(a[0][channel], a[1][channel], a[2][channel]);
+        }
+        if (program.step_count == 0) store(out.color + f, pack_color(value[0], value[1], value[2], value[3]));
+        else for (int k = 0; k < v.components; ++k) store(lanes_of(block, v, k) + j, value[k]);
       }
-      for (int k = 0; k < 4; ++k) store(block.color[k] + j, color[k]);
-      if (draw.secondary_plane >= 0) {
-        load_slot(c, draw.layout.secondary, draw.layout.back_secondary, r.two_sided && draw.layout.back_secondary >= 0, a);
-        for (int k = 0; k < 3; ++k) store(block.secondary[k] + j, draw.flat_secondary ? a[2][k] : perspective(a[0][k], a[1][k], a[2][k]));
-      }
-      if (draw.fog_plane >= 0) {
-        load_slot(c, draw.layout.secondary, -1, false, a);
-        store(block.fog + j, perspective(a[0][3], a[1][3], a[2][3]));
-      }
+      if (program.step_count == 0) continue;
       for (int u = 0; u < kBlockTextureUnits; ++u) {
         if (draw.unit_plane[u] < 0) continue;
-        load_slot(c, draw.layout.texcoord[u], -1, false, a);
+        load_slot(c, draw.layout.texcoord[u], draw.layout.texcoord[u], a);
         PlaneV q[4];
         for (int k = 0; k < 4; ++k) q[k] = plane_of(basis, a[0][k] * w0, a[1][k] * w1, a[2][k] * w2);
         interpolate_unit(block.unit[u], j, coordinates_read(program, u), plane_of(basis, w0, w1, w2), q, load(out.x + f), load(out.y + f));

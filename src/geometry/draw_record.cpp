@@ -85,18 +85,6 @@ const VertexProgram* make_vertex_program(const Context& c, const SnapshotCache& 
   return p;
 }
 
-/// The program of a draw whose colours may be constant: those are not interpolated, since division by an interpolated 1/w
-/// would change their last bits (a colour of 0.5 must not become 127/255). OSMesa makes them uniforms.
-const FragmentProgram* program_of_draw(const FragmentProgram* program, bool lit, uint32_t present, const FragmentProgram* last,
-                                       Arena& arena) {
-  const bool constant = !lit && !(present >> kColor & 1) && !(program->key.secondary && present >> kSecondaryColor & 1);
-  if (!constant || program->key.flat) return program;
-  if (last && last != program) return last;
-  auto* copy = arena.make<FragmentProgram>(*program);
-  copy->key.flat = 1;
-  return copy;
-}
-
 /// Brings the cache up to date with the state.
 void take_snapshots(Context& c, const DrawCall& call) {
   SnapshotCache& cache = c.snapshots;
@@ -108,7 +96,7 @@ void take_snapshots(Context& c, const DrawCall& call) {
   const bool points = draws_points(call);
 
   if (mode_changed || !cache.fragment || dirty & (kDirtyFragment | kDirtyTexture | kDirtyRaster))
-    cache.fragment = make_fragment_program(c, arena), cache.fragment_of_draw = nullptr, dirty |= kDirtyFragment;
+    cache.fragment = make_fragment_program(c, arena), dirty |= kDirtyFragment;
   if (mode_changed || !cache.raster || dirty & (kDirtyRaster | kDirtyViewport | kDirtyFragment))
     cache.raster = make_raster_constants(c, arena);
   cache.lighting_mode = mode;
@@ -154,7 +142,6 @@ void take_snapshots(Context& c, const DrawCall& call) {
     cache.present = present;
     cache.vertex = make_vertex_program(c, cache, source, arena);
   }
-  cache.fragment_of_draw = program_of_draw(cache.fragment, lit, present, cache.fragment_of_draw, arena);
   c.dirty &= kDirtyCurrent | kDirtyArrays;
 }
 
@@ -165,7 +152,7 @@ void submit(Context& c, const DrawCall& call) {
   if (!has_position || call.primitive_count == 0 || call.vertex_count == 0 || c.framebuffer.surface.width == 0) return;
   take_snapshots(c, call);
   const SnapshotCache& cache = c.snapshots;
-  c.frame.append(c.frame.arena().make<DrawRecord>(call, cache.layout, cache.vertex, cache.raster, cache.fragment_of_draw));
+  c.frame.append(c.frame.arena().make<DrawRecord>(call, cache.layout, cache.vertex, cache.raster, cache.fragment));
   if (c.frame.over_budget()) flush_rendering(c);
 }
 

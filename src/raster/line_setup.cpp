@@ -132,22 +132,19 @@ bool setup_line(const RasterDraw& draw, const ShadedVertices::Slot* corner0, con
     return p;
   };
   const float w1 = v1[3], w2 = v2[3];
-  auto attributes = [&](int index, int slot, int first, int count, bool constant) {
-    for (int k = first; k < first + count; ++k) {
-      const float a1 = corner0[slot].v[k], a2 = corner1[slot].v[k];
-      out.plane[index++] = constant ? Plane{a2, 0, 0} : plane(a1 * w1, a2 * w2);
+  auto attributes = [&](const Varying& v) {
+    for (int k = 0; k < v.components; ++k) {
+      const float a1 = corner0[v.slot].v[v.first + k], a2 = corner1[v.slot].v[v.first + k];
+      out.plane[v.plane + k] = v.flat ? Plane{a2, 0, 0} : plane(a1 * w1, a2 * w2);
     }
   };
   out.plane[kPlaneZ] = plane(v1[2], v2[2]);
   out.plane[kPlaneW] = plane(w1, w2);
-  attributes(kPlaneColor, draw.layout.color, 0, 4, draw.flat_color);
-  if (draw.secondary_plane >= 0) attributes(draw.secondary_plane, draw.layout.secondary, 0, 3, draw.flat_secondary);
-  if (draw.fog_plane >= 0) attributes(draw.fog_plane, draw.layout.secondary, 3, 1, false);
+  for (int i = 0; i < draw.varying_count; ++i) attributes(draw.varying[i]);
   for (int u = 0; u < kBlockTextureUnits; ++u)
-    if (draw.unit_plane[u] >= 0) attributes(draw.unit_plane[u], draw.layout.texcoord[u], 0, 4, false);
+    if (draw.unit_plane[u] >= 0) attributes(coordinates_of_unit(draw, u));
   const Plane& w = out.plane[kPlaneW];
   out.w_is_one = w.a == 1.0f && w.gx == 0.0f && w.gy == 0.0f;
-  out.flat = draw.flat_color;
   out.depth_offset = 0;
   return true;
 }

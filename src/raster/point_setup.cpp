@@ -43,18 +43,19 @@ bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, Ras
   for (int i = 0; i < 4; ++i) out.a[i] = out.b[i] = 0, out.c[i] = 0;
 
   const float w = v[3];
-  auto attributes = [&](int index, int slot, int first, int count, bool constant) {
-    for (int k = first; k < first + count; ++k) out.plane[index++] = {constant ? corner[slot].v[k] : corner[slot].v[k] * w, 0, 0};
+  auto attributes = [&](const Varying& a) {
+    for (int k = 0; k < a.components; ++k) {
+      const float value = corner[a.slot].v[a.first + k];
+      out.plane[a.plane + k] = {a.flat ? value : value * w, 0, 0};
+    }
   };
   out.plane[kPlaneZ] = {v[2], 0, 0};
   out.plane[kPlaneW] = {w, 0, 0};
-  attributes(kPlaneColor, draw.layout.color, 0, 4, draw.flat_color);
-  if (draw.secondary_plane >= 0) attributes(draw.secondary_plane, draw.layout.secondary, 0, 3, draw.flat_secondary);
-  if (draw.fog_plane >= 0) attributes(draw.fog_plane, draw.layout.secondary, 3, 1, false);
+  for (int i = 0; i < draw.varying_count; ++i) attributes(draw.varying[i]);
   for (int u = 0; u < kBlockTextureUnits; ++u) {
     if (draw.unit_plane[u] < 0) continue;
     if (!(r.sprite_units >> u & 1)) {
-      attributes(draw.unit_plane[u], draw.layout.texcoord[u], 0, 4, false);
+      attributes(coordinates_of_unit(draw, u));
       continue;
     }
     // Across the square s and t go from 0 to 1.
@@ -67,7 +68,6 @@ bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, Ras
     p[3] = {w, 0, 0};
   }
   out.w_is_one = w == 1.0f;
-  out.flat = draw.flat_color;
   out.depth_offset = 0;
   return true;
 }

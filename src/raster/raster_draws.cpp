@@ -1,5 +1,7 @@
 #include "raster/raster_draws.h"
 
+#include <cstddef>
+
 #include "vertex_program.h"
 
 namespace softgl {
@@ -10,22 +12,23 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
   d.program = draw.fragment;
   d.raster = draw.raster;
   d.layout = draw.layout;
-  int planes = kPlaneColor + 4;
-  auto take = [&](bool wanted, int count) {
-    if (!wanted) return int8_t(-1);
-    planes += count;
-    return int8_t(planes - count);
-  };
-  d.secondary_plane = take(key.secondary && d.layout.secondary >= 0, 3);
-  d.fog_plane = take(key.fog_coordinate && d.layout.secondary >= 0, 1);
-  for (int u = 0; u < kBlockTextureUnits; ++u) d.unit_plane[u] = take((key.texture_units >> u & 1) && d.layout.texcoord[u] >= 0, 4);
-  d.plane_count = uint8_t(planes);
   // OSMesa 22.3.6 hands an unlit colour that no vertex sets straight to the fragments, without interpolating it (which
   // would disturb its last bits: 0.3 * 255 is a tie).
   const bool unlit = draw.vertex && !draw.vertex->lit && draw.call.source;
-  auto constant = [&](AttributeSlot slot) { return unlit && !(draw.call.source->present >> slot & 1); };
-  d.flat_color = key.flat || constant(kColor);
-  d.flat_secondary = key.flat || constant(kSecondaryColor);
+  auto flat = [&](AttributeSlot slot) { return key.flat || (unlit && !(draw.call.source->present >> slot & 1)); };
+  int planes = kPlaneColor;
+  auto take = [&](int count) { return planes += count, static_cast<int8_t>(planes - count); };
+  auto vary = [&](size_t lanes, int8_t slot, int8_t back_slot, int8_t first, int8_t components, bool is_flat) {
+    if (slot < 0) return;
+    if (!draw.raster->two_sided || back_slot < 0) back_slot = slot;
+    d.varying[d.varying_count++] = {static_cast<uint32_t>(lanes), slot, back_slot, first, components, take(components), is_flat};
+  };
+  const ShadedLayout& l = d.layout;
+  vary(offsetof(FragmentBlock, color), l.color, l.back_color, 0, 4, flat(kColor));
+  if (key.secondary) vary(offsetof(FragmentBlock, secondary), l.secondary, l.back_secondary, 0, 3, flat(kSecondaryColor));
+  if (key.fog_coordinate) vary(offsetof(FragmentBlock, fog), l.secondary, -1, 3, 1, false);
+  for (int u = 0; u < kBlockTextureUnits; ++u) d.unit_plane[u] = key.texture_units >> u & 1 && l.texcoord[u] >= 0 ? take(4) : int8_t(-1);
+  d.plane_count = static_cast<uint8_t>(planes);
   const auto format = static_cast<ColorFormat>(key.color_format);
   d.small = format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565;
   d.direct = draw.fragment->step_count == 0 && format == ColorFormat::Rgba8 && !key.stencil;
