@@ -18,7 +18,7 @@ struct BlockCoordinates {
 
 /// Stages run over lanes [0, lanes); lanes is a multiple of 16. In blocks cut from a large triangle each strip of 16
 /// lanes is an 8x2-pixel strip of the surface; in blocks gathered from small triangles every lane is on its own, so
-/// no stage may look at a neighbouring lane.
+/// no stage may look at a neighbouring lane unless its program says so (reads_quads).
 struct alignas(64) FragmentBlock {
   int32_t lanes;
   alignas(64) int32_t x[kLanes], y[kLanes];   // window coordinates of the pixel, y down

@@ -44,7 +44,8 @@ struct RasterKernels {
 struct TextureKernels {
   const char* isa;
   // Sampling leaves the texel in the unit's coordinates (s, t, r, ds_dx = r, g, b, a); the environments read it there.
-  FragmentStage sample_fixed;   // two-dimensional, 8 bits per component, REPEAT or CLAMP_TO_EDGE
+  FragmentStage choose_face;    // of cube maps, before sampling
+  FragmentStage sample_fixed;   // 8 bits per component, REPEAT or CLAMP_TO_EDGE
   FragmentStage modulate_fixed; // the same and GL_MODULATE; leaves no texel
   FragmentStage sample_float;   // everything else
   FragmentStage replace, modulate, combine;

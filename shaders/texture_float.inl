@@ -140,14 +140,9 @@ static inline bool depth_passes(uint8_t function, float r, float texel) {
 
 struct FloatTexels { alignas(64) float v[4][kLanes]; };
 
-/// The coordinates that are sampled: those of the block, or of the chosen face of a cube map.
-struct FloatCoordinates {
-  const float *s, *t, *r;
-  const int32_t* face; // null: face 0
-};
-
-static inline void sample_float_level(const FragmentBlock& block, const FloatCoordinates& c, const TextureUnitConstants& t, const int32_t* levels,
-                                      int add, bool linear, FloatTexels& out) {
+/// `nearest`, if there is one: lanes whose linear filter takes the texel of the greater weight alone.
+static inline void sample_float_level(const FragmentBlock& block, const BlockCoordinates& c, const TextureUnitConstants& t, const int32_t* levels,
+                                      int add, bool linear, const int32_t* nearest, FloatTexels& out) {
   alignas(64) int32_t width[kLanes], height[kLanes], depth[kLanes];
   const TextureLevel* level[kLanes];
   for (int i = 0; i < block.lanes; ++i) {
@@ -156,7 +151,7 @@ static inline void sample_float_level(const FragmentBlock& block, const FloatCoo
     level[i] = &t.level[l];
     width[i] = level[i]->width, height[i] = level[i]->height, depth[i] = level[i]->depth;
   }
-  const bool two = t.shape != TextureShape::OneD, three = t.shape == TextureShape::ThreeD;
+  const bool two = t.shape != TextureShape::OneD, three = t.shape == TextureShape::ThreeD, cube = t.shape == TextureShape::Cube;
   if (!linear) {
     alignas(64) int32_t x[kLanes], y[kLanes], z[kLanes];
     float_nearest_axis(block, t.wrap[0], c.s, width, x);
@@ -164,7 +159,7 @@ static inline void sample_float_level(const FragmentBlock& block, const FloatCoo
     if (three) float_nearest_axis(block, t.wrap[2], c.r, depth, z);
     for (int i = 0; i < block.lanes; ++i) {
       float v[4];
-      fetch_float(t, *level[i], c.face ? c.face[i] : 0, x[i], two ? y[i] : 0, three ? z[i] : 0, v);
+      fetch_float(t, *level[i], cube ? face_of(c, i) : 0, x[i], two ? y[i] : 0, three ? z[i] : 0, v);
       if (t.compares) v[0] = v[1] = v[2] = v[3] = depth_passes(t.compare_function, saturate(c.r[i]), v[0]) ? 1.0f : 0.0f;
       for (int k = 0; k < 4; ++k) out.v[k][i] = v[k];
     }
@@ -174,6 +169,8 @@ static inline void sample_float_level(const FragmentBlock& block, const FloatCoo
   float_linear_axis(block, t.wrap[0], c.s, width, x);
   if (two) float_linear_axis(block, t.wrap[1], c.t, height, y);
   if (three) float_linear_axis(block, t.wrap[2], c.r, depth, z);
+  for (int i = 0; nearest && i < block.lanes; ++i)
+    if (nearest[i]) x.weight[i] = x.weight[i] > 0.5f, y.weight[i] = y.weight[i] > 0.5f;
   for (int i = 0; i < block.lanes; ++i) {
     float plane[2][4];
     for (int b = 0; b < (three ? 2 : 1); ++b) {
@@ -181,7 +178,7 @@ static inline void sample_float_level(const FragmentBlock& block, const FloatCoo
       float line[2][4];
       for (int a = 0; a < (two ? 2 : 1); ++a) {
         const int32_t row = two ? (a ? y.second[i] : y.first[i]) : 0;
-        const int face = c.face ? c.face[i] : 0;
+        const int face = cube ? face_of(c, i) : 0;
         float v0[4], v1[4];
         fetch_float(t, *level[i], face, x.first[i], row, slice, v0);
         fetch_float(t, *level[i], face, x.second[i], row, slice, v1);
@@ -201,40 +198,59 @@ static inline void sample_float_level(const FragmentBlock& block, const FloatCoo
   }
 }
 
+static inline void sample_float_levels(const FragmentBlock& block, const BlockCoordinates& c, const TextureUnitConstants& t, const LaneLevels& lod,
+                                       bool two_levels, bool linear, const int32_t* nearest, FloatTexels& out) {
+  sample_float_level(block, c, t, lod.level, 0, linear, nearest, out);
+  if (!two_levels) return;
+  FloatTexels next;
+  sample_float_level(block, c, t, lod.level, 1, linear, nearest, next);
+  for (int k = 0; k < 4; ++k)
+    SOFTGL_FOR_LANES(block, i) out.v[k][i] = lod.fraction[i] * (next.v[k][i] - out.v[k][i]) + out.v[k][i];
+}
+
+static inline void choose_texels(const FragmentBlock& block, const int32_t* mask, const FloatTexels& chosen, FloatTexels& out) {
+  for (int k = 0; k < 4; ++k)
+    SOFTGL_FOR_LANES(block, i) out.v[k][i] = select(mask[i], chosen.v[k][i], out.v[k][i]);
+}
+
 /// The filtered texels of a block.
-static inline void sample_float(const FragmentBlock& block, const FloatCoordinates& c, const BlockCoordinates& differences,
-                                const TextureUnitConstants& t, FloatTexels& out) {
+static inline void sample_float(const FragmentBlock& block, const BlockCoordinates& c, const TextureUnitConstants& t, FloatTexels& out) {
   alignas(64) LaneLevels lod;
-  if (t.mip == TextureMip::None && t.min_linear == t.mag_linear) {
+  const bool mixed = t.min_linear != t.mag_linear;
+  if (t.mip == TextureMip::None && !mixed) {
     for (int i = 0; i < block.lanes; ++i) lod.level[i] = 0;
-    sample_float_level(block, c, t, lod.level, 0, t.min_linear, out);
+    sample_float_level(block, c, t, lod.level, 0, t.min_linear, nullptr, out);
     return;
   }
-  find_levels(block, differences, t, lod);
+  find_levels(block, c, t, lod);
   uint32_t magnified = 0, minified = 0, between = 0;
   for (int i = 0; i < block.lanes; ++i) {
     magnified |= uint32_t(lod.magnified[i]) & block.live[i];
     minified |= ~uint32_t(lod.magnified[i]) & block.live[i];
     between |= uint32_t(float_bits(lod.fraction[i])) & block.live[i];
   }
-  const bool mixed = t.min_linear != t.mag_linear, minifies = !mixed || minified != 0;
-  if (minifies) {
-    sample_float_level(block, c, t, lod.level, 0, t.min_linear, out);
-    if (t.mip == TextureMip::Linear && between != 0) {
-      FloatTexels next;
-      sample_float_level(block, c, t, lod.level, 1, t.min_linear, next);
-      for (int k = 0; k < 4; ++k)
-        SOFTGL_FOR_LANES(block, i) out.v[k][i] = lod.fraction[i] * (next.v[k][i] - out.v[k][i]) + out.v[k][i];
+  const bool two_levels = t.mip == TextureMip::Linear && between != 0;
+  FloatTexels other;
+  if (mixed && t.shape == TextureShape::Cube && t.mip != TextureMip::None) {
+    // OSMesa 22.3.6: here levels differ within a quad. If one of its lanes is filtered linearly, so are all, those that
+    // want the nearest texel with weights of 0 and 1.
+    alignas(64) int32_t nearest[kLanes], linear_quad[kLanes];
+    for (int i = 0; i < block.lanes; ++i) nearest[i] = t.min_linear ? lod.magnified[i] : ~lod.magnified[i];
+    for (int i = 0; i < block.lanes; ++i) {
+      const int32_t* quad = nearest + first_of_quad(i);
+      linear_quad[i] = ~(quad[0] & quad[1] & quad[8] & quad[9]);
     }
+    sample_float_levels(block, c, t, lod, two_levels, false, nullptr, out);
+    sample_float_levels(block, c, t, lod, two_levels, true, nearest, other);
+    choose_texels(block, linear_quad, other, out);
+    return;
   }
+  const bool minifies = !mixed || minified != 0;
+  if (minifies) sample_float_levels(block, c, t, lod, two_levels, t.min_linear, nullptr, out);
   if (mixed && magnified != 0) {
-    FloatTexels other;
-    FloatTexels& target = minifies ? other : out;
     for (int i = 0; i < block.lanes; ++i) lod.level[i] = 0;
-    sample_float_level(block, c, t, lod.level, 0, t.mag_linear, target);
-    if (minifies)
-      for (int k = 0; k < 4; ++k)
-        SOFTGL_FOR_LANES(block, i) out.v[k][i] = select(lod.magnified[i], other.v[k][i], out.v[k][i]);
+    sample_float_level(block, c, t, lod.level, 0, t.mag_linear, nullptr, minifies ? other : out);
+    if (minifies) choose_texels(block, lod.magnified, other, out);
   }
 }
 

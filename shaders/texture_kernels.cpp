@@ -40,7 +40,7 @@ static void modulate_fixed_stage(FragmentBlock& block, const FragmentConstants& 
 static void sample_float_stage(FragmentBlock& block, const FragmentConstants& constants, int unit) {
   const BlockCoordinates& c = block.unit[unit];
   FloatTexels texel;
-  sample_float(block, {c.s, c.t, c.r, nullptr}, c, *constants.texture[unit], texel);
+  sample_float(block, c, *constants.texture[unit], texel);
   const TextureUnitConstants& t = *constants.texture[unit];
   if (t.texel == TextureTexel::Depth) {
     SOFTGL_FOR_LANES(block, i) {
@@ -56,6 +56,7 @@ static void sample_float_stage(FragmentBlock& block, const FragmentConstants& co
 extern const TextureKernels texture_kernels;
 const TextureKernels texture_kernels = {
     .isa = SOFTGL_STRING(SOFTGL_ISA),
+    .choose_face = choose_face,
     .sample_fixed = sample_fixed_stage,
     .modulate_fixed = modulate_fixed_stage,
     .sample_float = sample_float_stage,

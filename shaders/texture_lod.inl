@@ -1,5 +1,5 @@
 // Level of detail (GL 1.5, 3.8.8), one value per lane; the lanes of a 2x2 quad carry equal differences, so they get
-// equal levels.
+// equal levels (except in cube maps).
 //
 // OSMesa 22.3.6: rho squared = max of the squared lengths, scaled by the size of the base level. Without bias and
 // limits, the nearest level is (exponent + 1) >> 1 and magnification is rho <= 1. Otherwise lod = 0.5 * ((exponent - 1) +
@@ -9,6 +9,7 @@
 #include "fragment_block.h"
 #include "lane_math.h"
 #include "texture_constants.h"
+#include "texture_cube.inl"
 #include "texture_lanes.inl"
 
 namespace softgl {
@@ -43,6 +44,8 @@ static inline void squared_rho(const FragmentBlock& block, const BlockCoordinate
       const float x = sx * sx + tx * tx, y = sy * sy + ty * ty;
       rho[i] = select(mask_of(x > y), x, y);
     }
+    if (t.shape == TextureShape::Cube) // the division by the major axis may leave anything
+      SOFTGL_FOR_LANES(block, i) rho[i] = keep(mask_of(rho[i] < __builtin_inff()), rho[i]);
   }
 }
 

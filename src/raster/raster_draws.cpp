@@ -30,7 +30,7 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
   for (int u = 0; u < kBlockTextureUnits; ++u) d.unit_plane[u] = key.texture_units >> u & 1 && l.texcoord[u] >= 0 ? take(4) : int8_t(-1);
   d.plane_count = static_cast<uint8_t>(planes);
   const auto format = static_cast<ColorFormat>(key.color_format);
-  d.small = format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565;
+  d.small = (format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565) && !d.program->reads_quads;
   d.direct = draw.fragment->step_count == 0 && format == ColorFormat::Rgba8 && !key.stencil;
   for (int c = 0; c < 4; ++c)
     if (key.color_mask >> c & 1) d.color_mask |= 0xffu << (8 * c);

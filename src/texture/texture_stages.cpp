@@ -104,10 +104,13 @@ TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum&
   t->shape = target == kTexture1D ? TextureShape::OneD : target == kTexture3D ? TextureShape::ThreeD : target == kTextureCube ? TextureShape::Cube : TextureShape::TwoD;
   set_levels(*object, levels, *t);
   set_texel(*image.format, *t);
-  t->wrap[0] = wrap_mode(p.wrap[0], image.width);
-  t->wrap[1] = wrap_mode(target == kTexture1D ? GLenum(GL_CLAMP_TO_EDGE) : p.wrap[1], image.height);
+  // OSMesa 22.3.6 clamps to the edges of a cube map's face, whatever the wrap modes say.
+  const bool cube = target == kTextureCube;
+  t->wrap[0] = wrap_mode(cube ? GLenum(GL_CLAMP_TO_EDGE) : p.wrap[0], image.width);
+  t->wrap[1] = wrap_mode(cube || target == kTexture1D ? GLenum(GL_CLAMP_TO_EDGE) : p.wrap[1], image.height);
   t->wrap[2] = wrap_mode(p.wrap[2], image.depth);
   set_level_of_detail(p, state.lod_bias, *t);
+  if (levels.first == 0 && levels.count == 1 && p.max_lod > 0) t->mip = TextureMip::None;
   base = sampled_base(*object, *image.format);
   set_border(p.border_color, image.format->base, *t);
   if (image.format->base == GL_DEPTH_COMPONENT) {
@@ -121,9 +124,11 @@ TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum&
   return t;
 }
 
-bool fixed_wrap(TextureWrap w) { return w <= TextureWrap::ClampToEdge; }
+/// OSMesa 22.3.6 filters in fixed point where it can; not in the cube maps whose lanes may want different filters.
 bool fixed_point(const TextureUnitConstants& t) {
-  return (t.shape == TextureShape::TwoD || t.shape == TextureShape::OneD) && t.texel == TextureTexel::Rgba8 && fixed_wrap(t.wrap[0]) && fixed_wrap(t.wrap[1]);
+  auto fixed = [&](int axis) { return t.wrap[axis] <= TextureWrap::ClampToEdge; };
+  if (t.shape == TextureShape::Cube && t.mip != TextureMip::None && t.min_linear != t.mag_linear) return false;
+  return t.texel == TextureTexel::Rgba8 && fixed(0) && fixed(1) && (t.shape != TextureShape::ThreeD || fixed(2));
 }
 
 bool reads_r(const TextureUnitConstants& t) { return t.shape == TextureShape::ThreeD || t.shape == TextureShape::Cube || t.compares; }
@@ -144,6 +149,10 @@ void append_texture_stages(Context& c, Arena& arena, FragmentProgram& program, F
     if (!units[u]) continue;
     set_environment(c.state.texture.unit[u], u, base[u], sampled, *units[u]);
     constants.texture[u] = units[u];
+    if (units[u]->shape == TextureShape::Cube) {
+      program.reads_quads = true;
+      program.add(kernels.choose_face, u);
+    }
     if (reads_r(*units[u])) program.r_units = uint8_t(program.r_units | 1u << u);
     if (reads_source(*units[u], CombineSource::Primary)) program.keeps_primary = true;
     for (int other = 0; other < kMaxTextureUnits; ++other)

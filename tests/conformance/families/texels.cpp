@@ -125,14 +125,13 @@ void draw_with(Stage& s, const TexelOptions& o) {
 
 void draw_texels(Stage& s) { draw_with(s, {}); }
 void draw_texels_1d(Stage& s) { TexelOptions o; o.one_dimensional = true; draw_with(s, o); }
-// Not yet registered: 3-D textures are filtered in float (OSMesa: fixed point), cube maps are not sampled yet.
-[[maybe_unused]] void draw_texels_3d(Stage& s) { TexelOptions o; o.three_dimensional = true; draw_with(s, o); }
-[[maybe_unused]] void draw_texels_cube(Stage& s) { TexelOptions o; o.cube = true; draw_with(s, o); }
+void draw_texels_3d(Stage& s) { TexelOptions o; o.three_dimensional = true; draw_with(s, o); }
+void draw_texels_cube(Stage& s) { TexelOptions o; o.cube = true; draw_with(s, o); }
 void draw_texels_depth(Stage& s) { TexelOptions o; o.depth = true; draw_with(s, o); }
 void draw_units(Stage& s) { TexelOptions o; o.several_units = true; draw_with(s, o); }
 
 SceneRegistration texels{{"texels", draw_texels, true}}, one{{"texels_1d", draw_texels_1d, true}}, several{{"texture_units", draw_units, true}};
-SceneRegistration depth{{"texels_depth", draw_texels_depth, true}};
+SceneRegistration three{{"texels_3d", draw_texels_3d, true}}, cube{{"texels_cube", draw_texels_cube, true}}, depth{{"texels_depth", draw_texels_depth, true}};
 
 } // namespace
 
