@@ -26,6 +26,8 @@ bool may_execute(Context& c) {
 
 bool may_execute_or_compile(Context& c) { return (c.guard & kCompilingList) || may_execute(c); }
 
+void ignore_call(Context& c) { may_execute_keeping_run(c); }
+
 void bad_scalar_parameter(Context& c) {
   set_error(c, c.guard & kInsideBeginEnd ? GL_INVALID_OPERATION : GL_INVALID_ENUM);
 }

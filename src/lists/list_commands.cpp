@@ -94,6 +94,7 @@ void gl::EndList(Context& c) try {
 
 void gl::CallList(Context& c, GLuint name) try {
   if (c.guard & kNoContext) return;
+  if (name == 0) return stream_error(c, GL_INVALID_VALUE);
   if (!c.builder.compiling) return call_list(c, name);
   break_compiled_run(c);
   *static_cast<uint64_t*>(record(c, kPlayCallList, 8)) = name;
@@ -132,6 +133,11 @@ void gl::ListBase(Context& c, GLuint base) { c.state.list.base = base; }
 GLuint gl::GenLists(Context& c, GLsizei range) try {
   if (range < 0) {
     set_error(c, GL_INVALID_VALUE);
+    return 0;
+  }
+  constexpr GLsizei kMostLists = 1 << 22; // at some 70 bytes a name, before a mistaken number takes all memory
+  if (range > kMostLists) {
+    set_error(c, GL_OUT_OF_MEMORY);
     return 0;
   }
   // A generated list is an empty one (5.4); all of them are the same empty one until they are defined.

@@ -10,7 +10,7 @@ namespace {
 
 // Enumerants of every chapter, and some that no chapter knows.
 GLenum any_enum(Random& r) {
-  return GLenum(r.pick({0, 1, 2, 4, 7, 9, 10, 0xdead, -1, GL_NEVER, GL_LESS, GL_ALWAYS, GL_FRONT, GL_BACK, GL_FRONT_AND_BACK, GL_CW, GL_CCW, GL_POINT,
+  return GLenum(r.pick({0, 1, 2, 4, 7, 9, 15, 0xdead, -1, GL_NEVER, GL_LESS, GL_ALWAYS, GL_FRONT, GL_BACK, GL_FRONT_AND_BACK, GL_CW, GL_CCW, GL_POINT,
                         GL_LINE, GL_FILL, GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE, GL_FLAT, GL_SMOOTH, GL_EXP, GL_LINEAR, GL_NEAREST, GL_REPEAT, GL_CLAMP,
                         GL_TEXTURE_2D, GL_LIGHTING, GL_LIGHT0, GL_LIGHT7, GL_LIGHT0 + 8, GL_CLIP_PLANE0, GL_CLIP_PLANE5, GL_AMBIENT, GL_DIFFUSE, GL_POSITION,
                         GL_SPOT_CUTOFF, GL_SHININESS, GL_COLOR_INDEXES, GL_RGBA, GL_RGB, GL_UNSIGNED_BYTE, GL_FLOAT, GL_UNSIGNED_INT, GL_INT, GL_BLEND,
@@ -19,6 +19,24 @@ GLenum any_enum(Random& r) {
                         GL_TEXTURE_MIN_FILTER, GL_TEXTURE_WRAP_S, GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_NORMAL_ARRAY, GL_UNPACK_ALIGNMENT, GL_PACK_ROW_LENGTH}));
 }
 GLenum mostly(Random& r, std::initializer_list<int> good) { return r.chance(70) ? GLenum(r.pick(good)) : any_enum(r); }
+// The same without what OSMesa accepts against GL 1.5 (reference/DEVIATIONS.md): vertex arrays given to glEnable, names of
+// vectors given to the scalar forms of commands, GL_ONE as a source of texture combiners, units of shaders (GL_COMBINE looks
+// like one); nor is 10 among the enumerants, which became a primitive later.
+GLenum mostly_without(Random& r, std::initializer_list<int> good, std::initializer_list<int> bad) {
+  for (;;) {
+    const GLenum value = mostly(r, good);
+    bool taken = true;
+    for (int b : bad) taken = taken && value != GLenum(b);
+    if (taken) return value;
+  }
+}
+GLenum capability(Random& r) {
+  return mostly_without(r, {GL_BLEND, GL_LIGHTING, GL_LIGHT0, GL_FOG, GL_DEPTH_TEST, GL_TEXTURE_2D, GL_CLIP_PLANE0, GL_NORMALIZE, GL_CULL_FACE},
+                        {GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_NORMAL_ARRAY});
+}
+GLenum scalar_name(Random& r, std::initializer_list<int> good) {
+  return mostly_without(r, good, {GL_AMBIENT, GL_DIFFUSE, GL_POSITION, GL_FOG_COLOR, GL_COLOR_INDEXES});
+}
 GLint small(Random& r) { return r.pick({-1, 0, 1, 2, 3, 4, 5, 8, 16, 17, -100, 64}); }
 GLfloat number(Random& r) {
   return r.pick({0.0f, -0.0f, 1.0f, -1.0f, 0.5f, 1e-30f, 1e30f, -1e30f, 90.0f, 91.0f, 128.0f, 129.0f, 180.0f, std::numeric_limits<float>::infinity(),
@@ -26,16 +44,16 @@ GLfloat number(Random& r) {
 }
 GLfloat tame(Random& r) { return r.pick({0.0f, 1.0f, -1.0f, 0.5f, 2.0f, 90.0f, 128.0f, 129.0f, 180.0f, -0.25f}); }
 
-// Client memory that every pointer of the fuzzer points to.
-alignas(16) unsigned char memory[1 << 18];
+// Client memory that every pointer of the fuzzer points to. OSMesa refuses a stride of -1, and uses 65535: 256 such vertices.
+alignas(16) unsigned char memory[1 << 25];
 void* somewhere(Random& r) { return memory + r.integer(0, 1024); }
 
 #define COMMAND(name) {#name, [](const Gl& gl, Random& r) {
 #define END }},
 
 const FuzzCommand kCommands[] = {
-  COMMAND(Enable) gl.Enable(mostly(r, {GL_BLEND, GL_LIGHTING, GL_LIGHT0, GL_FOG, GL_DEPTH_TEST, GL_TEXTURE_2D, GL_CLIP_PLANE0, GL_NORMALIZE, GL_CULL_FACE})); END
-  COMMAND(Disable) gl.Disable(mostly(r, {GL_BLEND, GL_LIGHTING, GL_LIGHT0, GL_FOG, GL_DEPTH_TEST, GL_TEXTURE_2D, GL_CLIP_PLANE0, GL_NORMALIZE, GL_CULL_FACE})); END
+  COMMAND(Enable) gl.Enable(capability(r)); END
+  COMMAND(Disable) gl.Disable(capability(r)); END
   COMMAND(Begin) gl.Begin(mostly(r, {GL_TRIANGLES, GL_QUADS, GL_LINES, GL_POLYGON, GL_POINTS})); END
   COMMAND(End) gl.End(); (void)r; END
   COMMAND(Vertex3f) const Float3 v{number(r), number(r), number(r)}; gl.Vertex3f(v[0], v[1], v[2]); END
@@ -66,14 +84,14 @@ const FuzzCommand kCommands[] = {
   COMMAND(PointSize) gl.PointSize(number(r)); END
   COMMAND(LineWidth) gl.LineWidth(number(r)); END
   COMMAND(PolygonOffset) const float f = number(r), u = number(r); gl.PolygonOffset(f, u); END
-  COMMAND(Lightf) const GLenum l = mostly(r, {GL_LIGHT0, GL_LIGHT7}), p = mostly(r, {GL_SPOT_CUTOFF, GL_SPOT_EXPONENT, GL_LINEAR_ATTENUATION}); gl.Lightf(l, p, tame(r)); END
+  COMMAND(Lightf) const GLenum l = mostly(r, {GL_LIGHT0, GL_LIGHT7}), p = scalar_name(r, {GL_SPOT_CUTOFF, GL_SPOT_EXPONENT, GL_LINEAR_ATTENUATION}); gl.Lightf(l, p, tame(r)); END
   COMMAND(Lightfv) const GLenum l = mostly(r, {GL_LIGHT0, GL_LIGHT7}), p = mostly(r, {GL_POSITION, GL_AMBIENT, GL_SPOT_DIRECTION, GL_SPOT_CUTOFF}); const Float4 v{tame(r), tame(r), tame(r), tame(r)}; gl.Lightfv(l, p, v.data()); END
   COMMAND(LightModeli) gl.LightModeli(mostly(r, {GL_LIGHT_MODEL_TWO_SIDE, GL_LIGHT_MODEL_LOCAL_VIEWER}), small(r)); END
-  COMMAND(Materialf) const GLenum f = mostly(r, {GL_FRONT, GL_BACK, GL_FRONT_AND_BACK}), p = mostly(r, {GL_SHININESS}); gl.Materialf(f, p, tame(r)); END
+  COMMAND(Materialf) const GLenum f = mostly(r, {GL_FRONT, GL_BACK, GL_FRONT_AND_BACK}), p = scalar_name(r, {GL_SHININESS}); gl.Materialf(f, p, tame(r)); END
   COMMAND(Materialfv) const GLenum f = mostly(r, {GL_FRONT, GL_BACK, GL_FRONT_AND_BACK}), p = mostly(r, {GL_AMBIENT, GL_DIFFUSE, GL_SHININESS, GL_EMISSION}); const Float4 v{tame(r), tame(r), tame(r), tame(r)}; gl.Materialfv(f, p, v.data()); END
   COMMAND(ColorMaterial) const GLenum f = mostly(r, {GL_FRONT, GL_BACK}), p = mostly(r, {GL_AMBIENT, GL_DIFFUSE}); gl.ColorMaterial(f, p); END
-  COMMAND(Fogf) const GLenum p = mostly(r, {GL_FOG_DENSITY, GL_FOG_START, GL_FOG_END, GL_FOG_MODE}); gl.Fogf(p, tame(r)); END
-  COMMAND(Fogi) const GLenum p = mostly(r, {GL_FOG_MODE, GL_FOG_COORDINATE_SOURCE}); gl.Fogi(p, GLint(mostly(r, {GL_LINEAR, GL_EXP, GL_FOG_COORDINATE}))); END
+  COMMAND(Fogf) const GLenum p = scalar_name(r, {GL_FOG_DENSITY, GL_FOG_START, GL_FOG_END, GL_FOG_MODE}); gl.Fogf(p, tame(r)); END
+  COMMAND(Fogi) const GLenum p = scalar_name(r, {GL_FOG_MODE, GL_FOG_COORDINATE_SOURCE}); gl.Fogi(p, GLint(mostly(r, {GL_LINEAR, GL_EXP, GL_FOG_COORDINATE}))); END
   COMMAND(ClipPlane) const GLdouble v[4] = {tame(r), tame(r), tame(r), tame(r)}; gl.ClipPlane(mostly(r, {GL_CLIP_PLANE0, GL_CLIP_PLANE5}), v); END
   COMMAND(Clear) gl.Clear(GLbitfield(r.pick({0, GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, 1, -1}))); END
   COMMAND(ClearColor) const Float4 v{number(r), number(r), number(r), number(r)}; gl.ClearColor(v[0], v[1], v[2], v[3]); END
@@ -97,9 +115,9 @@ const FuzzCommand kCommands[] = {
     const GLenum f = mostly(r, {GL_RGBA, GL_RGB, GL_LUMINANCE}), t = mostly(r, {GL_UNSIGNED_BYTE, GL_FLOAT, GL_UNSIGNED_SHORT}); gl.TexImage2D(GL_TEXTURE_2D, level, format, w, h, border, f, t, w < 100 && r.chance(80) ? memory : nullptr); END
   COMMAND(TexSubImage2D) const int x = small(r), y = small(r), w = r.pick({-1, 0, 1, 4, 16}), h = r.pick({-1, 0, 1, 4, 16}); gl.TexSubImage2D(GL_TEXTURE_2D, r.pick({0, 0, 1, -1, 30}), x, y, w, h, GL_RGBA, GL_UNSIGNED_BYTE, memory); END
   COMMAND(TexParameteri) const GLenum t = mostly(r, {GL_TEXTURE_2D}), p = mostly(r, {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER, GL_TEXTURE_WRAP_S, GL_TEXTURE_MAX_LEVEL}); gl.TexParameteri(t, p, GLint(mostly(r, {GL_NEAREST, GL_LINEAR, GL_REPEAT, GL_CLAMP, 3}))); END
-  COMMAND(TexEnvi) const GLenum p = mostly(r, {GL_TEXTURE_ENV_MODE, GL_COMBINE_RGB, GL_SOURCE0_RGB, GL_RGB_SCALE}); gl.TexEnvi(GL_TEXTURE_ENV, p, GLint(mostly(r, {GL_MODULATE, GL_REPLACE, GL_DECAL, GL_TEXTURE, 1}))); END
+  COMMAND(TexEnvi) const GLenum p = mostly(r, {GL_TEXTURE_ENV_MODE, GL_COMBINE_RGB, GL_SOURCE0_RGB, GL_RGB_SCALE}); const GLint v = p == GL_RGB_SCALE ? small(r) : GLint(mostly_without(r, {GL_MODULATE, GL_REPLACE, GL_DECAL, GL_TEXTURE}, {GL_ZERO, GL_ONE})); gl.TexEnvi(GL_TEXTURE_ENV, p, v); END
   COMMAND(DeleteTextures) const GLuint names[3] = {GLuint(r.integer(0, 5)), GLuint(r.integer(0, 5)), 0}; gl.DeleteTextures(r.pick({-1, 0, 1, 3}), names); END
-  COMMAND(ActiveTexture) gl.ActiveTexture(mostly(r, {GL_TEXTURE0, GL_TEXTURE0, GL_TEXTURE7, GL_TEXTURE0 + 200})); END
+  COMMAND(ActiveTexture) gl.ActiveTexture(mostly_without(r, {GL_TEXTURE0, GL_TEXTURE0, GL_TEXTURE7, GL_TEXTURE0 + 200}, {GL_COMBINE, GL_COMBINE_RGB})); END
   COMMAND(EnableClientState) gl.EnableClientState(mostly(r, {GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_NORMAL_ARRAY})); END
   COMMAND(DisableClientState) gl.DisableClientState(mostly(r, {GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_NORMAL_ARRAY})); END
   COMMAND(VertexPointer) const GLint n = r.pick({1, 2, 3, 4, 5, -1}); const GLenum t = mostly(r, {GL_FLOAT, GL_SHORT, GL_DOUBLE}); gl.VertexPointer(n, t, r.pick({0, 0, 16, 40, -1}), somewhere(r)); END

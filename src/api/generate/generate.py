@@ -194,11 +194,11 @@ def default_return(returns):
 
 
 # Pointers that may be null: an offset into a buffer, an image without contents, or errors have to be found first.
-NULL_IS_FINE = re.compile(r"Pointer$|PointerEXT$|^(Draw|MultiDraw)|BufferData$|^Compressed|Tex(Sub)?Image|^(Bitmap|DrawPixels|ReadPixels)")
+NULL_IS_FINE = re.compile(r"Pointer$|PointerEXT$|^Draw|BufferData$|^Compressed|Tex(Sub)?Image|^(Bitmap|DrawPixels|ReadPixels)")
 
 
 def null_check(row, command):
-    """A null pointer where values are expected is no error that GL names: the door ignores the call."""
+    """A null pointer where values are expected is no error that GL names: the door ignores the call, unless its place is wrong."""
     if NULL_IS_FINE.search(row.name):
         return ""
     tests = []
@@ -226,7 +226,8 @@ def plain_door(row, door, command, export_name):
     lines = [f"{head} try {{\n", "  Context& c = *current_context;\n"]
     nulls = null_check(row, command)
     if nulls:
-        lines.append(f"  if ({nulls}) [[unlikely]] return{result};\n")
+        ignore = f"return{result}" if row.where == "in" else f"return ignore_call(c){',' if result else ''}{result}"
+        lines.append(f"  if ({nulls}) [[unlikely]] {ignore};\n")
     if prepare:
         lines.append("  if (c.guard & kNoContext) [[unlikely]] return" + result + ";\n")
         lines.append(prepare)

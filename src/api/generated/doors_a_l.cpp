@@ -43,7 +43,7 @@ SOFTGL_EXPORT void APIENTRY glAlphaFunc(GLenum func, GLfloat ref) try {
 }
 SOFTGL_EXPORT GLboolean APIENTRY glAreTexturesResident(GLsizei n, const GLuint* textures, GLboolean* residences) try {
   Context& c = *current_context;
-  if ((!textures && n > 0) || (!residences && n > 0)) [[unlikely]] return 0;
+  if ((!textures && n > 0) || (!residences && n > 0)) [[unlikely]] return ignore_call(c), 0;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
   return gl::AreTexturesResident(c, n, textures, residences);
 } catch (...) {
@@ -194,7 +194,7 @@ SOFTGL_EXPORT void APIENTRY glBufferDataARB(GLenum target, GLsizeiptr size, cons
 }
 SOFTGL_EXPORT void APIENTRY glBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, const void* data) try {
   Context& c = *current_context;
-  if ((!data && size > 0)) [[unlikely]] return;
+  if ((!data && size > 0)) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::BufferSubData(c, target, offset, size, data);
 } catch (...) {
@@ -202,7 +202,7 @@ SOFTGL_EXPORT void APIENTRY glBufferSubData(GLenum target, GLintptr offset, GLsi
 }
 SOFTGL_EXPORT void APIENTRY glBufferSubDataARB(GLenum target, GLintptr offset, GLsizeiptr size, const void* data) try {
   Context& c = *current_context;
-  if ((!data && size > 0)) [[unlikely]] return;
+  if ((!data && size > 0)) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::BufferSubData(c, target, offset, size, data);
 } catch (...) {
@@ -299,7 +299,7 @@ SOFTGL_EXPORT void APIENTRY glClientActiveTextureARB(GLenum texture) try {
 }
 SOFTGL_EXPORT void APIENTRY glClipPlane(GLenum plane, const GLdouble* equation) try {
   Context& c = *current_context;
-  if (!equation) [[unlikely]] return;
+  if (!equation) [[unlikely]] return ignore_call(c);
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_ClipPlane(c, plane, equation);
     if (!may_execute(c)) return;
@@ -535,7 +535,7 @@ SOFTGL_EXPORT void APIENTRY glCullFace(GLenum mode) try {
 }
 SOFTGL_EXPORT void APIENTRY glDeleteBuffers(GLsizei n, const GLuint* buffers) try {
   Context& c = *current_context;
-  if ((!buffers && n > 0)) [[unlikely]] return;
+  if ((!buffers && n > 0)) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::DeleteBuffers(c, n, buffers);
 } catch (...) {
@@ -543,7 +543,7 @@ SOFTGL_EXPORT void APIENTRY glDeleteBuffers(GLsizei n, const GLuint* buffers) tr
 }
 SOFTGL_EXPORT void APIENTRY glDeleteBuffersARB(GLsizei n, const GLuint* buffers) try {
   Context& c = *current_context;
-  if ((!buffers && n > 0)) [[unlikely]] return;
+  if ((!buffers && n > 0)) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::DeleteBuffers(c, n, buffers);
 } catch (...) {
@@ -560,7 +560,7 @@ SOFTGL_EXPORT void APIENTRY glDeleteQueries(GLsizei, const GLuint*) { unbuilt_co
 SOFTGL_EXPORT void APIENTRY glDeleteQueriesARB(GLsizei, const GLuint*) { unbuilt_command(); }
 SOFTGL_EXPORT void APIENTRY glDeleteTextures(GLsizei n, const GLuint* textures) try {
   Context& c = *current_context;
-  if ((!textures && n > 0)) [[unlikely]] return;
+  if ((!textures && n > 0)) [[unlikely]] return ignore_call(c);
   if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::DeleteTextures(c, n, textures);
 } catch (...) {
@@ -762,7 +762,7 @@ SOFTGL_EXPORT void APIENTRY glFogf(GLenum pname, GLfloat param) try {
 }
 SOFTGL_EXPORT void APIENTRY glFogfv(GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Fog(c, pname, params);
     if (!may_execute(c)) return;
@@ -786,7 +786,7 @@ SOFTGL_EXPORT void APIENTRY glFogi(GLenum pname, GLint param) try {
 }
 SOFTGL_EXPORT void APIENTRY glFogiv(GLenum pname, const GLint* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = vector_parameters(kCountOf_fog, pname, params);
   if (c.guard) [[unlikely]] {
@@ -819,7 +819,7 @@ SOFTGL_EXPORT void APIENTRY glFrustum(GLdouble left, GLdouble right, GLdouble bo
 }
 SOFTGL_EXPORT void APIENTRY glGenBuffers(GLsizei n, GLuint* buffers) try {
   Context& c = *current_context;
-  if ((!buffers && n > 0)) [[unlikely]] return;
+  if ((!buffers && n > 0)) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GenBuffers(c, n, buffers);
 } catch (...) {
@@ -827,7 +827,7 @@ SOFTGL_EXPORT void APIENTRY glGenBuffers(GLsizei n, GLuint* buffers) try {
 }
 SOFTGL_EXPORT void APIENTRY glGenBuffersARB(GLsizei n, GLuint* buffers) try {
   Context& c = *current_context;
-  if ((!buffers && n > 0)) [[unlikely]] return;
+  if ((!buffers && n > 0)) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GenBuffers(c, n, buffers);
 } catch (...) {
@@ -845,7 +845,7 @@ SOFTGL_EXPORT void APIENTRY glGenQueries(GLsizei, GLuint*) { unbuilt_command(); 
 SOFTGL_EXPORT void APIENTRY glGenQueriesARB(GLsizei, GLuint*) { unbuilt_command(); }
 SOFTGL_EXPORT void APIENTRY glGenTextures(GLsizei n, GLuint* textures) try {
   Context& c = *current_context;
-  if ((!textures && n > 0)) [[unlikely]] return;
+  if ((!textures && n > 0)) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GenTextures(c, n, textures);
 } catch (...) {
@@ -888,7 +888,7 @@ SOFTGL_EXPORT void APIENTRY glIndexPointerEXT(GLenum type, GLsizei stride, GLsiz
 SOFTGL_EXPORT void APIENTRY glInitNames() { unbuilt_command(); }
 SOFTGL_EXPORT void APIENTRY glInterleavedArrays(GLenum format, GLsizei stride, const void* pointer) try {
   Context& c = *current_context;
-  if (!pointer) [[unlikely]] return;
+  if (!pointer) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::InterleavedArrays(c, format, stride, pointer);
 } catch (...) {
@@ -909,7 +909,7 @@ SOFTGL_EXPORT void APIENTRY glLightModelf(GLenum pname, GLfloat param) try {
 }
 SOFTGL_EXPORT void APIENTRY glLightModelfv(GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_LightModel(c, pname, params);
     if (!may_execute(c)) return;
@@ -933,7 +933,7 @@ SOFTGL_EXPORT void APIENTRY glLightModeli(GLenum pname, GLint param) try {
 }
 SOFTGL_EXPORT void APIENTRY glLightModeliv(GLenum pname, const GLint* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = vector_parameters(kCountOf_light_model, pname, params);
   if (c.guard) [[unlikely]] {
@@ -959,7 +959,7 @@ SOFTGL_EXPORT void APIENTRY glLightf(GLenum light, GLenum pname, GLfloat param) 
 }
 SOFTGL_EXPORT void APIENTRY glLightfv(GLenum light, GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Light(c, light, pname, params);
     if (!may_execute(c)) return;
@@ -983,7 +983,7 @@ SOFTGL_EXPORT void APIENTRY glLighti(GLenum light, GLenum pname, GLint param) tr
 }
 SOFTGL_EXPORT void APIENTRY glLightiv(GLenum light, GLenum pname, const GLint* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = vector_parameters(kCountOf_light, pname, params);
   if (c.guard) [[unlikely]] {
@@ -1036,7 +1036,7 @@ SOFTGL_EXPORT void APIENTRY glLoadIdentity() try {
 }
 SOFTGL_EXPORT void APIENTRY glLoadMatrixd(const GLdouble* m) try {
   Context& c = *current_context;
-  if (!m) [[unlikely]] return;
+  if (!m) [[unlikely]] return ignore_call(c);
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = matrix_of(m);
   if (c.guard) [[unlikely]] {
@@ -1049,7 +1049,7 @@ SOFTGL_EXPORT void APIENTRY glLoadMatrixd(const GLdouble* m) try {
 }
 SOFTGL_EXPORT void APIENTRY glLoadMatrixf(const GLfloat* m) try {
   Context& c = *current_context;
-  if (!m) [[unlikely]] return;
+  if (!m) [[unlikely]] return ignore_call(c);
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_LoadMatrix(c, m);
     if (!may_execute(c)) return;
@@ -1061,7 +1061,7 @@ SOFTGL_EXPORT void APIENTRY glLoadMatrixf(const GLfloat* m) try {
 SOFTGL_EXPORT void APIENTRY glLoadName(GLuint) { unbuilt_command(); }
 SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixd(const GLdouble* m) try {
   Context& c = *current_context;
-  if (!m) [[unlikely]] return;
+  if (!m) [[unlikely]] return ignore_call(c);
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = transposed(m);
   if (c.guard) [[unlikely]] {
@@ -1074,7 +1074,7 @@ SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixd(const GLdouble* m) try {
 }
 SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixdARB(const GLdouble* m) try {
   Context& c = *current_context;
-  if (!m) [[unlikely]] return;
+  if (!m) [[unlikely]] return ignore_call(c);
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = transposed(m);
   if (c.guard) [[unlikely]] {
@@ -1087,7 +1087,7 @@ SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixdARB(const GLdouble* m) try {
 }
 SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixf(const GLfloat* m) try {
   Context& c = *current_context;
-  if (!m) [[unlikely]] return;
+  if (!m) [[unlikely]] return ignore_call(c);
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = transposed(m);
   if (c.guard) [[unlikely]] {
@@ -1100,7 +1100,7 @@ SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixf(const GLfloat* m) try {
 }
 SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixfARB(const GLfloat* m) try {
   Context& c = *current_context;
-  if (!m) [[unlikely]] return;
+  if (!m) [[unlikely]] return ignore_call(c);
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = transposed(m);
   if (c.guard) [[unlikely]] {

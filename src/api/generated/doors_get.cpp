@@ -12,7 +12,7 @@ extern "C" {
 
 SOFTGL_EXPORT void APIENTRY glGetBooleanv(GLenum pname, GLboolean* data) try {
   Context& c = *current_context;
-  if (!data) [[unlikely]] return;
+  if (!data) [[unlikely]] return ignore_call(c);
   if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetBooleanv(c, pname, data);
 } catch (...) {
@@ -20,7 +20,7 @@ SOFTGL_EXPORT void APIENTRY glGetBooleanv(GLenum pname, GLboolean* data) try {
 }
 SOFTGL_EXPORT void APIENTRY glGetBufferParameteriv(GLenum target, GLenum pname, GLint* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetBufferParameteriv(c, target, pname, params);
 } catch (...) {
@@ -28,7 +28,7 @@ SOFTGL_EXPORT void APIENTRY glGetBufferParameteriv(GLenum target, GLenum pname, 
 }
 SOFTGL_EXPORT void APIENTRY glGetBufferParameterivARB(GLenum target, GLenum pname, GLint* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetBufferParameteriv(c, target, pname, params);
 } catch (...) {
@@ -36,7 +36,7 @@ SOFTGL_EXPORT void APIENTRY glGetBufferParameterivARB(GLenum target, GLenum pnam
 }
 SOFTGL_EXPORT void APIENTRY glGetBufferPointerv(GLenum target, GLenum pname, void** params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetBufferPointerv(c, target, pname, params);
 } catch (...) {
@@ -44,7 +44,7 @@ SOFTGL_EXPORT void APIENTRY glGetBufferPointerv(GLenum target, GLenum pname, voi
 }
 SOFTGL_EXPORT void APIENTRY glGetBufferPointervARB(GLenum target, GLenum pname, void** params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetBufferPointerv(c, target, pname, params);
 } catch (...) {
@@ -52,7 +52,7 @@ SOFTGL_EXPORT void APIENTRY glGetBufferPointervARB(GLenum target, GLenum pname, 
 }
 SOFTGL_EXPORT void APIENTRY glGetBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, void* data) try {
   Context& c = *current_context;
-  if ((!data && size > 0)) [[unlikely]] return;
+  if ((!data && size > 0)) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetBufferSubData(c, target, offset, size, data);
 } catch (...) {
@@ -60,7 +60,7 @@ SOFTGL_EXPORT void APIENTRY glGetBufferSubData(GLenum target, GLintptr offset, G
 }
 SOFTGL_EXPORT void APIENTRY glGetBufferSubDataARB(GLenum target, GLintptr offset, GLsizeiptr size, void* data) try {
   Context& c = *current_context;
-  if ((!data && size > 0)) [[unlikely]] return;
+  if ((!data && size > 0)) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetBufferSubData(c, target, offset, size, data);
 } catch (...) {
@@ -68,7 +68,7 @@ SOFTGL_EXPORT void APIENTRY glGetBufferSubDataARB(GLenum target, GLintptr offset
 }
 SOFTGL_EXPORT void APIENTRY glGetClipPlane(GLenum plane, GLdouble* equation) try {
   Context& c = *current_context;
-  if (!equation) [[unlikely]] return;
+  if (!equation) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetClipPlane(c, plane, equation);
 } catch (...) {
@@ -90,7 +90,7 @@ SOFTGL_EXPORT void APIENTRY glGetCompressedTexImageARB(GLenum target, GLint leve
 }
 SOFTGL_EXPORT void APIENTRY glGetDoublev(GLenum pname, GLdouble* data) try {
   Context& c = *current_context;
-  if (!data) [[unlikely]] return;
+  if (!data) [[unlikely]] return ignore_call(c);
   if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetDoublev(c, pname, data);
 } catch (...) {
@@ -106,7 +106,7 @@ SOFTGL_EXPORT GLenum APIENTRY glGetError() try {
 }
 SOFTGL_EXPORT void APIENTRY glGetFloatv(GLenum pname, GLfloat* data) try {
   Context& c = *current_context;
-  if (!data) [[unlikely]] return;
+  if (!data) [[unlikely]] return ignore_call(c);
   if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetFloatv(c, pname, data);
 } catch (...) {
@@ -114,7 +114,7 @@ SOFTGL_EXPORT void APIENTRY glGetFloatv(GLenum pname, GLfloat* data) try {
 }
 SOFTGL_EXPORT void APIENTRY glGetIntegerv(GLenum pname, GLint* data) try {
   Context& c = *current_context;
-  if (!data) [[unlikely]] return;
+  if (!data) [[unlikely]] return ignore_call(c);
   if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetIntegerv(c, pname, data);
 } catch (...) {
@@ -122,7 +122,7 @@ SOFTGL_EXPORT void APIENTRY glGetIntegerv(GLenum pname, GLint* data) try {
 }
 SOFTGL_EXPORT void APIENTRY glGetLightfv(GLenum light, GLenum pname, GLfloat* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetLightfv(c, light, pname, params);
 } catch (...) {
@@ -130,7 +130,7 @@ SOFTGL_EXPORT void APIENTRY glGetLightfv(GLenum light, GLenum pname, GLfloat* pa
 }
 SOFTGL_EXPORT void APIENTRY glGetLightiv(GLenum light, GLenum pname, GLint* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetLightiv(c, light, pname, params);
 } catch (...) {
@@ -141,7 +141,7 @@ SOFTGL_EXPORT void APIENTRY glGetMapfv(GLenum, GLenum, GLfloat*) { unbuilt_comma
 SOFTGL_EXPORT void APIENTRY glGetMapiv(GLenum, GLenum, GLint*) { unbuilt_command(); }
 SOFTGL_EXPORT void APIENTRY glGetMaterialfv(GLenum face, GLenum pname, GLfloat* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetMaterialfv(c, face, pname, params);
 } catch (...) {
@@ -149,7 +149,7 @@ SOFTGL_EXPORT void APIENTRY glGetMaterialfv(GLenum face, GLenum pname, GLfloat* 
 }
 SOFTGL_EXPORT void APIENTRY glGetMaterialiv(GLenum face, GLenum pname, GLint* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetMaterialiv(c, face, pname, params);
 } catch (...) {
@@ -160,7 +160,7 @@ SOFTGL_EXPORT void APIENTRY glGetPixelMapuiv(GLenum, GLuint*) { unbuilt_command(
 SOFTGL_EXPORT void APIENTRY glGetPixelMapusv(GLenum, GLushort*) { unbuilt_command(); }
 SOFTGL_EXPORT void APIENTRY glGetPointerv(GLenum pname, void** params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetPointerv(c, pname, params);
 } catch (...) {
@@ -168,7 +168,7 @@ SOFTGL_EXPORT void APIENTRY glGetPointerv(GLenum pname, void** params) try {
 }
 SOFTGL_EXPORT void APIENTRY glGetPointervEXT(GLenum pname, void** params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetPointerv(c, pname, params);
 } catch (...) {
@@ -176,7 +176,7 @@ SOFTGL_EXPORT void APIENTRY glGetPointervEXT(GLenum pname, void** params) try {
 }
 SOFTGL_EXPORT void APIENTRY glGetPolygonStipple(GLubyte* mask) try {
   Context& c = *current_context;
-  if (!mask) [[unlikely]] return;
+  if (!mask) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetPolygonStipple(c, mask);
 } catch (...) {
@@ -198,7 +198,7 @@ SOFTGL_EXPORT const GLubyte* APIENTRY glGetString(GLenum name) try {
 }
 SOFTGL_EXPORT void APIENTRY glGetTexEnvfv(GLenum target, GLenum pname, GLfloat* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetTexEnvfv(c, target, pname, params);
 } catch (...) {
@@ -206,7 +206,7 @@ SOFTGL_EXPORT void APIENTRY glGetTexEnvfv(GLenum target, GLenum pname, GLfloat* 
 }
 SOFTGL_EXPORT void APIENTRY glGetTexEnviv(GLenum target, GLenum pname, GLint* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetTexEnviv(c, target, pname, params);
 } catch (...) {
@@ -214,7 +214,7 @@ SOFTGL_EXPORT void APIENTRY glGetTexEnviv(GLenum target, GLenum pname, GLint* pa
 }
 SOFTGL_EXPORT void APIENTRY glGetTexGendv(GLenum coord, GLenum pname, GLdouble* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetTexGendv(c, coord, pname, params);
 } catch (...) {
@@ -222,7 +222,7 @@ SOFTGL_EXPORT void APIENTRY glGetTexGendv(GLenum coord, GLenum pname, GLdouble* 
 }
 SOFTGL_EXPORT void APIENTRY glGetTexGenfv(GLenum coord, GLenum pname, GLfloat* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetTexGenfv(c, coord, pname, params);
 } catch (...) {
@@ -230,7 +230,7 @@ SOFTGL_EXPORT void APIENTRY glGetTexGenfv(GLenum coord, GLenum pname, GLfloat* p
 }
 SOFTGL_EXPORT void APIENTRY glGetTexGeniv(GLenum coord, GLenum pname, GLint* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetTexGeniv(c, coord, pname, params);
 } catch (...) {
@@ -245,7 +245,7 @@ SOFTGL_EXPORT void APIENTRY glGetTexImage(GLenum target, GLint level, GLenum for
 }
 SOFTGL_EXPORT void APIENTRY glGetTexLevelParameterfv(GLenum target, GLint level, GLenum pname, GLfloat* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetTexLevelParameterfv(c, target, level, pname, params);
 } catch (...) {
@@ -253,7 +253,7 @@ SOFTGL_EXPORT void APIENTRY glGetTexLevelParameterfv(GLenum target, GLint level,
 }
 SOFTGL_EXPORT void APIENTRY glGetTexLevelParameteriv(GLenum target, GLint level, GLenum pname, GLint* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetTexLevelParameteriv(c, target, level, pname, params);
 } catch (...) {
@@ -261,7 +261,7 @@ SOFTGL_EXPORT void APIENTRY glGetTexLevelParameteriv(GLenum target, GLint level,
 }
 SOFTGL_EXPORT void APIENTRY glGetTexParameterfv(GLenum target, GLenum pname, GLfloat* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetTexParameterfv(c, target, pname, params);
 } catch (...) {
@@ -269,7 +269,7 @@ SOFTGL_EXPORT void APIENTRY glGetTexParameterfv(GLenum target, GLenum pname, GLf
 }
 SOFTGL_EXPORT void APIENTRY glGetTexParameteriv(GLenum target, GLenum pname, GLint* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetTexParameteriv(c, target, pname, params);
 } catch (...) {

@@ -85,7 +85,7 @@ SOFTGL_EXPORT void APIENTRY glMatrixMode(GLenum mode) try {
 }
 SOFTGL_EXPORT void APIENTRY glMultMatrixd(const GLdouble* m) try {
   Context& c = *current_context;
-  if (!m) [[unlikely]] return;
+  if (!m) [[unlikely]] return ignore_call(c);
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = matrix_of(m);
   if (c.guard) [[unlikely]] {
@@ -98,7 +98,7 @@ SOFTGL_EXPORT void APIENTRY glMultMatrixd(const GLdouble* m) try {
 }
 SOFTGL_EXPORT void APIENTRY glMultMatrixf(const GLfloat* m) try {
   Context& c = *current_context;
-  if (!m) [[unlikely]] return;
+  if (!m) [[unlikely]] return ignore_call(c);
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_MultMatrix(c, m);
     if (!may_execute(c)) return;
@@ -109,7 +109,7 @@ SOFTGL_EXPORT void APIENTRY glMultMatrixf(const GLfloat* m) try {
 }
 SOFTGL_EXPORT void APIENTRY glMultTransposeMatrixd(const GLdouble* m) try {
   Context& c = *current_context;
-  if (!m) [[unlikely]] return;
+  if (!m) [[unlikely]] return ignore_call(c);
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = transposed(m);
   if (c.guard) [[unlikely]] {
@@ -122,7 +122,7 @@ SOFTGL_EXPORT void APIENTRY glMultTransposeMatrixd(const GLdouble* m) try {
 }
 SOFTGL_EXPORT void APIENTRY glMultTransposeMatrixdARB(const GLdouble* m) try {
   Context& c = *current_context;
-  if (!m) [[unlikely]] return;
+  if (!m) [[unlikely]] return ignore_call(c);
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = transposed(m);
   if (c.guard) [[unlikely]] {
@@ -135,7 +135,7 @@ SOFTGL_EXPORT void APIENTRY glMultTransposeMatrixdARB(const GLdouble* m) try {
 }
 SOFTGL_EXPORT void APIENTRY glMultTransposeMatrixf(const GLfloat* m) try {
   Context& c = *current_context;
-  if (!m) [[unlikely]] return;
+  if (!m) [[unlikely]] return ignore_call(c);
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = transposed(m);
   if (c.guard) [[unlikely]] {
@@ -148,7 +148,7 @@ SOFTGL_EXPORT void APIENTRY glMultTransposeMatrixf(const GLfloat* m) try {
 }
 SOFTGL_EXPORT void APIENTRY glMultTransposeMatrixfARB(const GLfloat* m) try {
   Context& c = *current_context;
-  if (!m) [[unlikely]] return;
+  if (!m) [[unlikely]] return ignore_call(c);
   if (c.guard & kNoContext) [[unlikely]] return;
   const Matrix16 values = transposed(m);
   if (c.guard) [[unlikely]] {
@@ -161,6 +161,7 @@ SOFTGL_EXPORT void APIENTRY glMultTransposeMatrixfARB(const GLfloat* m) try {
 }
 SOFTGL_EXPORT void APIENTRY glMultiDrawArrays(GLenum mode, const GLint* first, const GLsizei* count, GLsizei drawcount) try {
   Context& c = *current_context;
+  if ((!first && drawcount > 0) || (!count && drawcount > 0)) [[unlikely]] return ignore_call(c);
   if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;
   gl::MultiDrawArrays(c, mode, first, count, drawcount);
 } catch (...) {
@@ -168,6 +169,7 @@ SOFTGL_EXPORT void APIENTRY glMultiDrawArrays(GLenum mode, const GLint* first, c
 }
 SOFTGL_EXPORT void APIENTRY glMultiDrawArraysEXT(GLenum mode, const GLint* first, const GLsizei* count, GLsizei drawcount) try {
   Context& c = *current_context;
+  if ((!first && drawcount > 0) || (!count && drawcount > 0)) [[unlikely]] return ignore_call(c);
   if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;
   gl::MultiDrawArrays(c, mode, first, count, drawcount);
 } catch (...) {
@@ -175,6 +177,7 @@ SOFTGL_EXPORT void APIENTRY glMultiDrawArraysEXT(GLenum mode, const GLint* first
 }
 SOFTGL_EXPORT void APIENTRY glMultiDrawElements(GLenum mode, const GLsizei* count, GLenum type, const void*const* indices, GLsizei drawcount) try {
   Context& c = *current_context;
+  if ((!count && drawcount > 0) || (!indices && drawcount > 0)) [[unlikely]] return ignore_call(c);
   if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;
   gl::MultiDrawElements(c, mode, count, type, indices, drawcount);
 } catch (...) {
@@ -182,6 +185,7 @@ SOFTGL_EXPORT void APIENTRY glMultiDrawElements(GLenum mode, const GLsizei* coun
 }
 SOFTGL_EXPORT void APIENTRY glMultiDrawElementsEXT(GLenum mode, const GLsizei* count, GLenum type, const void*const* indices, GLsizei drawcount) try {
   Context& c = *current_context;
+  if ((!count && drawcount > 0) || (!indices && drawcount > 0)) [[unlikely]] return ignore_call(c);
   if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;
   gl::MultiDrawElements(c, mode, count, type, indices, drawcount);
 } catch (...) {
@@ -307,7 +311,7 @@ SOFTGL_EXPORT void APIENTRY glPointParameterfEXT(GLenum pname, GLfloat param) tr
 }
 SOFTGL_EXPORT void APIENTRY glPointParameterfv(GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PointParameter(c, pname, params);
     if (!may_execute(c)) return;
@@ -318,7 +322,7 @@ SOFTGL_EXPORT void APIENTRY glPointParameterfv(GLenum pname, const GLfloat* para
 }
 SOFTGL_EXPORT void APIENTRY glPointParameterfvARB(GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PointParameter(c, pname, params);
     if (!may_execute(c)) return;
@@ -329,7 +333,7 @@ SOFTGL_EXPORT void APIENTRY glPointParameterfvARB(GLenum pname, const GLfloat* p
 }
 SOFTGL_EXPORT void APIENTRY glPointParameterfvEXT(GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PointParameter(c, pname, params);
     if (!may_execute(c)) return;
@@ -353,7 +357,7 @@ SOFTGL_EXPORT void APIENTRY glPointParameteri(GLenum pname, GLint param) try {
 }
 SOFTGL_EXPORT void APIENTRY glPointParameteriv(GLenum pname, const GLint* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = vector_parameters(kCountOf_point, pname, params);
   if (c.guard) [[unlikely]] {
@@ -396,7 +400,7 @@ SOFTGL_EXPORT void APIENTRY glPolygonOffset(GLfloat factor, GLfloat units) try {
 }
 SOFTGL_EXPORT void APIENTRY glPolygonStipple(const GLubyte* mask) try {
   Context& c = *current_context;
-  if (!mask) [[unlikely]] return;
+  if (!mask) [[unlikely]] return ignore_call(c);
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PolygonStipple(c, mask);
     if (!may_execute(c)) return;
@@ -435,7 +439,7 @@ SOFTGL_EXPORT void APIENTRY glPopMatrix() try {
 SOFTGL_EXPORT void APIENTRY glPopName() { unbuilt_command(); }
 SOFTGL_EXPORT void APIENTRY glPrioritizeTextures(GLsizei n, const GLuint* textures, const GLfloat* priorities) try {
   Context& c = *current_context;
-  if ((!textures && n > 0) || (!priorities && n > 0)) [[unlikely]] return;
+  if ((!textures && n > 0) || (!priorities && n > 0)) [[unlikely]] return ignore_call(c);
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PrioritizeTextures(c, n, textures, priorities);
     if (!may_execute(c)) return;
@@ -446,7 +450,7 @@ SOFTGL_EXPORT void APIENTRY glPrioritizeTextures(GLsizei n, const GLuint* textur
 }
 SOFTGL_EXPORT void APIENTRY glPrioritizeTexturesEXT(GLsizei n, const GLuint* textures, const GLfloat* priorities) try {
   Context& c = *current_context;
-  if ((!textures && n > 0) || (!priorities && n > 0)) [[unlikely]] return;
+  if ((!textures && n > 0) || (!priorities && n > 0)) [[unlikely]] return ignore_call(c);
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PrioritizeTextures(c, n, textures, priorities);
     if (!may_execute(c)) return;
@@ -536,7 +540,7 @@ SOFTGL_EXPORT void APIENTRY glRectd(GLdouble x1, GLdouble y1, GLdouble x2, GLdou
 }
 SOFTGL_EXPORT void APIENTRY glRectdv(const GLdouble* v1, const GLdouble* v2) try {
   Context& c = *current_context;
-  if (!v1 || !v2) [[unlikely]] return;
+  if (!v1 || !v2) [[unlikely]] return ignore_call(c);
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Rect(c, float(v1[0]), float(v1[1]), float(v2[0]), float(v2[1]));
     if (!may_execute(c)) return;
@@ -557,7 +561,7 @@ SOFTGL_EXPORT void APIENTRY glRectf(GLfloat x1, GLfloat y1, GLfloat x2, GLfloat 
 }
 SOFTGL_EXPORT void APIENTRY glRectfv(const GLfloat* v1, const GLfloat* v2) try {
   Context& c = *current_context;
-  if (!v1 || !v2) [[unlikely]] return;
+  if (!v1 || !v2) [[unlikely]] return ignore_call(c);
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Rect(c, v1[0], v1[1], v2[0], v2[1]);
     if (!may_execute(c)) return;
@@ -578,7 +582,7 @@ SOFTGL_EXPORT void APIENTRY glRecti(GLint x1, GLint y1, GLint x2, GLint y2) try 
 }
 SOFTGL_EXPORT void APIENTRY glRectiv(const GLint* v1, const GLint* v2) try {
   Context& c = *current_context;
-  if (!v1 || !v2) [[unlikely]] return;
+  if (!v1 || !v2) [[unlikely]] return ignore_call(c);
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Rect(c, float(v1[0]), float(v1[1]), float(v2[0]), float(v2[1]));
     if (!may_execute(c)) return;
@@ -599,7 +603,7 @@ SOFTGL_EXPORT void APIENTRY glRects(GLshort x1, GLshort y1, GLshort x2, GLshort 
 }
 SOFTGL_EXPORT void APIENTRY glRectsv(const GLshort* v1, const GLshort* v2) try {
   Context& c = *current_context;
-  if (!v1 || !v2) [[unlikely]] return;
+  if (!v1 || !v2) [[unlikely]] return ignore_call(c);
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_Rect(c, float(v1[0]), float(v1[1]), float(v2[0]), float(v2[1]));
     if (!may_execute(c)) return;
@@ -763,7 +767,7 @@ SOFTGL_EXPORT void APIENTRY glTexEnvf(GLenum target, GLenum pname, GLfloat param
 }
 SOFTGL_EXPORT void APIENTRY glTexEnvfv(GLenum target, GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_TexEnv(c, target, pname, params);
     if (!may_execute(c)) return;
@@ -787,7 +791,7 @@ SOFTGL_EXPORT void APIENTRY glTexEnvi(GLenum target, GLenum pname, GLint param) 
 }
 SOFTGL_EXPORT void APIENTRY glTexEnviv(GLenum target, GLenum pname, const GLint* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = vector_parameters(kCountOf_texture_environment, pname, params);
   if (c.guard) [[unlikely]] {
@@ -813,7 +817,7 @@ SOFTGL_EXPORT void APIENTRY glTexGend(GLenum coord, GLenum pname, GLdouble param
 }
 SOFTGL_EXPORT void APIENTRY glTexGendv(GLenum coord, GLenum pname, const GLdouble* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = vector_parameters(kCountOf_texture_generation, pname, params);
   if (c.guard) [[unlikely]] {
@@ -839,7 +843,7 @@ SOFTGL_EXPORT void APIENTRY glTexGenf(GLenum coord, GLenum pname, GLfloat param)
 }
 SOFTGL_EXPORT void APIENTRY glTexGenfv(GLenum coord, GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_TexGen(c, coord, pname, params);
     if (!may_execute(c)) return;
@@ -863,7 +867,7 @@ SOFTGL_EXPORT void APIENTRY glTexGeni(GLenum coord, GLenum pname, GLint param) t
 }
 SOFTGL_EXPORT void APIENTRY glTexGeniv(GLenum coord, GLenum pname, const GLint* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = vector_parameters(kCountOf_texture_generation, pname, params);
   if (c.guard) [[unlikely]] {
@@ -929,7 +933,7 @@ SOFTGL_EXPORT void APIENTRY glTexParameterf(GLenum target, GLenum pname, GLfloat
 }
 SOFTGL_EXPORT void APIENTRY glTexParameterfv(GLenum target, GLenum pname, const GLfloat* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_TexParameter(c, target, pname, params);
     if (!may_execute(c)) return;
@@ -953,7 +957,7 @@ SOFTGL_EXPORT void APIENTRY glTexParameteri(GLenum target, GLenum pname, GLint p
 }
 SOFTGL_EXPORT void APIENTRY glTexParameteriv(GLenum target, GLenum pname, const GLint* params) try {
   Context& c = *current_context;
-  if (!params) [[unlikely]] return;
+  if (!params) [[unlikely]] return ignore_call(c);
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = vector_parameters(kCountOf_texture, pname, params);
   if (c.guard) [[unlikely]] {
