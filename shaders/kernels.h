@@ -12,7 +12,7 @@ namespace softgl {
 
 struct RasterDraw;      // raster_draw.h
 struct RasterPrimitive;
-struct SmallFragment;
+struct SmallFragments;
 struct TileTarget;
 struct TriangleInput;   // raster_triangles.h
 struct TriangleOutput;
@@ -30,11 +30,11 @@ struct RasterKernels {
   /// Culls and classifies a batch and shades the fragments of its small triangles.
   void (*prepare_triangles)(const RasterDraw& draw, const TriangleInput& in, TriangleOutput& out, FragmentBlock& scratch);
   /// Sets up the large triangles of a prepared batch into *record[i].
-  void (*setup_triangles)(const RasterDraw& draw, const TriangleOutput& batch, RasterPrimitive* const* record);
+  void (*setup_triangles)(const RasterDraw& draw, const TriangleInput& in, const TriangleOutput& batch, RasterPrimitive* const* record);
   /// Draws primitives, or merges finished fragments, into one tile in order.
   void (*tile_primitives)(const TileTarget& tile, const RasterDraw& draw, const RasterPrimitive* const* primitive,
                           int32_t count, FragmentBlock& scratch);
-  void (*tile_fragments)(const TileTarget& tile, const RasterDraw& draw, const SmallFragment* fragment, int32_t count);
+  void (*tile_fragments)(const TileTarget& tile, const RasterDraw& draw, const SmallFragments& fragments, int32_t count);
   // Stages of fragment programs.
   FragmentStage color_sum, fog_linear, fog_exp, fog_exp2;
   FragmentStage alpha_test_8, alpha_test_float; // `unit` is the comparison

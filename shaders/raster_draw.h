@@ -58,11 +58,11 @@ struct alignas(16) RasterPrimitive {
   Plane plane[];         // plane_count of them
 };
 
-/// A finished fragment of a small triangle.
-struct SmallFragment {
-  uint32_t pixel; // pixel_in_tile
-  uint32_t depth; // in the depth buffer's integers
-  uint32_t color; // RGBA8
+/// Finished fragments of small triangles.
+struct SmallFragments {
+  uint16_t* pixel; // pixel_in_tile
+  uint32_t* depth; // in the depth buffer's integers
+  uint32_t* color; // RGBA8
 };
 
 /// The planes of one tile.

@@ -1,76 +1,231 @@
-// Small triangles: shading with lane = fragment, planes in registers.
+// Small triangles: finished fragments.
 #pragma once
 
 #include "fragment_interpolate.inl"
+#include "raster_classify.inl"
 
 namespace softgl {
 namespace SOFTGL_ISA {
 
-/// Shades fragments [0, out.fragment_count) that classify_triangles found.
-static void shade_small(const RasterDraw& draw, const TriangleInput& in, TriangleOutput& out, FragmentBlock& block) {
-  const FragmentProgram& program = *draw.program;
-  const RasterConstants& r = *draw.raster;
-  const FragmentKey& key = program.key;
-  const float scale = depth_scale(key);
-  const int32_t count = out.fragment_count;
-  for (int i = 0; i < kWidth; ++i) { // the last vector is filled up with copies of the first fragment
-    out.x[count + i] = out.x[0], out.y[count + i] = out.y[0];
-    out.triangle[count + i] = out.triangle[0];
+/// The planes of one of kWidth triangles, in all lanes.
+struct TrianglePlanes {
+  const StoredPlanes& stored;
+  int triangle;
+
+  SOFTGL_MEMBER PlaneV at(int index) const {
+    const auto& p = stored.plane[index];
+    return {splat(p[0][triangle]), splat(p[1][triangle]), splat(p[2][triangle])};
   }
-  for (int32_t first = 0; first < count; first += kLanes) {
-    const int lanes = count - first < kLanes ? count - first : kLanes;
-    for (int j = 0; j < lanes; j += kWidth) {
-      const int32_t f = first + j;
-      CornerPlaces c;
-      find_corners(out, out.triangle + f, c);
-      FloatV p[3][4], a[3][4];
-      load_slot(c, 0, 0, p);
-      const IntV px = load(out.x + f), py = load(out.y + f);
-      const FloatV x = to_float(px), y = to_float(py);
-      store(out.tile + f, multiply(py >> 6, splat(in.tiles_x)) + (px >> 6));
-      store(out.pixel + f, ((py & 56) << 6) | ((px & 56) << 3) | ((py & 7) << 3) | (px & 7));
-      const PlaneBasis basis = plane_basis(p[0], p[1], p[2]);
-      FloatV z = value_at(plane_of(basis, p[0][2], p[1][2], p[2][2]), x, y);
-      z += r.offset ? depth_offset(basis, p[0][2], p[1][2], p[2][2], r) : FloatV{};
-      store(out.depth + f, depth_bits(z, scale));
-      const FloatV w0 = p[0][3], w1 = p[1][3], w2 = p[2][3];
-      const FloatV w = splat(1.0f) / value_at(plane_of(basis, w0, w1, w2), x, y);
-      auto perspective = [&](FloatV a0, FloatV a1, FloatV a2) { return value_at(plane_of(basis, a0 * w0, a1 * w1, a2 * w2), x, y) * w; };
-      for (int i = 0; i < draw.varying_count; ++i) {
-        const Varying& v = draw.varying[i];
-        load_slot(c, v.slot, v.back_slot, a);
-        FloatV value[4];
-        for (int k = 0; k < v.components; ++k) {
-          const int channel = v.first + k;
-          value[k] = v.flat ? a[2][channel] : perspective(a[0][channel], a[1][channel], a[2][channel]);
-        }
-        if (program.step_count == 0) store(out.color + f, pack_color(value[0], value[1], value[2], value[3]));
-        else for (int k = 0; k < v.components; ++k) store(lanes_of(block, v, k) + j, value[k]);
-      }
-      if (program.step_count == 0) continue;
-      for (int u = 0; u < kBlockTextureUnits; ++u) {
-        if (draw.unit_plane[u] < 0) continue;
-        load_slot(c, draw.layout.texcoord[u], draw.layout.texcoord[u], a);
-        PlaneV q[4];
-        for (int k = 0; k < 4; ++k) q[k] = plane_of(basis, a[0][k] * w0, a[1][k] * w1, a[2][k] * w2);
-        interpolate_unit(block.unit[u], j, coordinates_read(program, u), plane_of(basis, w0, w1, w2), q, load(out.x + f), load(out.y + f));
-      }
-      store(block.x + j, load(out.x + f));
-      store(block.y + j, load(out.y + f));
-      store(block.depth + j, load(out.depth + f));
-    }
-    if (program.step_count == 0) continue;
-    block.lanes = (lanes + kStripLanes - 1) & ~(kStripLanes - 1);
-    for (int j = 0; j < kLanes; ++j) block.live[j] = j < lanes ? ~uint32_t(0) : 0;
-    // Lanes past the last fragment hold values of an earlier block or copies: finite, as far as those are.
-    if (program.keeps_primary) memcpy(block.primary, block.color, sizeof block.primary);
-    for (int i = 0; i < program.step_count; ++i) program.step[i].stage(block, *program.constants, program.step[i].unit);
-    for (int j = 0; j < lanes; j += kWidth) {
-      store(out.color + first + j, pack_color(load(block.color[0] + j), load(block.color[1] + j), load(block.color[2] + j), load(block.color[3] + j)));
-      store(out.live + first + j, load(block.live + j));
-    }
-  }
+  SOFTGL_MEMBER PlaneV z() const { return at(kPlaneZ); }
+  SOFTGL_MEMBER PlaneV w() const { return at(kPlaneW); }
+  SOFTGL_MEMBER FloatV offset(const RasterConstants&) const { return splat(stored.offset[triangle]); }
+  SOFTGL_MEMBER void select(const Varying&) {}
+  SOFTGL_MEMBER PlaneV plane(const Varying& v, int component) const { return at(v.plane + component); }
+};
+
+/// Where the set bits of a byte are, in order, and how many there are.
+struct BitPlaces {
+  uint8_t place[256][8], count[256];
+};
+static constexpr BitPlaces make_bit_places() {
+  BitPlaces t{};
+  for (int byte = 0; byte < 256; ++byte)
+    for (int bit = 0; bit < 8; ++bit)
+      if (byte >> bit & 1) t.place[byte][t.count[byte]++] = uint8_t(bit);
+  return t;
 }
+static constexpr BitPlaces kBitPlaces = make_bit_places();
+
+/// The numbers of the set bits to `place`, which has room for 8 more; gives how many there are.
+SOFTGL_INLINE int places_of(uint64_t mask, uint8_t* place) {
+  int n = 0;
+  for (uint64_t row = 0; mask; mask >>= 8, row += 0x0808080808080808u) {
+    uint64_t columns;
+    memcpy(&columns, kBitPlaces.place[mask & 255], 8);
+    columns += row;
+    memcpy(place + n, &columns, 8);
+    n += kBitPlaces.count[mask & 255];
+  }
+  return n;
+}
+
+namespace { // so that no member is visible outside
+
+/// Shades the small triangles of a batch into finished fragments; Staged: with stages of the program.
+template <bool Staged> class SmallShader {
+public:
+  SmallShader(const RasterDraw& draw, const TriangleInput& in, TriangleOutput& out, FragmentBlock& block)
+      : draw_(draw), in_(in), out_(out), block_(block), program_(*draw.program), scale_(depth_scale(draw.program->key)) {}
+
+  void run() {
+    int covered = 0;
+    for (uint64_t bits = out_.small; bits; bits &= bits - 1) covered += __builtin_popcountll(pixels_of(__builtin_ctzll(bits)));
+    if (covered >= kDenseBelow * __builtin_popcountll(out_.small)) by_triangle();
+    else by_fragment();
+    if (Staged) finish_block(end_);
+    out_.fragment_count = end_;
+    out_.run[out_.run_count].first = end_;
+  }
+
+private:
+  // With fewer fragments a triangle all lanes are filled with fragments of several and the planes made for each; with
+  // more the planes are made once.
+  static constexpr int kDenseBelow = 3;
+
+  SOFTGL_MEMBER uint64_t pixels_of(int t) const { return uint64_t(out_.rows4to7[t]) << 32 | out_.rows0to3[t]; }
+
+  /// Begins a run unless the last one goes on.
+  SOFTGL_MEMBER void begin_run(uint32_t tile, int t) {
+    const uint64_t large_before = out_.large & ((uint64_t(1) << t) - 1);
+    if (out_.run_count && tile == last_tile_ && large_before == last_large_) return;
+    out_.run[out_.run_count++] = {tile, end_, uint8_t(t)};
+    last_tile_ = tile, last_large_ = large_before;
+  }
+
+  /// Calls visit(pixels) for the pixels of small triangle t in each tile, with their run begun.
+  template <class Visit> SOFTGL_MEMBER void each_tile(int t, Visit&& visit) {
+    const uint32_t position = out_.position[t], x = position & 63, y = position >> 16 & 63;
+    const uint32_t tile = out_.tile[t];
+    const uint64_t pixels = pixels_of(t);
+    if (x <= 64 - kSmallBox && y <= 64 - kSmallBox) {
+      begin_run(tile, t);
+      return visit(pixels);
+    }
+    const uint64_t left = x <= 56 ? ~uint64_t(0) : (0xffu >> (x - 56)) * 0x0101010101010101u;
+    const uint64_t upper = y <= 56 ? ~uint64_t(0) : ~uint64_t(0) >> (8 * (y - 56));
+    const uint64_t part[4] = {pixels & left & upper, pixels & ~left & upper, pixels & left & ~upper, pixels & ~left & ~upper};
+    const uint32_t next_row = tile + uint32_t(in_.tiles_x), number[4] = {tile, tile + 1, next_row, next_row + 1};
+    for (int k = 0; k < 4; ++k) {
+      if (!part[k]) continue;
+      begin_run(number[k], t);
+      visit(part[k]);
+    }
+  }
+
+  /// Fragments of one triangle in all lanes.
+  void by_triangle() {
+    for (uint64_t left = out_.small; left;) {
+      uint8_t triangle[kWidth];
+      int lanes = 0;
+      for (; left && lanes < kWidth; left &= left - 1) triangle[lanes++] = uint8_t(__builtin_ctzll(left));
+      for (int i = lanes; i < kWidth; ++i) triangle[i] = triangle[0];
+      CornerPlaces corners;
+      find_corners(draw_, in_, out_, triangle, corners);
+      StoredPlanes stored;
+      store_planes(draw_, corners, stored);
+      for (int i = 0; i < lanes; ++i) {
+        TrianglePlanes planes{stored, i};
+        const uint32_t position = out_.position[triangle[i]];
+        const IntV x = splat(int32_t(position & 0xffff)), y = splat(int32_t(position >> 16));
+        each_tile(triangle[i], [&](uint64_t pixels) __attribute__((always_inline)) {
+          uint8_t place[64 + 16];
+          const int n = places_of(pixels, place);
+          for (int k = 0; k < n; k += kWidth) {
+            const IntV p = load_bytes(place + k);
+            shade(planes, end_ + k, x + (p & 7), y + (p >> 3));
+          }
+          end_ += n;
+        });
+      }
+    }
+  }
+
+  /// Fragments as they come, each lane of a triangle of its own.
+  void by_fragment() {
+    constexpr int kMost = kDenseBelow * kSetupBatch + kWidth;
+    alignas(64) uint32_t place[kMost]; // y in the upper half
+    uint8_t triangle[kMost];
+    for (uint64_t bits = out_.small; bits; bits &= bits - 1) {
+      const int t = __builtin_ctzll(bits);
+      each_tile(t, [&](uint64_t pixels) __attribute__((always_inline)) {
+        const uint32_t position = out_.position[t];
+        auto put = [&](int32_t at, uint32_t bit) { place[at] = position + ((bit & 56) << 13) + (bit & 7), triangle[at] = uint8_t(t); };
+        // Most have one pixel or two, which is hard to predict: two are always written.
+        for (;;) {
+          const uint64_t others = pixels & (pixels - 1);
+          put(end_, uint32_t(__builtin_ctzll(pixels)));
+          put(end_ + 1, uint32_t(__builtin_ctzll(others | uint64_t(1) << 63)));
+          end_ += 1 + (others != 0);
+          pixels = others & (others - 1);
+          if (!pixels) break;
+        }
+      });
+    }
+    for (int k = 0; k < kWidth; ++k) place[end_ + k] = place[0], triangle[end_ + k] = triangle[0];
+    for (int32_t f = 0; f < end_; f += kWidth) {
+      CornerPlaces corners;
+      find_corners(draw_, in_, out_, triangle + f, corners);
+      CornerPlanes planes(corners);
+      const IntV p = load(place + f);
+      shade(planes, f, p & 0xffff, p >> 16);
+    }
+  }
+
+  /// Fragments [f, f + kWidth) at px, py.
+  template <class Planes> SOFTGL_MEMBER void shade(Planes& planes, int32_t f, IntV px, IntV py) {
+    const FloatV x = to_float(px), y = to_float(py);
+    store_halves(out_.pixel + f, ((py & 56) << 6) | ((px & 56) << 3) | ((py & 7) << 3) | (px & 7));
+    const IntV depth = depth_bits(value_at(planes.z(), x, y) + planes.offset(*draw_.raster), scale_);
+    store(out_.depth + f, depth);
+    const PlaneV w = planes.w();
+    const FloatV rw = splat(1.0f) / value_at(w, x, y);
+    auto value = [&](const Varying& v, int k) __attribute__((always_inline)) {
+      const PlaneV p = planes.plane(v, k);
+      return v.flat ? p.a : value_at(p, x, y) * rw;
+    };
+    if constexpr (!Staged) {
+      Varying color = draw_.varying[0];
+      color.first = 0; // says to the compiler what it is
+      planes.select(color);
+      store(out_.color + f, pack_color(value(color, 0), value(color, 1), value(color, 2), value(color, 3)));
+      return;
+    }
+    if (f + kWidth > block_first_ + kLanes) finish_block(f);
+    const int lane = f - block_first_;
+    for (int i = 0; i < draw_.varying_count; ++i) {
+      const Varying& v = draw_.varying[i];
+      planes.select(v);
+      for (int k = 0; k < v.components; ++k) store(lanes_of(block_, v, k) + lane, value(v, k));
+    }
+    for (int u = 0; u < kBlockTextureUnits; ++u) {
+      if (draw_.unit_plane[u] < 0) continue;
+      const Varying v = coordinates_of_unit(draw_, u);
+      planes.select(v);
+      const PlaneV q[4] = {planes.plane(v, 0), planes.plane(v, 1), planes.plane(v, 2), planes.plane(v, 3)};
+      interpolate_unit(block_.unit[u], lane, coordinates_read(program_, u), w, q, px, py);
+    }
+    store(block_.x + lane, px), store(block_.y + lane, py);
+    store(block_.depth + lane, depth);
+  }
+
+  /// Sends fragments [block_first_, end) through the program.
+  void finish_block(int32_t end) {
+    const int lanes = end - block_first_;
+    if (lanes == 0) return;
+    block_.lanes = (lanes + kStripLanes - 1) & ~(kStripLanes - 1);
+    for (int j = 0; j < kLanes; ++j) block_.live[j] = j < lanes ? ~uint32_t(0) : 0;
+    // Lanes past the last fragment hold values of an earlier block or copies: finite, as far as those are.
+    if (program_.keeps_primary) memcpy(block_.primary, block_.color, sizeof block_.primary);
+    for (int i = 0; i < program_.step_count; ++i) program_.step[i].stage(block_, *program_.constants, program_.step[i].unit);
+    for (int j = 0; j < lanes; j += kWidth) {
+      store(out_.color + block_first_ + j, pack_color(load(block_.color[0] + j), load(block_.color[1] + j), load(block_.color[2] + j), load(block_.color[3] + j)));
+      store(out_.live + block_first_ + j, load(block_.live + j));
+    }
+    block_first_ = end;
+  }
+
+  const RasterDraw& draw_;
+  const TriangleInput& in_;
+  TriangleOutput& out_;
+  FragmentBlock& block_;
+  const FragmentProgram& program_;
+  const float scale_;
+  int32_t end_ = 0, block_first_ = 0; // of fragments
+  uint32_t last_tile_ = 0;            // of the last run
+  uint64_t last_large_ = 0;           // large triangles in front of it
+};
+
+} // namespace
 
 } // namespace SOFTGL_ISA
 } // namespace softgl

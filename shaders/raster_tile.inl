@@ -22,7 +22,7 @@ static void tile_primitives(const TileTarget& tile, const RasterDraw& draw, cons
 }
 
 /// Merges finished fragments into a tile, in order.
-static void tile_fragments(const TileTarget& tile, const RasterDraw& draw, const SmallFragment* fragment, int32_t count) {
+static void tile_fragments(const TileTarget& tile, const RasterDraw& draw, const SmallFragments& fragments, int32_t count) {
   const FragmentProgram& program = *draw.program;
   const FragmentKey& key = program.key;
   if (draw.direct && !key.blend && !key.logic_op && Compare(key.depth_function) == Compare::Less && key.depth_write) {
@@ -30,12 +30,11 @@ static void tile_fragments(const TileTarget& tile, const RasterDraw& draw, const
     uint32_t* depth = tile.depth_stencil;
     const uint32_t mask = draw.color_mask;
     for (int32_t i = 0; i < count; ++i) {
-      const SmallFragment f = fragment[i];
       // Without a branch: which fragments pass is hard to predict.
-      const uint32_t stored = depth[f.pixel], old = color[f.pixel];
-      const uint32_t passes = f.depth < (stored & 0xffffff) ? ~uint32_t(0) : 0, depth_bits = passes & 0xffffff, color_bits = passes & mask;
-      depth[f.pixel] = (stored & ~depth_bits) | (f.depth & depth_bits);
-      color[f.pixel] = (old & ~color_bits) | (f.color & color_bits);
+      const uint32_t pixel = fragments.pixel[i], z = fragments.depth[i], stored = depth[pixel], old = color[pixel];
+      const uint32_t passes = z < (stored & 0xffffff) ? ~uint32_t(0) : 0, depth_bits = passes & 0xffffff, color_bits = passes & mask;
+      depth[pixel] = (stored & ~depth_bits) | (z & depth_bits);
+      color[pixel] = (old & ~color_bits) | (fragments.color[i] & color_bits);
     }
     return;
   }
@@ -49,11 +48,11 @@ static void tile_fragments(const TileTarget& tile, const RasterDraw& draw, const
     n = 0;
   };
   for (int32_t i = 0; i < count; ++i) {
-    const SmallFragment& f = fragment[i];
-    const uint64_t bit = uint64_t(1) << (f.pixel & 63);
-    if (n == kLanes || (used[f.pixel >> 6] & bit)) finish();
-    used[f.pixel >> 6] |= bit;
-    pixel[n] = f.pixel, m.depth[n] = f.depth, m.color[n] = f.color, m.live[n] = ~uint32_t(0);
+    const uint32_t at = fragments.pixel[i];
+    const uint64_t bit = uint64_t(1) << (at & 63);
+    if (n == kLanes || (used[at >> 6] & bit)) finish();
+    used[at >> 6] |= bit;
+    pixel[n] = at, m.depth[n] = fragments.depth[i], m.color[n] = fragments.color[i], m.live[n] = ~uint32_t(0);
     ++n;
   }
   if (n) finish();

@@ -7,9 +7,8 @@ namespace softgl {
 
 constexpr int kSetupBatch = 64;
 constexpr int kSmallBox = 8; // pixels per side at most of a small triangle's box
-// Boxes with more pixels go to the tiles (measured on 10-pixel triangles, see kSmallArea's users).
-constexpr int kSmallArea = 40;
-constexpr int kMaxSmallFragments = kSetupBatch * kSmallArea;
+constexpr int kMaxSmallFragments = kSetupBatch * kSmallBox * kSmallBox;
+constexpr int kMaxRuns = 4 * kSetupBatch; // a small box touches at most four tiles
 
 struct TriangleInput {
   int32_t count;
@@ -17,20 +16,26 @@ struct TriangleInput {
   const ShadedVertices::Slot* const* corner[3]; // [corner][triangle]
 };
 
-/// Triangles that survive culling, in the order of their numbers: finished fragments of the small ones, numbers of the
-/// large ones.
+/// Triangles that survive culling: the small ones' finished fragments in drawing order, the large ones' numbers.
 struct TriangleOutput {
-  int32_t fragment_count;
-  int32_t large_count;
-  alignas(64) int32_t x[kMaxSmallFragments + 16], y[kMaxSmallFragments + 16]; // window position of a fragment
-  uint8_t triangle[kMaxSmallFragments + 16];                                 // its triangle
-  alignas(64) uint32_t tile[kMaxSmallFragments + 16], pixel[kMaxSmallFragments + 16]; // tile number, pixel_in_tile
+  // One bit a triangle.
+  uint64_t small, large;
+  uint64_t negative; // area; corners 0 and 1 are exchanged
+  // Small triangles: covered pixels of an 8x8 box (bit 8 * dy + dx), its first pixel (y in the upper half) and that
+  // pixel's tile.
+  alignas(64) uint32_t rows0to3[kSetupBatch], rows4to7[kSetupBatch], position[kSetupBatch], tile[kSetupBatch];
+  /// Fragments of one tile with no large triangle among them. They end where the next run begins.
+  struct Run {
+    uint32_t tile;
+    int32_t first;
+    uint8_t triangle; // the first fragment's
+  };
+  int32_t fragment_count, run_count;
+  Run run[kMaxRuns + 1];
+  // By fragment; room for a vector behind the last.
+  alignas(64) uint16_t pixel[kMaxSmallFragments + 16]; // pixel_in_tile
   alignas(64) uint32_t depth[kMaxSmallFragments + 16], color[kMaxSmallFragments + 16];
-  uint32_t live[kMaxSmallFragments + 16];   // 0: killed by the alpha test
-  uint8_t large[kSetupBatch];
-  // By triangle, set for those that survive: corners (0 and 1 exchanged where the area is negative) and facing.
-  const float* corner[kSetupBatch][3];
-  bool back[kSetupBatch];
+  uint32_t live[kMaxSmallFragments + 16]; // 0: killed by the alpha test
 };
 
 } // namespace softgl

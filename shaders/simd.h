@@ -13,6 +13,7 @@
 #include <string.h>
 
 #define SOFTGL_INLINE static inline __attribute__((always_inline))
+#define SOFTGL_MEMBER inline __attribute__((always_inline))
 
 namespace softgl {
 namespace SOFTGL_ISA {
@@ -112,6 +113,26 @@ SOFTGL_INLINE void load_transposed(const float* const* place, FloatV out[4], ptr
   out[0] = (FloatV)a, out[1] = (FloatV)b, out[2] = (FloatV)c, out[3] = (FloatV)d;
 #endif
 }
+
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+/// kWidth bytes to lanes; lanes below 32768 to kWidth halves.
+SOFTGL_INLINE IntV load_bytes(const uint8_t* p) { return (IntV)_mm512_cvtepu8_epi32(_mm_loadu_si128((const __m128i*)p)); }
+SOFTGL_INLINE void store_halves(uint16_t* p, IntV v) { _mm256_storeu_si256((__m256i*)p, _mm512_cvtepi32_epi16((__m512i)v)); }
+#elif defined(__AVX2__)
+SOFTGL_INLINE IntV load_bytes(const uint8_t* p) { return (IntV)_mm256_cvtepu8_epi32(_mm_loadl_epi64((const __m128i*)p)); }
+SOFTGL_INLINE void store_halves(uint16_t* p, IntV v) {
+  const __m256i w = (__m256i)v;
+  _mm_storeu_si128((__m128i*)p, _mm_packs_epi32(_mm256_castsi256_si128(w), _mm256_extracti128_si256(w, 1)));
+}
+#else
+SOFTGL_INLINE IntV load_bytes(const uint8_t* p) {
+  int32_t bytes;
+  memcpy(&bytes, p, 4);
+  const __m128i zero = _mm_setzero_si128();
+  return (IntV)_mm_unpacklo_epi16(_mm_unpacklo_epi8(_mm_cvtsi32_si128(bytes), zero), zero);
+}
+SOFTGL_INLINE void store_halves(uint16_t* p, IntV v) { _mm_storel_epi64((__m128i*)p, _mm_packs_epi32((__m128i)v, (__m128i)v)); }
+#endif
 
 /// Every even lane twice, every odd lane twice.
 #if defined(__AVX512F__) && defined(__AVX512DQ__)

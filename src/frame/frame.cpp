@@ -214,6 +214,7 @@ private:
         *chunk = {nullptr, sizeof(TileSegment), 0};
         auto* segment = new (chunk + 1) TileSegment;
         segment->kind = TileSegment::Clear;
+        segment->capacity = 0;
         segment->count = 0;
         segment->clear = &c;
         if (head_[tile] && clear_hides_all(c, surface_, tile, unit.stencil_drawn)) {

@@ -27,8 +27,9 @@ bool covers_tile(const ClearRecord& c, const Surface& s, uint32_t tile) {
 
 /// Replaces the bits of `mask` in the pixels of the box; all of the tile when `whole`.
 template <class Word> void fill(Word* plane, Word value, Word mask, const Box& box, bool whole) {
-  if (whole && mask == static_cast<Word>(~Word(0))) {
-    std::fill_n(plane, kTilePixels, value);
+  if (whole) {
+    if (mask == static_cast<Word>(~Word(0))) std::fill_n(plane, kTilePixels, value);
+    else for (int i = 0; i < kTilePixels; ++i) plane[i] = static_cast<Word>((plane[i] & ~mask) | (value & mask));
     return;
   }
   for (int32_t y = box.y0; y < box.y1; ++y)
@@ -105,14 +106,13 @@ void execute_tile(const Surface& surface, uint32_t tile, const TileChunk* work, 
   target.y = static_cast<int32_t>(tile / uint32_t(surface.tiles_x)) * kTileSize;
   target.color = static_cast<uint8_t*>(surface.color) + first * size_t(bytes_per_pixel(surface.color_format));
   target.depth_stencil = surface.depth_stencil ? surface.depth_stencil + first : nullptr;
-  for_each_segment(work, [&](const TileSegment& segment, const uint8_t* entries) {
+  for_each_segment(work, [&](const TileSegment& segment) {
+    const auto count = static_cast<int32_t>(segment.count);
     switch (segment.kind) {
     case TileSegment::Primitives:
-      kernels.tile_primitives(target, *segment.draw, reinterpret_cast<const RasterPrimitive* const*>(entries), static_cast<int32_t>(segment.count), scratch);
+      kernels.tile_primitives(target, *segment.draw, reinterpret_cast<const RasterPrimitive* const*>(segment.entries()), count, scratch);
       break;
-    case TileSegment::Fragments:
-      kernels.tile_fragments(target, *segment.draw, reinterpret_cast<const SmallFragment*>(entries), static_cast<int32_t>(segment.count));
-      break;
+    case TileSegment::Fragments: kernels.tile_fragments(target, *segment.draw, segment.fragments(), count); break;
     case TileSegment::Clear: execute_clear(*segment.clear, surface, tile); break;
     }
   });

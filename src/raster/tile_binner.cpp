@@ -1,6 +1,7 @@
 #include "raster/tile_binner.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "raster/line_setup.h"
 #include "raster/point_setup.h"
@@ -40,22 +41,27 @@ void TileBinner::bin(const RasterPrimitive& p) {
     }
 }
 
-void TileBinner::append_fragments(const TriangleOutput& out, int32_t first, int32_t last) {
-  const bool killing = draw_->program->key.alpha_function != static_cast<uint64_t>(Compare::Always);
-  for (int32_t i = first; i < last;) {
-    if (killing && !out.live[i]) {
-      ++i;
+void TileBinner::append_run(const TriangleOutput& out, uint32_t tile, int32_t first, int32_t last) {
+  while (first < last) {
+    uint32_t given = 0;
+    const SmallFragments f = lists_.append_fragments(tile, draw_, static_cast<uint32_t>(last - first), given);
+    std::copy_n(out.pixel + first, given, f.pixel);
+    std::copy_n(out.depth + first, given, f.depth);
+    std::copy_n(out.color + first, given, f.color);
+    first += static_cast<int32_t>(given);
+  }
+}
+
+void TileBinner::append_living(const TriangleOutput& out, uint32_t tile, int32_t first, int32_t last) {
+  while (first < last) {
+    if (!out.live[first]) {
+      ++first;
       continue;
     }
-    const uint32_t tile = out.tile[i];
-    int32_t end = i + 1;
-    if (killing) while (end < last && out.tile[end] == tile && out.live[end]) ++end;
-    else while (end < last && out.tile[end] == tile) ++end;
-    while (i < end) {
-      uint32_t given = 0;
-      SmallFragment* f = lists_.append_fragments(tile, draw_, static_cast<uint32_t>(end - i), given);
-      for (const int32_t stop = i + static_cast<int32_t>(given); i < stop; ++i, ++f) *f = {out.pixel[i], out.depth[i], out.color[i]};
-    }
+    int32_t end = first + 1;
+    while (end < last && out.live[end]) ++end;
+    append_run(out, tile, first, end);
+    first = end;
   }
 }
 
@@ -64,23 +70,21 @@ void TileBinner::triangles(const DrawRecord&, const AssembledTriangles& batch) {
   const TriangleInput in = {batch.count, tiles_x_, {batch.corner[0], batch.corner[1], batch.corner[2]}};
   TriangleOutput& out = scratch_.output;
   kernels_.raster->prepare_triangles(*draw_, in, out, scratch_.block);
-  if (out.large_count == 0) {
-    append_fragments(out, 0, out.fragment_count);
-    return;
-  }
   RasterPrimitive* record[kSetupBatch];
-  for (int32_t i = 0; i < out.large_count; ++i) record[i] = new_primitive();
-  kernels_.raster->setup_triangles(*draw_, out, record);
+  const int large_count = std::popcount(out.large);
+  for (int i = 0; i < large_count; ++i) record[i] = new_primitive();
+  if (large_count) kernels_.raster->setup_triangles(*draw_, in, out, record);
   // Small and large triangles enter the lists in the order of their numbers.
-  int32_t fragment = 0;
-  for (int32_t i = 0; i < out.large_count; ++i) {
-    int32_t end = fragment;
-    while (end < out.fragment_count && out.triangle[end] < out.large[i]) ++end;
-    append_fragments(out, fragment, end);
-    fragment = end;
-    bin(*record[i]);
+  const bool killing = draw_->program->key.alpha_function != static_cast<uint64_t>(Compare::Always);
+  uint64_t large = out.large;
+  RasterPrimitive** next = record;
+  for (int32_t i = 0; i < out.run_count; ++i) {
+    const TriangleOutput::Run& run = out.run[i];
+    for (; large && std::countr_zero(large) < run.triangle; large &= large - 1) bin(**next++);
+    if (killing) append_living(out, run.tile, run.first, out.run[i + 1].first);
+    else append_run(out, run.tile, run.first, out.run[i + 1].first);
   }
-  append_fragments(out, fragment, out.fragment_count);
+  for (; large; large &= large - 1) bin(**next++);
 }
 
 void TileBinner::lines(const DrawRecord&, const AssembledLines& batch) {

@@ -30,7 +30,8 @@ public:
 private:
   RasterPrimitive* new_primitive();
   void bin(const RasterPrimitive& primitive);
-  void append_fragments(const TriangleOutput& out, int32_t first, int32_t last);
+  void append_run(const TriangleOutput& out, uint32_t tile, int32_t first, int32_t last);
+  void append_living(const TriangleOutput& out, uint32_t tile, int32_t first, int32_t last);
 
   int32_t tiles_x_;
   TileLists& lists_;

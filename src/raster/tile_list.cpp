@@ -1,15 +1,14 @@
 #include "raster/tile_list.h"
 
+#include <algorithm>
+
 namespace softgl {
 
 void TileLists::open(List& l, TileSegment::Kind kind, const RasterDraw* draw, size_t entry) {
-  if (l.next) {
-    auto* start = reinterpret_cast<uint8_t*>(l.last + 1);
-    l.next = start + ((static_cast<size_t>(l.next - start) + 7) & ~size_t(7));
-  }
   if (!l.next || static_cast<size_t>(l.end - l.next) < sizeof(TileSegment) + entry) {
     close(l);
-    const uint32_t size = l.first ? kChunk : kFirstChunk;
+    const size_t least = sizeof(TileChunk) + sizeof(TileSegment) + entry;
+    const auto size = static_cast<uint32_t>(std::max<size_t>(l.first ? kChunk : kFirstChunk, least));
     auto* chunk = static_cast<TileChunk*>(arena_->allocate(size));
     chunk->next = nullptr;
     chunk->used = 0;
@@ -22,6 +21,7 @@ void TileLists::open(List& l, TileSegment::Kind kind, const RasterDraw* draw, si
   }
   l.open = new (l.next) TileSegment;
   l.open->kind = kind;
+  l.open->capacity = 0;
   l.open->count = 0;
   l.open->draw = draw;
   l.next += sizeof(TileSegment);

@@ -17,15 +17,26 @@ struct TileChunk {
   uint32_t size;
 };
 
-/// A run of entries of one kind and draw. Followed by `count` entries, padded to 8 bytes.
+/// A run of entries of one kind and draw. Followed by pointers to primitives, or by `capacity` depths, colours and pixels
+/// of fragments, of which `count` are set.
 struct TileSegment {
-  enum Kind : uint32_t { Primitives, Fragments, Clear };
+  enum Kind : uint16_t { Primitives, Fragments, Clear };
   Kind kind;
+  uint16_t capacity;
   uint32_t count;
   union {
     const RasterDraw* draw;
     const ClearRecord* clear;
   };
+
+  static constexpr size_t kFragmentBytes = sizeof(uint32_t) + sizeof(uint32_t) + sizeof(uint16_t);
+  uint8_t* entries() { return reinterpret_cast<uint8_t*>(this + 1); }
+  const uint8_t* entries() const { return reinterpret_cast<const uint8_t*>(this + 1); }
+  size_t entry_bytes() const { return kind == Fragments ? kFragmentBytes * capacity : sizeof(void*) * count; }
+  SmallFragments fragments() const {
+    auto* depth = reinterpret_cast<uint32_t*>(const_cast<uint8_t*>(entries()));
+    return {reinterpret_cast<uint16_t*>(depth + 2 * capacity), depth, depth + capacity};
+  }
 };
 static_assert(sizeof(TileSegment) == 16);
 
@@ -63,17 +74,21 @@ public:
   }
 
   /// Room for at least one and at most `wanted` fragments of a tile; `given` says how many. The caller fills them.
-  SmallFragment* append_fragments(uint32_t tile, const RasterDraw* draw, uint32_t wanted, uint32_t& given) {
+  SmallFragments append_fragments(uint32_t tile, const RasterDraw* draw, uint32_t wanted, uint32_t& given) {
     List& l = list(tile);
-    // 8 bytes are kept back for the padding behind the segment.
-    if (!l.open || l.open->kind != TileSegment::Fragments || l.open->draw != draw || l.end - l.next < 20)
-      open(l, TileSegment::Fragments, draw, 20);
-    const uint32_t room = static_cast<uint32_t>((l.end - l.next - 8) / 12);
+    const bool goes_on = l.open && l.open->kind == TileSegment::Fragments && l.open->draw == draw;
+    if (!goes_on || l.open->count == l.open->capacity) {
+      // The first segment of a draw is as large as its fragments, since many draws have few; later ones are full size.
+      const uint32_t capacity = goes_on ? kMaxFragments : wanted < kMaxFragments ? (wanted + 15) & ~15u : kMaxFragments;
+      open(l, TileSegment::Fragments, draw, TileSegment::kFragmentBytes * capacity);
+      l.open->capacity = static_cast<uint16_t>(capacity);
+      l.next += l.open->entry_bytes();
+    }
+    const uint32_t count = l.open->count, room = l.open->capacity - count;
     given = wanted < room ? wanted : room;
-    auto* result = reinterpret_cast<SmallFragment*>(l.next);
-    l.next += 12 * size_t(given);
     l.open->count += given;
-    return result;
+    const SmallFragments f = l.open->fragments();
+    return {f.pixel + count, f.depth + count, f.color + count};
   }
 
   /// Closes all lists and returns them.
@@ -88,7 +103,7 @@ public:
   }
 
 private:
-  static constexpr uint32_t kFirstChunk = 512, kChunk = 2048;
+  static constexpr uint32_t kFirstChunk = 512, kChunk = 4096, kMaxFragments = 128;
 
   List& list(uint32_t tile) {
     List& l = lists_[tile];
@@ -110,17 +125,15 @@ private:
   uint32_t stamp_ = 0;
 };
 
-/// Calls visit(segment, entries) for every segment of a chain of chunks.
+/// Calls visit(segment) for every segment of a chain of chunks.
 template <class Visit> void for_each_segment(const TileChunk* chunk, Visit&& visit) {
   for (; chunk; chunk = chunk->next) {
     const auto* p = reinterpret_cast<const uint8_t*>(chunk + 1);
     const uint8_t* end = p + chunk->used;
     while (p < end) {
       const auto& segment = *reinterpret_cast<const TileSegment*>(p);
-      const uint8_t* entries = p + sizeof(TileSegment);
-      visit(segment, entries);
-      const size_t bytes = segment.kind == TileSegment::Fragments ? (12 * size_t(segment.count) + 7) & ~size_t(7) : 8 * size_t(segment.count);
-      p = entries + bytes;
+      visit(segment);
+      p = segment.entries() + segment.entry_bytes();
     }
   }
 }

@@ -1,0 +1,152 @@
+// Attribute planes of triangles, lane = triangle, and the numbers that depth and colour are stored as. As OSMesa 22.3.6
+// computes: from positions that are not snapped.
+#pragma once
+
+#include "raster_triangles.h"
+#include "simd.h"
+
+namespace softgl {
+namespace SOFTGL_ISA {
+
+/// Deltas of the corners' window positions, scaled by 1 / area; the base of every plane.
+struct PlaneBasis {
+  FloatV dx01, dy01, dx20, dy20, x0, y0; // x0, y0: corner 0 minus half a pixel
+  FloatV inverse_area, raw_dx01, raw_dy01, raw_dx20, raw_dy20;
+};
+
+SOFTGL_INLINE PlaneBasis plane_basis(const FloatV p0[4], const FloatV p1[4], const FloatV p2[4]) {
+  PlaneBasis b;
+  b.raw_dx01 = p0[0] - p1[0], b.raw_dy01 = p0[1] - p1[1];
+  b.raw_dx20 = p2[0] - p0[0], b.raw_dy20 = p2[1] - p0[1];
+  const FloatV r = splat(1.0f) / (b.raw_dx01 * b.raw_dy20 - b.raw_dy01 * b.raw_dx20);
+  b.inverse_area = r;
+  b.dx01 = b.raw_dx01 * r, b.dy01 = b.raw_dy01 * r;
+  b.dx20 = b.raw_dx20 * r, b.dy20 = b.raw_dy20 * r;
+  b.x0 = p0[0] - 0.5f, b.y0 = p0[1] - 0.5f;
+  return b;
+}
+
+struct PlaneV {
+  FloatV a, gx, gy;
+};
+
+SOFTGL_INLINE PlaneV plane_of(const PlaneBasis& b, FloatV a0, FloatV a1, FloatV a2) {
+  PlaneV p;
+  const FloatV d01 = a0 - a1, d20 = a2 - a0;
+  p.gx = d01 * b.dy20 - d20 * b.dy01;
+  p.gy = d20 * b.dx01 - d01 * b.dx20;
+  p.a = a0 - (p.gx * b.x0 + p.gy * b.y0);
+  return p;
+}
+
+SOFTGL_INLINE FloatV value_at(const PlaneV& p, FloatV x, FloatV y) { return p.gy * y + (p.gx * x + p.a); }
+
+/// max(|dz/dx|, |dz/dy|) * factor + units.
+SOFTGL_INLINE FloatV depth_offset(const PlaneBasis& b, FloatV z0, FloatV z1, FloatV z2, const RasterConstants& r) {
+  const FloatV dz01 = z0 - z1, dz20 = z2 - z0;
+  const IntV absolute = splat(0x7fffffff);
+  const FloatV zx = (FloatV)((IntV)((dz20 * b.raw_dy01 - b.raw_dy20 * dz01) * b.inverse_area) & absolute);
+  const FloatV zy = (FloatV)((IntV)((b.raw_dx20 * dz01 - dz20 * b.raw_dx01) * b.inverse_area) & absolute);
+  const FloatV steepest = choose(~(zx <= zy), zx, zy);
+  return splat(r.offset_units) + steepest * r.offset_factor;
+}
+
+SOFTGL_INLINE float depth_scale(const FragmentKey& key) {
+  return key.depth_format == uint64_t(DepthFormat::Z16) ? 65535.0f : 16777215.0f;
+}
+SOFTGL_INLINE IntV depth_bits(FloatV z, float scale) { return round_to_int(unit_range(z) * scale); }
+SOFTGL_INLINE IntV color_byte(FloatV c) { return round_to_int(unit_range(c) * 255.0f); }
+#if defined(__AVX2__) && !defined(__AVX512F__)
+/// Saturating packs clamp below: not a number and everything too negative become the most negative integer, then 0.
+SOFTGL_INLINE IntV pack_color(FloatV r, FloatV g, FloatV b, FloatV a) {
+  const FloatV one = splat(1.0f);
+  const IntV ri = round_to_int(min_(one, r) * 255.0f), gi = round_to_int(min_(one, g) * 255.0f);
+  const IntV bi = round_to_int(min_(one, b) * 255.0f), ai = round_to_int(min_(one, a) * 255.0f);
+  const __m256i rg = _mm256_packs_epi32((__m256i)ri, (__m256i)gi), ba = _mm256_packs_epi32((__m256i)bi, (__m256i)ai);
+  const __m256i planes = _mm256_packus_epi16(rg, ba); // r0-3 g0-3 b0-3 a0-3, then the same of lanes 4-7
+  const __m256i order = _mm256_set_epi8(15, 11, 7, 3, 14, 10, 6, 2, 13, 9, 5, 1, 12, 8, 4, 0, 15, 11, 7, 3, 14, 10, 6, 2, 13, 9, 5, 1, 12, 8, 4, 0);
+  return (IntV)_mm256_shuffle_epi8(planes, order);
+}
+#else
+SOFTGL_INLINE IntV pack_color(FloatV r, FloatV g, FloatV b, FloatV a) {
+  return color_byte(r) | (color_byte(g) << 8) | (color_byte(b) << 16) | (color_byte(a) << 24);
+}
+#endif
+
+/// Pointers to the corners of kWidth triangles.
+struct CornerPlaces {
+  const float* p[3][kWidth];
+  bool back[kWidth];
+};
+
+SOFTGL_INLINE void find_corners(const RasterDraw& draw, const TriangleInput& in, const TriangleOutput& batch, const uint8_t* triangle, CornerPlaces& c) {
+  for (int i = 0; i < kWidth; ++i) {
+    const int t = triangle[i], swapped = int(batch.negative >> t & 1);
+    c.p[0][i] = in.corner[swapped][t]->v, c.p[1][i] = in.corner[swapped ^ 1][t]->v, c.p[2][i] = in.corner[2][t]->v;
+    c.back[i] = draw.raster->back != swapped;
+  }
+}
+
+/// Loads slot `slot` (`back_slot` where the triangle is back-facing) of the three corners.
+SOFTGL_INLINE void load_slot(const CornerPlaces& c, int slot, int back_slot, FloatV out[3][4]) {
+  if (slot != back_slot) {
+    const float* place[kWidth];
+    for (int k = 0; k < 3; ++k) {
+      for (int i = 0; i < kWidth; ++i) place[i] = c.p[k][i] + 4 * (c.back[i] ? back_slot : slot);
+      load_transposed(place, out[k]);
+    }
+    return;
+  }
+  for (int k = 0; k < 3; ++k) load_transposed(c.p[k], out[k], 4 * slot);
+}
+
+/// Planes made from the corners of each lane's triangle.
+struct CornerPlanes {
+  const CornerPlaces& corners;
+  FloatV position[3][4], slot[3][4];
+  PlaneBasis basis;
+
+  SOFTGL_MEMBER explicit CornerPlanes(const CornerPlaces& c) : corners(c) {
+    load_slot(c, 0, 0, position);
+    basis = plane_basis(position[0], position[1], position[2]);
+  }
+  SOFTGL_MEMBER PlaneV z() const { return plane_of(basis, position[0][2], position[1][2], position[2][2]); }
+  SOFTGL_MEMBER PlaneV w() const { return plane_of(basis, position[0][3], position[1][3], position[2][3]); }
+  SOFTGL_MEMBER FloatV offset(const RasterConstants& r) const {
+    return r.offset ? depth_offset(basis, position[0][2], position[1][2], position[2][2], r) : FloatV{};
+  }
+  /// To be called before the planes of a varying are asked for.
+  SOFTGL_MEMBER void select(const Varying& v) { load_slot(corners, v.slot, v.back_slot, slot); }
+  SOFTGL_MEMBER PlaneV plane(const Varying& v, int component) const {
+    const int k = v.first + component;
+    if (v.flat) return {slot[2][k], FloatV{}, FloatV{}};
+    return plane_of(basis, slot[0][k] * position[0][3], slot[1][k] * position[1][3], slot[2][k] * position[2][3]);
+  }
+};
+
+/// All planes of kWidth triangles in memory.
+struct StoredPlanes {
+  alignas(64) float plane[kMaxPlanes][3][kWidth];
+  alignas(64) float offset[kWidth];
+
+  SOFTGL_MEMBER void put(int index, const PlaneV& v) {
+    store(plane[index][0], v.a), store(plane[index][1], v.gx), store(plane[index][2], v.gy);
+  }
+};
+
+static void store_planes(const RasterDraw& draw, const CornerPlaces& corners, StoredPlanes& out) {
+  CornerPlanes p(corners);
+  store(out.offset, p.offset(*draw.raster));
+  out.put(kPlaneZ, p.z());
+  out.put(kPlaneW, p.w());
+  auto varying = [&](const Varying& v) {
+    p.select(v);
+    for (int k = 0; k < v.components; ++k) out.put(v.plane + k, p.plane(v, k));
+  };
+  for (int i = 0; i < draw.varying_count; ++i) varying(draw.varying[i]);
+  for (int u = 0; u < kBlockTextureUnits; ++u)
+    if (draw.unit_plane[u] >= 0) varying(coordinates_of_unit(draw, u));
+}
+
+} // namespace SOFTGL_ISA
+} // namespace softgl
