@@ -1,7 +1,9 @@
 // The unit of fragment work: up to 64 fragments of one draw, structure of arrays.
 #pragma once
 
+#include "lighting.h"
 #include "surface.h"
+#include "vertex_attributes.h"
 
 namespace softgl {
 
@@ -29,6 +31,11 @@ struct alignas(64) FragmentBlock {
   float secondary[3][kLanes];     // secondary colour
   float fog[kLanes];              // fog coordinate
   BlockCoordinates unit[kBlockTextureUnits];
+  // Where fragments are lit: normal and eye position are in `lighting`, a vertex colour that feeds the material in
+  // `color`.
+  LightingBlock lighting;
+  float material[kMaterialSlots][4][kLanes];
+  int32_t back[kLanes];           // ~0: of a back-facing polygon; set with two-sided lighting
 };
 
 /// A stage of a fragment program. `unit` is the texture unit for texture stages, else 0.

@@ -7,6 +7,7 @@
 
 namespace softgl {
 
+struct LightingConstants;    // lighting.h
 struct TextureUnitConstants; // texture_constants.h
 
 struct FragmentConstants {
@@ -17,6 +18,7 @@ struct FragmentConstants {
   float blend_color[4];
   uint8_t blend_color_8[4];
   uint8_t stencil_reference, stencil_value_mask, stencil_write_mask;
+  const LightingConstants* lighting; // null where fragments are not lit
   const TextureUnitConstants* texture[kBlockTextureUnits]; // null where a unit is off
 };
 

@@ -54,6 +54,8 @@ static void interpolate_block(const RasterDraw& draw, const RasterPrimitive& p, 
     const Varying& v = draw.varying[i];
     for (int k = 0; k < v.components; ++k) fill(p.plane[v.plane + k], lanes_of(block, v, k), v.flat);
   }
+  if (draw.facing)
+    for (int i = 0; i < lanes; i += kWidth) store(block.back + i, splat(-int32_t(p.back)));
   for (int u = 0; u < kBlockTextureUnits; ++u) {
     if (draw.unit_plane[u] < 0) continue;
     const Plane* q = p.plane + draw.unit_plane[u];
@@ -70,7 +72,6 @@ static void interpolate_block(const RasterDraw& draw, const RasterPrimitive& p, 
     for (int k = 0; k < coordinates; ++k)
       for (int i = 0; i < lanes; i += kStripLanes) quad_differences(value[k] + i, dx[k] + i, dy[k] + i);
   }
-  if (program.keeps_primary) memcpy(block.primary, block.color, sizeof block.primary);
 }
 
 /// Coordinates of one unit for lanes [lane, lane + kWidth), each with its own planes: at the lane's pixel and at three
@@ -113,6 +114,8 @@ static void interpolate_lanes(const RasterDraw& draw, const RasterPrimitive* con
     };
     for (int v = 0; v < draw.varying_count; ++v)
       for (int k = 0; k < draw.varying[v].components; ++k) put(draw.varying[v].plane + k, lanes_of(block, draw.varying[v], k), draw.varying[v].flat);
+    if (draw.facing)
+      for (int k = 0; k < kWidth; ++k) block.back[i + k] = -int32_t(primitive[i + k]->back);
     for (int u = 0; u < kBlockTextureUnits; ++u) {
       if (draw.unit_plane[u] < 0) continue;
       const int coordinates = coordinates_read(program, u);
@@ -122,7 +125,6 @@ static void interpolate_lanes(const RasterDraw& draw, const RasterPrimitive* con
       interpolate_unit(block.unit[u], i, coordinates, w, q, px, py);
     }
   }
-  if (program.keeps_primary) memcpy(block.primary, block.color, sizeof block.primary);
 }
 
 } // namespace SOFTGL_ISA

@@ -19,7 +19,8 @@ enum class BlendFactor : uint8_t {
 enum class BlendEquation : uint8_t { Add, Subtract, ReverseSubtract, Min, Max };
 
 struct FragmentKey {
-  // Which interpolated inputs the stages read; the colour itself is always there.
+  // Which interpolated inputs the stages read.
+  uint64_t lit : 1; // lighting makes the colour out of normal, eye position and material; otherwise it is interpolated
   uint64_t secondary : 1, fog_coordinate : 1, flat : 1;
   uint64_t texture_units : 8; // units whose coordinates are read
   // Stages after texturing.

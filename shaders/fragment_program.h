@@ -20,7 +20,6 @@ struct FragmentProgram {
   FragmentStep step[kMaxSteps];
   uint8_t r_units;    // units whose stages read the r coordinate too (three-dimensional, cube map and compared textures)
   bool reads_quads;   // a stage looks at the other pixels of its 2x2 quad: blocks must be strips
-  bool keeps_primary; // a combiner reads GL_PRIMARY_COLOR: the block's `primary` is filled too
 
   void add(FragmentStage stage, int32_t unit = 0) { step[step_count++] = {stage, unit}; }
 };

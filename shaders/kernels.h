@@ -36,6 +36,8 @@ struct RasterKernels {
                           int32_t count, FragmentBlock& scratch);
   void (*tile_fragments)(const TileTarget& tile, const RasterDraw& draw, const SmallFragments& fragments, int32_t count);
   // Stages of fragment programs.
+  FragmentStage light;        // colours from normals, eye positions and materials
+  FragmentStage keep_primary; // for GL_PRIMARY_COLOR in a combiner
   FragmentStage color_sum, fog_linear, fog_exp, fog_exp2;
   FragmentStage alpha_test_8, alpha_test_float; // `unit` is the comparison
 };

@@ -22,9 +22,12 @@ struct LightingConstants {
   bool two_sided, separate_specular, local_viewer;
   bool shininess_zero;          // both faces' exponents are zero all over the draw
   bool varies[2];               // some material parameter of the face is an array of lanes
+  bool for_fragments;           // the lanes are fragments: their normals are renormalized
   int32_t light_count;
   float model_ambient[3];
   float material[5][2][4];      // [MaterialParameter][face], where constant
+  // Slot that feeds a material parameter as lanes: a material slot, kColor (colour material), or -1 = constant.
+  int8_t material_source[5][2];
   float scene[2][4];            // emission + model ambient * ambient; alpha = diffuse alpha
   LightConstants light[8];      // light_count of them
 };

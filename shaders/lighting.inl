@@ -15,6 +15,33 @@ static inline __attribute__((always_inline)) float dot3(float ax, float ay, floa
   return (az * bz + ay * by) + ax * bx;
 }
 
+/// v / |v|. A vector whose squared length is not a positive finite number has no direction and becomes zero: the zero
+/// vector, what is not finite, and what lies beyond 1e-19 and 1.8e19, where squares leave the range of a float.
+static inline void unit_lanes(const float (*in)[kLanes], float (*out)[kLanes], int n) {
+  SOFTGL_FOR_LANES(i, n) {
+    const float x = in[0][i], y = in[1][i], z = in[2][i];
+    const float length2 = dot3(x, y, z, x, y, z);
+    const int32_t directed = mask_of(length2 > 0.0f) & mask_of(length2 < bits_float(0x7f800000));
+    const float r = reciprocal_root(length2);
+    out[0][i] = keep(directed, x * r);
+    out[1][i] = keep(directed, y * r);
+    out[2][i] = keep(directed, z * r);
+  }
+}
+
+/// The material parameters that vary; `lanes_of` gives the four components of a slot as lanes.
+template <class LanesOf> static inline MaterialLanes material_lanes(const LightingConstants& k, LanesOf lanes_of) {
+  MaterialLanes lanes = {};
+  for (int parameter = 0; parameter < 5; ++parameter)
+    for (int face = 0; face <= int(k.two_sided); ++face) {
+      const int slot = k.material_source[parameter][face];
+      if (slot < 0) continue;
+      const float (*from)[kLanes] = lanes_of(slot);
+      for (int c = 0; c < 4; ++c) lanes.component[parameter][face][c] = from[c];
+    }
+  return lanes;
+}
+
 /// c = model ambient * ambient + emission, alpha of diffuse.
 static inline void light_scene_color(LightingBlock& b, const LightingConstants& k, const MaterialLanes& lanes, int face, int n) {
   for (int c = 0; c < 3; ++c) {
@@ -186,7 +213,8 @@ static inline void light_highlight(LightingBlock& b, const LightingConstants& k,
   }
 }
 
-/// Exponent zero: 1 where the face is lit. With an attenuated light OSMesa raises n.L to the power n.L instead.
+/// Exponent zero: 1 where the face is lit. With an attenuated light OSMesa raises the n.L of vertices to the power n.L
+/// instead.
 static inline void light_zero_highlight(LightingBlock& b, bool two_sided, bool attenuated, int n) {
   const float* nl = b.diffuse[0];
   float *front = b.specular[0], *back = b.specular[1];
@@ -285,7 +313,7 @@ static inline void light_block(LightingBlock& b, const LightingConstants& k, con
     if (l.spot) light_spot(b, l, n);
     if (!shininess_zero && !infinite_half) light_half_vector(b, k.local_viewer, n);
     light_dots(b, l, infinite_half, !shininess_zero, n);
-    if (shininess_zero) light_zero_highlight(b, two_sided, attenuated, n);
+    if (shininess_zero) light_zero_highlight(b, two_sided, attenuated && !k.for_fragments, n);
     else light_highlight(b, k, lanes, n);
     light_factors(b, two_sided, attenuated, n);
     for (int face = 0; face <= int(two_sided); ++face) {

@@ -21,18 +21,19 @@ struct Varying {
   int8_t plane;           // the first component's plane; the others' follow
   bool flat;              // not interpolated but taken from corner 2: flat shading, or the same for all vertices
 };
-constexpr int kMaxVaryings = 3;
+constexpr int kMaxVaryings = 4 + kMaterialSlots; // fog, and for the lighting of fragments normal, eye, colour, material
 
 /// Derived once per draw and frame.
 struct RasterDraw {
   const FragmentProgram* program;
   const RasterConstants* raster;
   ShadedLayout layout;
-  // Planes of a primitive: z, 1/w, those of the varyings (the primary colour first), then s t r q of texture units; -1: not
+  // Planes of a primitive: z, 1/w, those of the varyings (the primary colour first, unless fragments are lit), then s t r q of texture units; -1: not
   // there.
   uint8_t plane_count, varying_count;
   Varying varying[kMaxVaryings];
   int8_t unit_plane[kBlockTextureUnits];
+  bool facing; // the block's `back` is filled
   bool small;  // triangles of few pixels become finished fragments
   bool direct; // no stage runs, RGBA8, no stencil: blocks of pixels bypass the FragmentBlock
   uint32_t color_mask; // of an RGBA8 word
@@ -43,7 +44,9 @@ constexpr int kPlaneZ = 0, kPlaneW = 1, kPlaneColor = 2;
 inline Varying coordinates_of_unit(const RasterDraw& draw, int unit) {
   return {0, draw.layout.texcoord[unit], draw.layout.texcoord[unit], 0, 4, draw.unit_plane[unit], false};
 }
-constexpr int kMaxPlanes = 2 + 4 + 3 + 1 + 4 * kBlockTextureUnits;
+// Most planes there are where fragments are lit: normal, eye, materials of both faces (four colours and the exponent),
+// fog, coordinates.
+constexpr int kMaxPlanes = 2 + 3 + 3 + 2 * (4 * 4 + 1) + 1 + 4 * kBlockTextureUnits;
 
 /// A set-up triangle, line or point: convex, 3 or 4 edges or, for points, none but the box (unused edges accept all). A pixel is covered iff c - a * px + b * py >= 0 for all edges;
 /// a and b are in 1/256 pixel, c = floor((c' - 1) / 256) of the exact edge function c' (with its tie rule), which is
@@ -55,6 +58,7 @@ struct alignas(16) RasterPrimitive {
   int32_t edges; // 0, 3 or 4
   float depth_offset;
   bool w_is_one;         // the plane of 1/w is exactly 1 everywhere, so the division changes nothing
+  bool back;             // a back-facing triangle
   Plane plane[];         // plane_count of them
 };
 

@@ -1,4 +1,5 @@
 // The table of the raster and fragment kernels of one instruction set.
+#include "fragment_light.inl"
 #include "isa.h"
 #include "kernels.h"
 #include "raster_small.inl"
@@ -22,6 +23,8 @@ const RasterKernels raster_kernels = {
     .setup_triangles = setup_triangles,
     .tile_primitives = tile_primitives,
     .tile_fragments = tile_fragments,
+    .light = stage_light,
+    .keep_primary = stage_keep_primary,
     .color_sum = stage_color_sum,
     .fog_linear = stage_fog_linear,
     .fog_exp = stage_fog_exp,

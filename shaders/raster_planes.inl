@@ -115,6 +115,11 @@ struct CornerPlanes {
   SOFTGL_MEMBER FloatV offset(const RasterConstants& r) const {
     return r.offset ? depth_offset(basis, position[0][2], position[1][2], position[2][2], r) : FloatV{};
   }
+  SOFTGL_MEMBER IntV back() const {
+    IntV v;
+    for (int i = 0; i < kWidth; ++i) v[i] = -int32_t(corners.back[i]);
+    return v;
+  }
   /// To be called before the planes of a varying are asked for.
   SOFTGL_MEMBER void select(const Varying& v) { load_slot(corners, v.slot, v.back_slot, slot); }
   SOFTGL_MEMBER PlaneV plane(const Varying& v, int component) const {
@@ -128,6 +133,7 @@ struct CornerPlanes {
 struct StoredPlanes {
   alignas(64) float plane[kMaxPlanes][3][kWidth];
   alignas(64) float offset[kWidth];
+  alignas(64) int32_t back[kWidth];
 
   SOFTGL_MEMBER void put(int index, const PlaneV& v) {
     store(plane[index][0], v.a), store(plane[index][1], v.gx), store(plane[index][2], v.gy);
@@ -137,6 +143,7 @@ struct StoredPlanes {
 static void store_planes(const RasterDraw& draw, const CornerPlaces& corners, StoredPlanes& out) {
   CornerPlanes p(corners);
   store(out.offset, p.offset(*draw.raster));
+  store(out.back, p.back());
   out.put(kPlaneZ, p.z());
   out.put(kPlaneW, p.w());
   auto varying = [&](const Varying& v) {

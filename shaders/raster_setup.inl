@@ -32,6 +32,7 @@ static void setup_triangles(const RasterDraw& draw, const TriangleInput& in, con
       q.w_is_one = q.plane[kPlaneW].a == 1.0f && q.plane[kPlaneW].gx == 0.0f && q.plane[kPlaneW].gy == 0.0f;
       q.depth_offset = planes.offset[i];
       q.edges = 3;
+      q.back = planes.back[i] != 0;
       int32_t min_x = x[0][i], max_x = min_x, min_y = y[0][i], max_y = min_y;
       for (int k = 0; k < 3; ++k) {
         const int j = k == 2 ? 0 : k + 1;

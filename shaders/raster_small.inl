@@ -19,6 +19,7 @@ struct TrianglePlanes {
   SOFTGL_MEMBER PlaneV z() const { return at(kPlaneZ); }
   SOFTGL_MEMBER PlaneV w() const { return at(kPlaneW); }
   SOFTGL_MEMBER FloatV offset(const RasterConstants&) const { return splat(stored.offset[triangle]); }
+  SOFTGL_MEMBER IntV back() const { return splat(stored.back[triangle]); }
   SOFTGL_MEMBER void select(const Varying&) {}
   SOFTGL_MEMBER PlaneV plane(const Varying& v, int component) const { return at(v.plane + component); }
 };
@@ -187,6 +188,7 @@ private:
       planes.select(v);
       for (int k = 0; k < v.components; ++k) store(lanes_of(block_, v, k) + lane, value(v, k));
     }
+    if (draw_.facing) store(block_.back + lane, planes.back());
     for (int u = 0; u < kBlockTextureUnits; ++u) {
       if (draw_.unit_plane[u] < 0) continue;
       const Varying v = coordinates_of_unit(draw_, u);
@@ -205,7 +207,6 @@ private:
     block_.lanes = (lanes + kStripLanes - 1) & ~(kStripLanes - 1);
     for (int j = 0; j < kLanes; ++j) block_.live[j] = j < lanes ? ~uint32_t(0) : 0;
     // Lanes past the last fragment hold values of an earlier block or copies: finite, as far as those are.
-    if (program_.keeps_primary) memcpy(block_.primary, block_.color, sizeof block_.primary);
     for (int i = 0; i < program_.step_count; ++i) program_.step[i].stage(block_, *program_.constants, program_.step[i].unit);
     for (int j = 0; j < lanes; j += kWidth) {
       store(out_.color + block_first_ + j, pack_color(load(block_.color[0] + j), load(block_.color[1] + j), load(block_.color[2] + j), load(block_.color[3] + j)));

@@ -15,6 +15,10 @@ struct ShadedLayout {
   int8_t back_secondary = -1;
   int8_t point = -1;           // point size after attenuation and clamping, in the 1st
   int8_t texcoord[8] = {-1, -1, -1, -1, -1, -1, -1, -1}; // s t r q of each enabled unit
+  // Where fragments are lit there are no colours, but what lighting reads: the normal and the position in eye
+  // coordinates, the vertex colour (not clamped) that feeds the material, and material parameters of the vertices.
+  int8_t normal = -1, eye = -1, tracked = -1;
+  int8_t material[10] = {-1, -1, -1, -1, -1, -1, -1, -1, -1, -1};
   uint8_t slots = 1;           // slots per vertex, stride = 16 * slots bytes
 };
 

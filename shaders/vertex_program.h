@@ -40,7 +40,9 @@ struct VertexProgram {
   bool eye_position;                    // some stage needs it, before fog
   bool eye_position_late;               // texture generation needs it, after fog
   bool eye_unit;
-  bool normal, normal_to_eye, normalize;
+  bool normal, normal_to_eye;
+  bool normalize;                       // as OSMesa does: a normal of zero becomes not a number
+  bool unit_normal;                     // a normal of zero stays zero
   bool lit;
   bool clamp_color;
   bool fog, fog_from_attribute;
@@ -53,8 +55,6 @@ struct VertexProgram {
   PointConstants point;
   bool line_stipple;                    // cut lines by the pattern while assembling
   uint16_t stipple_pattern, stipple_factor;
-  // Slot that feeds a material parameter as lanes: a material slot, kColor (colour material), or -1 = constant.
-  int8_t material_source[5][2];
 };
 
 /// What the vertex kernels need of a draw.

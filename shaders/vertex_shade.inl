@@ -35,27 +35,32 @@ static inline void clamp_lanes(float (*color)[kLanes], int components, int n) {
 }
 
 static inline void light_vertices(VertexBlock& b, const VertexJob& job, uint32_t first, int count, int n) {
-  const VertexProgram& p = *job.program;
-  const LightingConstants& k = *p.lighting;
-  MaterialLanes lanes = {};
+  const LightingConstants& k = *job.program->lighting;
   bool have_color = false;
-  for (int parameter = 0; parameter < 5; ++parameter) {
-    for (int face = 0; face <= int(k.two_sided); ++face) {
-      const int source = p.material_source[parameter][face];
-      if (source < 0) continue;
-      float (*from)[kLanes];
-      if (source == kColor) {
-        if (!have_color) fetch_attribute(job, kColor, first, count, n, 4, b.color);
-        have_color = true;
-        from = b.color;
-      } else {
-        from = b.material[source - kMaterial0];
-        fetch_attribute(job, source, first, count, n, 4, from);
-      }
-      for (int c = 0; c < 4; ++c) lanes.component[parameter][face][c] = from[c];
-    }
+  light_block(b.lighting, k, material_lanes(k, [&](int slot) {
+    if (slot == kColor && have_color) return b.color;
+    have_color |= slot == kColor;
+    float (*lanes)[kLanes] = slot == kColor ? b.color : b.material[slot - kMaterial0];
+    fetch_attribute(job, slot, first, count, n, 4, lanes);
+    return lanes;
+  }));
+}
+
+/// What the lighting of fragments reads.
+static inline void store_lighting_inputs(VertexBlock& b, const VertexJob& job, uint32_t first, int count, int n, ShadedVertices::Slot* out) {
+  const ShadedLayout& layout = job.layout;
+  auto put = [&](int slot, const float (*v)[kLanes], int last) { store_slot(v[0], v[1], v[2], v[last], out + slot, layout.slots, count); };
+  if (layout.normal >= 0) put(layout.normal, b.lighting.normal, 2);
+  if (layout.eye >= 0) put(layout.eye, b.lighting.eye, 3);
+  if (layout.tracked >= 0) {
+    fetch_attribute(job, kColor, first, count, n, 4, b.color);
+    put(layout.tracked, b.color, 3);
   }
-  light_block(b.lighting, k, lanes);
+  for (int i = 0; i < kMaterialSlots; ++i) {
+    if (layout.material[i] < 0) continue;
+    fetch_attribute(job, kMaterial0 + i, first, count, n, 4, b.material[i]);
+    put(layout.material[i], b.material[i], 3);
+  }
 }
 
 static inline void shade_block(VertexBlock& b, const VertexJob& job, uint32_t first, int count,
@@ -94,6 +99,8 @@ static inline void shade_block(VertexBlock& b, const VertexJob& job, uint32_t fi
     fetch_attribute(job, kColor, first, count, n, 4, b.color);
     if (p.clamp_color) clamp_lanes(b.color, 4, n);
     store_slot(b.color[0], b.color[1], b.color[2], b.color[3], out + layout.color, slots, count);
+  } else {
+    store_lighting_inputs(b, job, first, count, n, out);
   }
 
   if (layout.secondary >= 0) {

@@ -48,7 +48,9 @@ static inline void transform_normals(VertexBlock& b, const VertexProgram& p, int
       normal[2][i] = dot3(x, y, z, m20, m21, m22);
     }
   }
-  if (p.normalize) {
+  if (p.unit_normal) {
+    unit_lanes(normal, normal, n);
+  } else if (p.normalize) {
     normalize_lanes(normal, normal, n);
   } else if (k.normal_scale != 1.0f) {
     const float scale = k.normal_scale;

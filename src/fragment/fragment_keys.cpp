@@ -55,6 +55,7 @@ std::string to_string(const FragmentKey& k) {
   std::string s;
   auto add = [&](const std::string& word) { s += (s.empty() ? "" : " ") + word; };
   if (k.flat) add("flat");
+  if (k.lit) add("lit");
   for (int i = 0; i < 8; ++i)
     if (k.texture_units >> i & 1) add("tex" + std::to_string(i));
   if (k.color_sum) add("color_sum");

@@ -99,7 +99,8 @@ const FragmentProgram* make_fragment_program(Context& context, Arena& arena) {
   key.flat = s.lighting.shade_model == GL_FLAT;
   const bool separate = s.lighting.enabled && s.lighting.color_control == GL_SEPARATE_SPECULAR_COLOR;
   key.color_sum = separate || (!s.lighting.enabled && s.fog.color_sum);
-  key.secondary = key.color_sum;
+  key.lit = lights_fragments(s.lighting, context.smooth_is_phong);
+  key.secondary = key.color_sum && !key.lit; // lit fragments make their own
   set_fog(s.fog, key, k);
 
   key.alpha_function = uint64_t(Compare::Always);
@@ -144,6 +145,7 @@ const FragmentProgram* make_fragment_program(Context& context, Arena& arena) {
   // Surfaces without alpha keep it at 1, so that destination alpha reads as 1.
   if (!context.framebuffer.has_alpha) key.color_mask &= 7;
 
+  if (key.lit) program.add(kernels().raster->light);
   append_texture_stages(context, arena, program, k);
   key = simplify(key);
   append_fragment_stages(program);

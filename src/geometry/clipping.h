@@ -24,7 +24,7 @@ public:
   bool line(const uint32_t v[2], const Slot* end[2]);
 
 private:
-  static constexpr int kMaxSlots = 14;
+  static constexpr int kMaxSlots = 24; // position, fog, normal, eye, colour, materials, point size, coordinates
   struct Vertex {
     float clip[4];
     const Slot* shaded;

@@ -12,10 +12,10 @@ namespace {
 
 /// The few bits of the lighting group on which raster and fragment snapshots depend; materials and lights are not
 /// among them.
-uint32_t lighting_mode(const LightingState& l) {
+uint32_t lighting_mode(const LightingState& l, bool for_fragments) {
   return uint32_t(l.enabled) | uint32_t(l.enabled && l.two_side) << 1 |
          uint32_t(l.enabled && l.color_control == GL_SEPARATE_SPECULAR_COLOR) << 2 |
-         uint32_t(l.shade_model == GL_FLAT) << 3;
+         uint32_t(l.shade_model == GL_FLAT) << 3 | uint32_t(for_fragments) << 4;
 }
 
 bool draws_points(const DrawCall& call) {
@@ -24,11 +24,26 @@ bool draws_points(const DrawCall& call) {
   return false;
 }
 
-ShadedLayout make_layout(const Context& c, const FragmentKey& key, bool points) {
+ShadedLayout make_layout(const Context& c, const FragmentKey& key, const int8_t source[5][2], bool points) {
   ShadedLayout l;
-  const bool two_sided = c.state.lighting.enabled && c.state.lighting.two_side;
+  const LightingState& lighting = c.state.lighting;
+  const bool two_sided = lighting.enabled && lighting.two_side && !key.lit;
   int8_t next = 1;
-  l.color = next++;
+  if (key.lit) {
+    bool lights = false, positional = false;
+    for (const Light& light : lighting.light) lights |= light.enabled, positional |= light.enabled && light.position.w != 0;
+    if (lights) l.normal = next++;
+    if (positional || (lights && lighting.local_viewer)) l.eye = next++;
+    for (int parameter = 0; parameter < 5; ++parameter)
+      for (int face = 0; face <= int(lighting.two_side); ++face) {
+        const int from = source[parameter][face];
+        if (from < 0) continue;
+        int8_t& slot = from == kColor ? l.tracked : l.material[from - kMaterial0];
+        if (slot < 0) slot = next++;
+      }
+  } else {
+    l.color = next++;
+  }
   if (key.secondary || key.fog_coordinate) l.secondary = next++;
   if (two_sided) l.back_color = next++;
   if (two_sided && key.secondary) l.back_secondary = next++;
@@ -40,27 +55,27 @@ ShadedLayout make_layout(const Context& c, const FragmentKey& key, bool points) 
   return l;
 }
 
-const VertexProgram* make_vertex_program(const Context& c, const SnapshotCache& cache, const int8_t source[5][2], Arena& arena) {
+const VertexProgram* make_vertex_program(const Context& c, const SnapshotCache& cache, Arena& arena) {
   auto* p = arena.make<VertexProgram>();
   const State& s = c.state;
   const FragmentKey& key = cache.fragment->key;
   p->transform = cache.transform;
   p->clip_planes = cache.clip_planes;
   p->lighting = cache.lighting;
-  p->lit = cache.lighting != nullptr;
+  p->lit = cache.lighting && !key.lit;
   p->clamp_color = true;
   p->fog = key.fog_coordinate;
   p->fog_from_attribute = s.fog.coordinate_source == GL_FOG_COORDINATE;
   p->normal_to_eye = cache.eye_space;
   p->normalize = s.transform.normalize;
-  std::memcpy(p->material_source, source, sizeof p->material_source);
+  p->unit_normal = p->normalize && key.lit;
 
-  if (p->lit) {
+  if (cache.lighting) {
     const LightingConstants& k = *cache.lighting;
     bool positional = false;
     for (int i = 0; i < k.light_count; ++i) positional |= k.light[i].positional;
-    p->eye_unit = k.local_viewer && !k.shininess_zero && k.light_count > 0;
-    p->eye_position = positional || p->eye_unit;
+    p->eye_unit = p->lit && k.local_viewer && !k.shininess_zero && k.light_count > 0;
+    p->eye_position = positional || p->eye_unit || cache.layout.eye >= 0;
     p->normal = k.light_count > 0;
   }
   for (int u = 0; u < kMaxTextureUnits; ++u) {
@@ -85,18 +100,35 @@ const VertexProgram* make_vertex_program(const Context& c, const SnapshotCache& 
   return p;
 }
 
+/// The state's program; where it lights fragments, with the lights and materials of the draw.
+const FragmentProgram* program_of_draw(const SnapshotCache& cache, Arena& arena) {
+  const FragmentProgram *program = cache.fragment, *last = cache.fragment_of_draw;
+  if (!program->key.lit) return program;
+  if (last && last->constants->lighting == cache.lighting) return last;
+  auto* constants = arena.make<FragmentConstants>(*program->constants);
+  constants->lighting = cache.lighting;
+  auto* copy = arena.make<FragmentProgram>(*program);
+  copy->constants = constants;
+  return copy;
+}
+
 /// Brings the cache up to date with the state.
 void take_snapshots(Context& c, const DrawCall& call) {
   SnapshotCache& cache = c.snapshots;
   Arena& arena = c.frame.arena();
   uint32_t dirty = c.dirty;
   const State& s = c.state;
-  const uint32_t mode = lighting_mode(s.lighting);
+  const bool lit = s.lighting.enabled, for_fragments = lights_fragments(s.lighting, c.smooth_is_phong);
+  const uint32_t mode = lighting_mode(s.lighting, for_fragments);
   const bool mode_changed = mode != cache.lighting_mode;
   const bool points = draws_points(call);
+  const uint32_t present = call.source->present;
+  const float* color = &call.constant[kColor][0];
+  const bool color_feeds = lit && s.lighting.color_material_enabled && !(present >> kColor & 1);
+  if (present != cache.present || (color_feeds && std::memcmp(color, cache.color, sizeof cache.color) != 0)) dirty |= kDirtyLighting;
 
   if (mode_changed || !cache.fragment || dirty & (kDirtyFragment | kDirtyTexture | kDirtyRaster))
-    cache.fragment = make_fragment_program(c, arena), dirty |= kDirtyFragment;
+    cache.fragment = make_fragment_program(c, arena), cache.fragment_of_draw = nullptr, dirty |= kDirtyFragment;
   if (mode_changed || !cache.raster || dirty & (kDirtyRaster | kDirtyViewport | kDirtyFragment))
     cache.raster = make_raster_constants(c, arena);
   cache.lighting_mode = mode;
@@ -119,29 +151,24 @@ void take_snapshots(Context& c, const DrawCall& call) {
   if (dirty & (kDirtyMatrices | kDirtyTransform | kDirtyTexture | kDirtyFragment))
     for (int u = 0; u < kMaxTextureUnits; ++u)
       cache.coordinates[u] = units >> u & 1 ? make_coordinates(c, u, arena) : nullptr;
-  if (program || points != cache.draws_points || mode_changed) {
-    cache.layout = make_layout(c, cache.fragment->key, points);
-    cache.draws_points = points;
-    program = true;
-  }
-
-  const uint32_t present = call.source->present;
-  const bool lit = s.lighting.enabled;
-  const float* color = &call.constant[kColor][0];
-  const bool color_feeds = lit && s.lighting.color_material_enabled && !(present >> kColor & 1);
-  if (present != cache.present) dirty |= kDirtyLighting;
-  if (color_feeds && std::memcmp(color, cache.color, sizeof cache.color) != 0) dirty |= kDirtyLighting;
+  program |= points != cache.draws_points || mode_changed;
   int8_t source[5][2];
   std::memset(source, -1, sizeof source);
-  const bool relight = mode_changed || dirty & kDirtyLighting || (!cache.eye_space && dirty & kDirtyMatrices);
-  if (relight || program) {
+  if (program) {
     if (lit) find_material_sources(c, present, source);
+    cache.layout = make_layout(c, cache.fragment->key, source, points);
+    cache.draws_points = points;
+  }
+
+  const bool relight = mode_changed || dirty & kDirtyLighting || (!cache.eye_space && dirty & kDirtyMatrices);
+  if (program) {
     if (!lit) cache.lighting = nullptr;
-    else if (relight || !cache.lighting) cache.lighting = make_lighting(c, source, color, cache.eye_space, arena);
+    else if (relight || !cache.lighting) cache.lighting = make_lighting(c, source, color, cache.eye_space, for_fragments, arena);
     std::memcpy(cache.color, color, sizeof cache.color);
     cache.present = present;
-    cache.vertex = make_vertex_program(c, cache, source, arena);
+    cache.vertex = make_vertex_program(c, cache, arena);
   }
+  cache.fragment_of_draw = program_of_draw(cache, arena);
   c.dirty &= kDirtyCurrent | kDirtyArrays;
 }
 
@@ -152,7 +179,7 @@ void submit(Context& c, const DrawCall& call) {
   if (!has_position || call.primitive_count == 0 || call.vertex_count == 0 || c.framebuffer.surface.width == 0) return;
   take_snapshots(c, call);
   const SnapshotCache& cache = c.snapshots;
-  c.frame.append(c.frame.arena().make<DrawRecord>(call, cache.layout, cache.vertex, cache.raster, cache.fragment));
+  c.frame.append(c.frame.arena().make<DrawRecord>(call, cache.layout, cache.vertex, cache.raster, cache.fragment_of_draw));
   if (c.frame.over_budget()) flush_rendering(c);
 }
 

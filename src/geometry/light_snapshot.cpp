@@ -93,7 +93,7 @@ void find_material_sources(const Context& c, uint32_t present, int8_t source[5][
 }
 
 const LightingConstants* make_lighting(const Context& c, const int8_t source[5][2], const float color[4], bool eye_space,
-                                       Arena& arena) {
+                                       bool for_fragments, Arena& arena) {
   const LightingState& l = c.state.lighting;
   int enabled = 0;
   for (const Light& light : l.light) enabled += light.enabled;
@@ -103,7 +103,9 @@ const LightingConstants* make_lighting(const Context& c, const int8_t source[5][
   k.two_sided = l.two_side;
   k.separate_specular = l.color_control == GL_SEPARATE_SPECULAR_COLOR;
   k.local_viewer = l.local_viewer;
+  k.for_fragments = for_fragments;
   k.light_count = enabled;
+  std::memcpy(k.material_source, source, sizeof k.material_source);
   copy3(k.model_ambient, &l.model_ambient[0]);
 
   for (int face = 0; face < 2; ++face) {

@@ -16,7 +16,8 @@ struct SnapshotCache {
   const CoordinateConstants* coordinates[8] = {};
   const VertexProgram* vertex = nullptr;
   const RasterConstants* raster = nullptr;
-  const FragmentProgram* fragment = nullptr;
+  const FragmentProgram* fragment = nullptr;         // as the state asks for it
+  const FragmentProgram* fragment_of_draw = nullptr; // the same; where it lights fragments, with the lights
   ShadedLayout layout;
   // What the blocks were made for, beyond the dirty bits.
   uint32_t present = 0;        // attribute streams

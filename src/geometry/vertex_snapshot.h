@@ -23,6 +23,6 @@ const CoordinateConstants* make_coordinates(const Context& context, int unit, Ar
 void find_material_sources(const Context& context, uint32_t present, int8_t source[5][2]);
 /// `color` is the draw's constant colour, for colour material.
 const LightingConstants* make_lighting(const Context& context, const int8_t source[5][2], const float color[4],
-                                       bool eye_space, Arena& arena);
+                                       bool eye_space, bool for_fragments, Arena& arena);
 
 } // namespace softgl

@@ -146,6 +146,7 @@ bool setup_line(const RasterDraw& draw, const ShadedVertices::Slot* corner0, con
   const Plane& w = out.plane[kPlaneW];
   out.w_is_one = w.a == 1.0f && w.gx == 0.0f && w.gy == 0.0f;
   out.depth_offset = 0;
+  out.back = false;
   return true;
 }
 

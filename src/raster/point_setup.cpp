@@ -69,6 +69,7 @@ bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, Ras
   }
   out.w_is_one = w == 1.0f;
   out.depth_offset = 0;
+  out.back = false;
   return true;
 }
 

@@ -14,7 +14,7 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
   d.layout = draw.layout;
   // OSMesa 22.3.6 hands an unlit colour that no vertex sets straight to the fragments, without interpolating it (which
   // would disturb its last bits: 0.3 * 255 is a tie).
-  const bool unlit = draw.vertex && !draw.vertex->lit && draw.call.source;
+  const bool unlit = draw.vertex && !draw.vertex->lit && !key.lit && draw.call.source;
   auto flat = [&](AttributeSlot slot) { return key.flat || (unlit && !(draw.call.source->present >> slot & 1)); };
   int planes = kPlaneColor;
   auto take = [&](int count) { return planes += count, static_cast<int8_t>(planes - count); };
@@ -27,6 +27,15 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
   vary(offsetof(FragmentBlock, color), l.color, l.back_color, 0, 4, flat(kColor));
   if (key.secondary) vary(offsetof(FragmentBlock, secondary), l.secondary, l.back_secondary, 0, 3, flat(kSecondaryColor));
   if (key.fog_coordinate) vary(offsetof(FragmentBlock, fog), l.secondary, -1, 3, 1, false);
+  if (key.lit) {
+    constexpr size_t kLighting = offsetof(FragmentBlock, lighting);
+    vary(kLighting + offsetof(LightingBlock, normal), l.normal, -1, 0, 3, false);
+    vary(kLighting + offsetof(LightingBlock, eye), l.eye, -1, 0, 3, false);
+    vary(offsetof(FragmentBlock, color), l.tracked, -1, 0, 4, false);
+    for (int i = 0; i < kMaterialSlots; ++i)
+      vary(offsetof(FragmentBlock, material) + size_t(i) * sizeof(FragmentBlock::material[0]), l.material[i], -1, 0, i / 2 == kMaterialShininess ? 1 : 4, false);
+    d.facing = draw.raster->two_sided;
+  }
   for (int u = 0; u < kBlockTextureUnits; ++u) d.unit_plane[u] = key.texture_units >> u & 1 && l.texcoord[u] >= 0 ? take(4) : int8_t(-1);
   d.plane_count = static_cast<uint8_t>(planes);
   const auto format = static_cast<ColorFormat>(key.color_format);

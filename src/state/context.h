@@ -10,6 +10,7 @@
 #include "state/attribute_stack.h"
 #include "state/matrix_stacks.h"
 #include "state/object_store.h"
+#include "state/shading.h"
 #include "state/state.h"
 #include "vertex/array_fetch.h"
 #include "vertex/vertex_builder.h"
@@ -40,6 +41,7 @@ struct Context {
   Frame frame;
   SnapshotCache snapshots; // point into frame.arena()
   Framebuffer framebuffer;
+  const bool smooth_is_phong = smooth_is_phong_by_environment();
 };
 
 /// The calling thread's context; never null: without one it is a context whose guard is kNoContext. Initial-exec,

@@ -229,7 +229,7 @@ void ColorMaterial(Context& c, GLenum face, GLenum mode) {
 }
 
 void ShadeModel(Context& c, GLenum mode) {
-  if (mode != GL_FLAT && mode != GL_SMOOTH) return set_error(c, GL_INVALID_ENUM);
+  if (mode != GL_FLAT && mode != GL_SMOOTH && mode != GL_PHONG_WIN) return set_error(c, GL_INVALID_ENUM);
   c.state.lighting.shade_model = mode;
   c.dirty |= kDirtyLighting | kDirtyRaster | kDirtyFragment;
 }

@@ -43,6 +43,7 @@ void Hint(Context& c, GLenum target, GLenum mode) {
   case GL_POLYGON_SMOOTH_HINT: hint.polygon_smooth = mode; break;
   case GL_FOG_HINT: hint.fog = mode; break;
   case GL_GENERATE_MIPMAP_HINT: hint.generate_mipmap = mode; break;
+  case GL_PHONG_HINT_WIN: hint.phong = mode; break;
   case GL_TEXTURE_COMPRESSION_HINT: hint.texture_compression = mode; break;
   default: return set_error(c, GL_INVALID_ENUM);
   }

@@ -225,6 +225,7 @@ struct EvaluatorState {
 struct HintState {
   GLenum perspective_correction = GL_DONT_CARE, point_smooth = GL_DONT_CARE, line_smooth = GL_DONT_CARE;
   GLenum polygon_smooth = GL_DONT_CARE, fog = GL_DONT_CARE, generate_mipmap = GL_DONT_CARE, texture_compression = GL_DONT_CARE;
+  GLenum phong = GL_DONT_CARE; // GL_WIN_phong_shading
 };
 struct ListState {
   GLuint base = 0;

@@ -144,6 +144,7 @@ void append_texture_stages(Context& c, Arena& arena, FragmentProgram& program, F
   if (sampled == 0) return;
   program.key.texture_units = uint64_t(sampled);
   const TextureKernels& kernels = *softgl::kernels().texture;
+  bool keeps_primary = false;
   bool crossbar = false; // a combiner reads another unit's texel
   for (int u = 0; u < kMaxTextureUnits; ++u) {
     if (!units[u]) continue;
@@ -154,10 +155,11 @@ void append_texture_stages(Context& c, Arena& arena, FragmentProgram& program, F
       program.add(kernels.choose_face, u);
     }
     if (reads_r(*units[u])) program.r_units = uint8_t(program.r_units | 1u << u);
-    if (reads_source(*units[u], CombineSource::Primary)) program.keeps_primary = true;
+    keeps_primary |= reads_source(*units[u], CombineSource::Primary);
     for (int other = 0; other < kMaxTextureUnits; ++other)
       crossbar |= other != u && reads_source(*units[u], CombineSource(int(CombineSource::Texture0) + other));
   }
+  if (keeps_primary) program.add(softgl::kernels().raster->keep_primary);
   auto fused = [&](int u) { return !crossbar && fixed_point(*units[u]) && is_modulate(*units[u], u); };
   for (int u = 0; u < kMaxTextureUnits; ++u)
     if (units[u] && !fused(u)) program.add(fixed_point(*units[u]) ? kernels.sample_fixed : kernels.sample_float, u);
