@@ -23,6 +23,7 @@ struct Scene {
   void (*draw)(Stage& stage) = nullptr;
   bool random = false;             // the seed decides what is drawn, and the size of the picture
   int width = 160, height = 120;   // of a scene that is not random
+  bool softgl_only = false;        // uses what OSMesa does not have: never compared with it
 };
 
 /// All scenes with a name of their own, and all families, in alphabetical order.
