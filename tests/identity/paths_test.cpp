@@ -99,7 +99,7 @@ void draw_scene(Stage& s) {
   random_modelview(s);
   random_depth(s, 50);
   random_culling(s);
-  gl.ShadeModel(r.chance(70) ? GL_SMOOTH : GL_FLAT);
+  gl.ShadeModel(GLenum(r.pick({GL_SMOOTH, GL_SMOOTH, GL_FLAT, GL_PHONG_WIN})));
   gl.LineWidth(r.real(1, 4));
   gl.PointSize(r.real(1, 8));
   if (r.chance(30)) random_fog(s);

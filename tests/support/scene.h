@@ -23,12 +23,14 @@ struct Scene {
   void (*draw)(Stage& stage) = nullptr;
   bool random = false;             // the seed decides what is drawn, and the size of the picture
   int width = 160, height = 120;   // of a scene that is not random
-  bool softgl_only = false;        // uses what OSMesa does not have: never compared with it
+  bool extension = false;          // uses an extension that OSMesa does not have
 };
 
-/// All scenes with a name of their own, and all families, in alphabetical order.
+/// All scenes with a name of their own, and all families, in alphabetical order: those that OSMesa can draw too.
 const std::vector<Scene>& named_scenes();
 const std::vector<Scene>& families();
+/// Scenes and families that use softgl's extensions.
+const std::vector<Scene>& extension_scenes();
 const Scene* find_scene(const std::string& name);
 
 /// Registers a scene or a family: `static SceneRegistration registration{{"spot_lights", draw}};`

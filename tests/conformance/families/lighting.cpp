@@ -58,6 +58,7 @@ static bool random_light(Stage& s, GLenum light) {
 
 struct LightingOptions {
   bool modelview_any = true, color_material = true, materials_inside = true, secondary = true;
+  GLenum shade_model = GL_SMOOTH; // or flat
 };
 
 static void lit_batch(Stage& s, const LightingOptions& o) {
@@ -100,7 +101,7 @@ static void lit_batch(Stage& s, const LightingOptions& o) {
   case 2: gl.Enable(GL_RESCALE_NORMAL); break;
   default: break;
   }
-  gl.ShadeModel(s.random.chance(75) ? GL_SMOOTH : GL_FLAT);
+  gl.ShadeModel(s.random.chance(75) ? o.shade_model : GL_FLAT);
   if (s.random.chance(40)) {
     if (color_material) {
       const Float4 c = s.random.color();
@@ -144,6 +145,16 @@ static void draw_normals(Stage& s) {
   }
 }
 
+static void draw_phong(Stage& s) {
+  random_canvas(s);
+  LightingOptions o;
+  o.shade_model = GL_PHONG_WIN;
+  if (s.random.chance(30)) random_fog(s);
+  if (s.random.chance(20)) random_alpha_test(s);
+  for (int batch = s.random.integer(1, 3); batch > 0; batch--) lit_batch(s, o);
+}
+
 static SceneRegistration lit{{"lit", draw_lit, true}}, materials{{"materials", draw_materials, true}}, normals{{"normals", draw_normals, true}};
+static SceneRegistration phong{{.name = "phong", .draw = draw_phong, .random = true, .extension = true}};
 
 } // namespace softgl::test

@@ -80,8 +80,11 @@ int run(const Options& o) {
   std::vector<Scene> scenes;
   if (o.families.empty()) {
     scenes = families();
-    if (o.hash)
+    if (o.hash) {
       for (const Scene& s : named_scenes()) scenes.push_back(s);
+      if (o.library == "softgl")
+        for (const Scene& s : extension_scenes()) scenes.push_back(s);
+    }
   } else {
     for (const std::string& name : o.families) {
       const Scene* scene = find_scene(name);
@@ -160,6 +163,7 @@ int main(int argc, char** argv) {
     if (option == "--list") {
       for (const Scene& s : families()) std::printf("%s\n", s.name.c_str());
       for (const Scene& s : named_scenes()) std::printf("%s\n", s.name.c_str());
+      for (const Scene& s : extension_scenes()) std::printf("%s (softgl only)\n", s.name.c_str());
       return 0;
     } else if (option == "--hash") o.hash = true;
     else if (option == "--minimize") o.minimize = true;
