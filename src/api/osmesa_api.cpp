@@ -154,6 +154,7 @@ SOFTGL_EXPORT GLboolean OSMesaMakeCurrent(OSMesaContext ctx, void* buffer, GLenu
     return GL_FALSE;
   }
   Framebuffer& f = ctx->framebuffer;
+  bool new_planes = false;
   try {
     if (current_context != ctx) leave(current_context);
     if (f.surface.width != width || f.surface.height != height || f.surface.color_format != color_format) {
@@ -164,12 +165,14 @@ SOFTGL_EXPORT GLboolean OSMesaMakeCurrent(OSMesaContext ctx, void* buffer, GLenu
       }
       f.unresolved = false;
       f.depth_copy.clear();
+      new_planes = true;
     }
   } catch (...) {
     return GL_FALSE;
   }
   f.client.data = buffer;
   f.client.type = type;
+  if (new_planes) f.prepare_pages();
   if (!ctx->ever_current) {
     ctx->ever_current = true;
     ctx->state.viewport.width = ctx->state.scissor.width = width;

@@ -58,7 +58,7 @@ ShadedVertices* allocate_vertices(const DrawRecord& draw, Arena& arena) {
 
 struct Frame::Workers {
   struct Worker {
-    Arena arena{256 * 1024};
+    Arena arena;
     TileLists lists;
     BinnerScratch binner;
     FragmentBlock block{};

@@ -43,7 +43,7 @@ public:
 private:
   static constexpr size_t kBudgetBytes = 256u << 20;
   friend class FrameWork;
-  Arena arena_{1 << 20};
+  Arena arena_;
   std::vector<std::shared_ptr<const void>> retained_;
   std::vector<Item> items_;
   struct Workers; // memory of the workers, kept from flush to flush

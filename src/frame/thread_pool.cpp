@@ -14,8 +14,10 @@
 #include <new>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "base/float_environment.h"
+#include "base/pages.h"
 
 namespace softgl {
 
@@ -58,6 +60,7 @@ struct ThreadPool::State {
   size_t count = 0;
   std::atomic<size_t> next{0};
   std::exception_ptr failure;
+  std::vector<Pages> pages; // to be brought in; guarded by mutex
 
   void work(int worker) {
     for (;;) {
@@ -81,7 +84,13 @@ struct ThreadPool::State {
       for (int i = 0; i < 2000 && generation.load(std::memory_order_acquire) == seen; ++i) _mm_pause();
       {
         std::unique_lock lock(mutex);
-        wake.wait(lock, [&] { return generation.load(std::memory_order_relaxed) != seen; });
+        wake.wait(lock, [&] { return generation.load(std::memory_order_relaxed) != seen || !pages.empty(); });
+        if (!pages.empty()) {
+          const std::vector<Pages> taken = std::exchange(pages, {});
+          lock.unlock();
+          for (const Pages& p : taken) populate_pages(p.memory, p.bytes);
+          continue;
+        }
         seen = generation.load(std::memory_order_relaxed);
         if (!open || worker >= wanted) continue;
         active.fetch_add(1, std::memory_order_relaxed);
@@ -134,6 +143,17 @@ ThreadPool& ThreadPool::instance() {
 
 int ThreadPool::workers() const { return state_->workers.load(std::memory_order_relaxed); }
 void ThreadPool::set_workers(int count) { state_->workers.store(std::clamp(count, 1, kMaxWorkers), std::memory_order_relaxed); }
+
+void ThreadPool::prepare(std::initializer_list<Pages> pages) {
+  State& s = *state_;
+  std::unique_lock owner(s.owner, std::try_to_lock);
+  if (!owner || s.start(workers() - 1) == 0) return;
+  {
+    std::lock_guard lock(s.mutex);
+    s.pages.insert(s.pages.end(), pages.begin(), pages.end());
+  }
+  s.wake.notify_one();
+}
 
 void ThreadPool::run_erased(size_t count, Call call, void* object) {
   State& s = *state_;

@@ -39,6 +39,8 @@ struct Framebuffer {
 
   /// New planes of zeros (alpha 1 where there is none). False, and nothing changed, when memory does not suffice.
   bool allocate(int width, int height, ColorFormat color_format);
+  /// Has new planes and the caller's buffer brought into memory while the caller prepares its first frame.
+  void prepare_pages() const;
   void release();
 
 private:

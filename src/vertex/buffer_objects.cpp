@@ -5,6 +5,7 @@
 #include <new>
 
 #include "api/generated/commands.h"
+#include "base/pages.h"
 #include "state/context.h"
 
 namespace softgl {
@@ -126,7 +127,10 @@ void gl::BufferData(Context& c, GLenum target, GLsizeiptr size, const void* data
   if (size > kMaxBufferBytes) return set_error(c, GL_OUT_OF_MEMORY);
   BufferObject& buffer = **binding;
   auto storage = std::make_shared<BufferStorage>(size_t(size));
-  if (data) std::memcpy(storage->bytes, data, size_t(size));
+  if (data) {
+    populate_pages(storage->bytes, size_t(size));
+    std::memcpy(storage->bytes, data, size_t(size));
+  }
   buffer.storage = std::move(storage);
   buffer.usage = usage;
   buffer.access = GL_READ_WRITE;
