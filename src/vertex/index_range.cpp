@@ -26,10 +26,10 @@ __attribute__((always_inline)) inline IndexRange scan_any(const void* indices, G
 }
 
 // Integers only: the same answer from either. SSE2 has no minimum of unsigned integers.
-__attribute__((target("avx2"), optimize("O3"))) IndexRange scan_wide(const void* indices, GLenum type, uint32_t count) {
+__attribute__((target("avx2"))) IndexRange scan_wide(const void* indices, GLenum type, uint32_t count) {
   return scan_any(indices, type, count);
 }
-__attribute__((optimize("O3"))) IndexRange scan_narrow(const void* indices, GLenum type, uint32_t count) {
+IndexRange scan_narrow(const void* indices, GLenum type, uint32_t count) {
   return scan_any(indices, type, count);
 }
 

@@ -44,7 +44,8 @@ void random_texture_matrix(Stage& s) {
     const float x = s.random.real(-1, 1), y = s.random.real(-1, 1);
     s.gl.Translatef(x, y, 0);
     s.gl.Rotatef(s.random.real(-180, 180), 0.2f, 0.3f, 1);
-    s.gl.Scalef(s.random.real(0.5f, 3), s.random.real(0.5f, 3), 1);
+    const Float2 scale = {s.random.real(0.5f, 3), s.random.real(0.5f, 3)};
+    s.gl.Scalef(scale[1], scale[0], 1);
   }
   s.gl.MatrixMode(GL_MODELVIEW);
 }
@@ -67,7 +68,9 @@ void draw_coordinates(Stage& s) {
     }
     if (s.random.chance(30)) random_fog(s);
     if (s.random.chance(40)) {
-      sphere(s, s.random.integer(5, 16), s.random.integer(3, 10), s.random.real(0.5f, 1), true);
+      const float radius = s.random.real(0.5f, 1);
+      const int stacks = s.random.integer(3, 10), slices = s.random.integer(5, 16);
+      sphere(s, slices, stacks, radius, true);
       continue;
     }
     PrimitiveOptions options;
