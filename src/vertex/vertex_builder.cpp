@@ -309,7 +309,8 @@ void emit_vertex_without_room(Context& c, float x, float y, float z, float w) tr
     open_chunk(c);
     b.limit = room_end(b);
     c.guard |= kRunPending;
-  } else if (b.compiling) {
+  } else if (b.compiling || (c.state.line.stipple && (b.mode == GL_LINE_STRIP || b.mode == GL_LINE_LOOP))) {
+    // The stipple pattern runs through a strip, which therefore stays in one piece.
     grow_chunk(c, 2 * b.capacity);
     b.limit = room_end(b);
   } else {

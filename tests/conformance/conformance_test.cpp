@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "support/environment.h"
 #include "support/runner.h"
 
 namespace softgl::test {
@@ -14,7 +15,7 @@ class Invoker : public Catch::ITestInvoker {
 public:
   Invoker(const Scene& scene, int first, int count) : scene_(scene), first_(first), count_(count) {}
   void invoke() const override {
-    for (int seed = first_; seed < first_ + count_; seed++) {
+    for (int seed = first_; seed < first_ + seed_count(count_); seed++) {
       const std::string difference = check_against_osmesa(scene_, uint64_t(seed));
       if (!difference.empty()) FAIL_CHECK(scene_.name << " " << seed << ": " << difference);
     }

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 
+#include "support/environment.h"
 #include "test_paths.h"
 
 namespace {
@@ -25,7 +26,7 @@ bool built(const std::string& isa) { return std::string("," SOFTGL_TEST_ISAS ","
 // The hash of every scene, from a process of its own.
 std::map<std::string, std::string> hashes(const std::string& isa, int threads) {
   const std::string command = "SOFTGL_ISA=" + isa + " SOFTGL_THREADS=" + std::to_string(threads) + " '" SOFTGL_TEST_BINARY_DIR
-                              "/softgl_conformance' --library softgl --hash --count 100 --expect-isa " + isa;
+                              "/softgl_conformance' --library softgl --hash --count " + std::to_string(softgl::test::seed_count(100)) + " --expect-isa " + isa;
   std::map<std::string, std::string> result;
   FILE* pipe = popen(command.c_str(), "r");
   REQUIRE(pipe);
@@ -41,7 +42,7 @@ void check(const std::string& isa) {
     return;
   }
   static const auto reference = hashes("baseline", 1);
-  REQUIRE(reference.size() > 2000);
+  REQUIRE(reference.size() > 20 * size_t(softgl::test::seed_count(100)));
   for (int threads : {1, 2, 3, 8}) {
     const auto got = hashes(isa, threads);
     REQUIRE(got.size() == reference.size());

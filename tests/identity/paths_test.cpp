@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "conformance/families/common.h"
+#include "support/environment.h"
 #include "support/runner.h"
 
 namespace softgl::test {
@@ -136,7 +137,7 @@ void draw_scene(Stage& s) {
 
 void check_path(Path other) {
   const Scene scene{"paths", draw_scene, true};
-  for (uint64_t seed = 0; seed < 60; seed++) {
+  for (uint64_t seed = 0; seed < uint64_t(seed_count(60)); seed++) {
     path = Path::Immediate;
     const Picture expected = draw(softgl_library(), scene, seed);
     path = other;

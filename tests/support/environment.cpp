@@ -1,5 +1,6 @@
 #include "support/environment.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <initializer_list>
 
@@ -13,6 +14,11 @@ void fix_environment() {
   for (const char* name : {"MESA_GL_VERSION_OVERRIDE", "MESA_EXTENSION_OVERRIDE", "LP_NATIVE_VECTOR_WIDTH", "GALLIUM_NOSSE",
                            "LP_DEBUG", "LP_PERF", "MESA_DEBUG", "mesa_glthread"})
     unsetenv(name);
+}
+
+int seed_count(int usual) {
+  const char* most = std::getenv("SOFTGL_TEST_SEEDS");
+  return most ? std::clamp(std::atoi(most), 1, usual) : usual;
 }
 
 } // namespace softgl::test

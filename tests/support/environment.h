@@ -7,4 +7,7 @@ namespace softgl::test {
 /// to SSE4.1 it computes the same bytes on all of them. Its threads and its shader cache change no byte, only the time.
 void fix_environment();
 
+/// How many seeds a case draws: `usual`, or at most as many as SOFTGL_TEST_SEEDS says, for slow builds.
+int seed_count(int usual);
+
 } // namespace softgl::test

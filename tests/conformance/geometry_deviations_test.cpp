@@ -1,0 +1,179 @@
+// Where OSMesa's vertices, quadrilaterals and lines leave the specification or depend on history (reference/DEVIATIONS.md):
+// softgl's answer, and that OSMesa's is another.
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+#include "support/runner.h"
+
+namespace softgl::test {
+namespace {
+
+enum class Path { Immediate, List, Arrays, Elements };
+constexpr Path kPaths[] = {Path::Immediate, Path::List, Path::Arrays, Path::Elements};
+Path path; // these are read by the scenes
+bool flat, clipped, lit;
+
+// A quadrilateral whose corners 0 and 2 are near and whose corners 1 and 3 are far; another one beside it, or beyond.
+void draw_bent_quads(Stage& s) {
+  const GLfloat right = clipped ? 1.5f : 0.9f;
+  const GLfloat v[8][3] = {{-0.5f, -0.5f, -0.5f}, {0.5f, -0.5f, 0.5f}, {0.5f, 0.5f, -0.5f}, {-0.5f, 0.5f, 0.5f},
+                           {0.6f, -0.5f, 0},      {right, -0.5f, 0},   {right, 0.5f, 0},    {0.6f, 0.5f, 0}};
+  const GLubyte index[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+  const Gl& gl = s.gl;
+  gl.Clear(GL_DEPTH_BUFFER_BIT);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.ShadeModel(flat ? GL_FLAT : GL_SMOOTH);
+  gl.VertexPointer(3, GL_FLOAT, 0, v);
+  if (path == Path::Arrays || path == Path::Elements) {
+    gl.EnableClientState(GL_VERTEX_ARRAY);
+    if (path == Path::Arrays) gl.DrawArrays(GL_QUADS, 0, 8);
+    else gl.DrawElements(GL_QUADS, 8, GL_UNSIGNED_BYTE, index);
+  } else {
+    if (path == Path::List) gl.NewList(1, GL_COMPILE);
+    gl.Begin(GL_QUADS);
+    for (const auto& vertex : v) gl.Vertex3fv(vertex);
+    gl.End();
+    if (path == Path::List) gl.EndList(), gl.CallList(1);
+  }
+  gl.Finish();
+}
+
+/// The corner from which the bent quadrilateral is cut: its middle is as near, or as far, as the diagonal.
+int diagonal(const Gl& gl) {
+  const Picture p = draw(gl, {"bent_quads", draw_bent_quads}, 0);
+  return p.depth[size_t(p.height / 2) * p.width + p.width / 2] < 0x800000 ? 0 : 1;
+}
+
+// A triangle that faces away, each corner with another colour: unlit, or lit by ambient light alone, which gives the same.
+void draw_back_face(Stage& s) {
+  const Gl& gl = s.gl;
+  const GLfloat one[4] = {1, 1, 1, 1}, none[4] = {0, 0, 0, 0};
+  if (lit) {
+    gl.Enable(GL_LIGHTING);
+    gl.Enable(GL_LIGHT0);
+    gl.Lightfv(GL_LIGHT0, GL_AMBIENT, one);
+    gl.Lightfv(GL_LIGHT0, GL_DIFFUSE, none);
+    gl.Lightfv(GL_LIGHT0, GL_SPECULAR, none);
+    gl.LightModelfv(GL_LIGHT_MODEL_AMBIENT, none);
+    gl.LightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);
+    gl.ColorMaterial(GL_BACK, GL_AMBIENT);
+    gl.Enable(GL_COLOR_MATERIAL);
+  }
+  gl.ColorMask(1, 1, 1, 0); // alpha is that of the diffuse colour
+  gl.Begin(GL_TRIANGLES);
+  gl.Color3f(0.2f, 0.9f, 0.3f);
+  gl.Vertex2f(-0.8f, -0.8f);
+  gl.Color3f(0.7f, 0.4f, 0.8f);
+  gl.Vertex2f(0, 0.8f);
+  gl.Color3f(0.1f, 0.6f, 1);
+  gl.Vertex2f(0.8f, -0.8f);
+  gl.End();
+}
+
+float distance; // of the point from the eye
+
+// A point of 20 pixels at distance 1, in the middle of the left half; the viewport ends 2 pixels to its right.
+void draw_distant_point(Stage& s) {
+  const Gl& gl = s.gl;
+  const GLfloat quadratic[3] = {0, 0, 1};
+  gl.PointParameterfv(GL_POINT_DISTANCE_ATTENUATION, quadratic);
+  gl.PointSize(20);
+  gl.Viewport(0, 0, 42, 120);
+  gl.MatrixMode(GL_PROJECTION);
+  gl.Ortho(0, 42, 0, 120, 0, 100);
+  gl.MatrixMode(GL_MODELVIEW);
+  gl.Translatef(40, 60, -distance);
+  gl.Begin(GL_POINTS);
+  gl.Vertex2f(0, 0);
+  gl.End();
+}
+
+/// How many pixels it covers.
+int point_area(const Gl& gl, float at_distance) {
+  distance = at_distance;
+  const Picture p = draw(gl, {"distant_point", draw_distant_point}, 0);
+  return int(std::count(p.color.begin(), p.color.end(), 255)) / 4;
+}
+
+GLenum type; // of the colours
+GLint value;
+bool in_array; // or by a command
+
+// Covers the picture with a colour of four equal integers.
+void draw_integer_color(Stage& s) {
+  const Gl& gl = s.gl;
+  const GLfloat v[3][2] = {{-1, -1}, {3, -1}, {-1, 3}};
+  GLbyte bytes[12];
+  GLshort shorts[12];
+  for (int i = 0; i < 12; i++) bytes[i] = GLbyte(value), shorts[i] = GLshort(value);
+  gl.EnableClientState(GL_VERTEX_ARRAY);
+  gl.VertexPointer(2, GL_FLOAT, 0, v);
+  if (in_array) {
+    gl.EnableClientState(GL_COLOR_ARRAY);
+    if (type == GL_BYTE) gl.ColorPointer(4, GL_BYTE, 0, bytes);
+    else gl.ColorPointer(4, GL_SHORT, 0, shorts);
+  } else if (type == GL_BYTE) {
+    gl.Color4bv(bytes);
+  } else {
+    gl.Color4sv(shorts);
+  }
+  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+  gl.Finish();
+}
+
+int drawn_color(const Gl& gl, GLenum with_type, GLint with_value, bool array) {
+  type = with_type, value = with_value, in_array = array;
+  return draw(gl, {"integer_color", draw_integer_color}, 0).color[0];
+}
+
+} // namespace
+
+TEST_CASE("the diagonal of a quadrilateral depends on the shade model only", "[conformance][deviation]") {
+  bool osmesa_is_another = false;
+  for (Path p : kPaths)
+    for (bool f : {false, true})
+      for (bool c : {false, true}) {
+        path = p, flat = f, clipped = c;
+        INFO("path " << int(p) << (f ? " flat" : " smooth") << (c ? " clipped" : ""));
+        CHECK(diagonal(softgl_library()) == (f ? 1 : 0));
+        if (diagonal(osmesa_library()) != (f ? 1 : 0)) osmesa_is_another = true;
+        if (p == Path::Immediate && !f && !c) CHECK(diagonal(osmesa_library()) == 0); // where most quadrilaterals are
+      }
+  CHECK(osmesa_is_another);
+}
+
+TEST_CASE("a back material that varies has all its components", "[conformance][deviation]") {
+  const Scene scene{"back_face", draw_back_face};
+  lit = false;
+  const Picture expected = draw(softgl_library(), scene, 0);
+  lit = true;
+  const Difference ours = compare(draw(softgl_library(), scene, 0), expected);
+  INFO(ours.text);
+  CHECK_FALSE(ours.any());
+  CHECK(compare(draw(osmesa_library(), scene, 0), expected).any());
+}
+
+TEST_CASE("the viewport does not cut points that shrink with distance", "[conformance][deviation]") {
+  // The distance may be that along the viewing axis (3.3).
+  CHECK(point_area(softgl_library(), 1) == 20 * 20);
+  CHECK(point_area(softgl_library(), 2) == 10 * 10);
+  CHECK(point_area(softgl_library(), 20) == 1);
+  CHECK(point_area(osmesa_library(), 1) < 20 * 20);
+}
+
+TEST_CASE("arrays of signed integers become colours as the arguments of commands do", "[conformance][deviation]") {
+  for (GLint v : {-128, -1, 0, 1, 2, 31, 64, 127}) {
+    INFO("value " << v);
+    CHECK(drawn_color(softgl_library(), GL_BYTE, v, true) == std::max(2 * v + 1, 0));
+    CHECK(drawn_color(softgl_library(), GL_BYTE, v, false) == std::max(2 * v + 1, 0));
+    CHECK(drawn_color(softgl_library(), GL_SHORT, 256 * v + 64, true) == drawn_color(softgl_library(), GL_SHORT, 256 * v + 64, false));
+  }
+  // (2c + 1) / (2^b - 1) and c / (2^(b-1) - 1) differ where c is small.
+  CHECK(drawn_color(softgl_library(), GL_SHORT, 64, true) == 1);
+  CHECK(drawn_color(osmesa_library(), GL_SHORT, 64, true) == 0);
+  CHECK(drawn_color(osmesa_library(), GL_BYTE, 0, true) == 0);
+  CHECK(drawn_color(osmesa_library(), GL_BYTE, 0, false) == 1);
+}
+
+} // namespace softgl::test

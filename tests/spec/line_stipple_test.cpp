@@ -1,0 +1,84 @@
+// GL 1.5, 3.4.2: the counter of a stipple pattern starts at each Begin, and at each line of GL_LINES, and nowhere else.
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+#include "support/runner.h"
+
+namespace softgl::test {
+namespace {
+
+constexpr int kVertices = 300000; // more than a chunk of vertices
+GLenum mode;                     // read by the scenes
+bool in_array, after_another;
+
+void draw_long_strip(Stage& s) {
+  std::vector<Float2> v;
+  for (int i = 0; i < kVertices; i++) {
+    const float t = float(i) / float(kVertices - 1), turn = 40 * t;
+    v.push_back({t * std::cos(turn), t * std::sin(turn)});
+  }
+  const Gl& gl = s.gl;
+  gl.Enable(GL_LINE_STIPPLE);
+  gl.LineStipple(2, 0x3fff); // every line of a spiral is far shorter than the pattern
+  if (in_array) {
+    gl.EnableClientState(GL_VERTEX_ARRAY);
+    gl.VertexPointer(2, GL_FLOAT, 0, v.data());
+    gl.DrawArrays(mode, 0, kVertices);
+    return gl.Finish();
+  }
+  gl.Begin(mode);
+  for (const Float2& p : v) gl.Vertex2fv(p.data());
+  gl.End();
+}
+
+// The first line of the strip is out of view. Another strip before it leaves nothing but, in OSMesa, its counter.
+void draw_after_another(Stage& s) {
+  const Gl& gl = s.gl;
+  gl.Enable(GL_LINE_STIPPLE);
+  gl.LineStipple(1, 0x00ff);
+  if (after_another) {
+    gl.ColorMask(0, 0, 0, 0);
+    gl.Begin(GL_LINE_STRIP);
+    gl.Vertex2f(-0.9f, 0);
+    gl.Vertex2f(-0.8f, 0);
+    gl.End();
+    gl.ColorMask(1, 1, 1, 1);
+  }
+  gl.Begin(GL_LINE_STRIP);
+  gl.Vertex2f(3, 3);
+  gl.Vertex2f(3, 0);
+  gl.Vertex2f(-0.9f, 0);
+  gl.End();
+}
+
+bool changed_by_another(const Gl& gl) {
+  const Scene scene{"after_another", draw_after_another};
+  after_another = false;
+  const Picture alone = draw(gl, scene, 0);
+  after_another = true;
+  return compare(draw(gl, scene, 0), alone).any();
+}
+
+} // namespace
+
+TEST_CASE("the stipple pattern of a long strip runs on", "[spec][lines]") {
+  for (GLenum m : {GL_LINE_STRIP, GL_LINE_LOOP}) {
+    mode = m;
+    const Scene scene{"long_strip", draw_long_strip};
+    in_array = true;
+    const Picture expected = draw(softgl_library(), scene, 0);
+    CHECK_FALSE(compare(expected, draw(osmesa_library(), scene, 0)).any());
+    in_array = false;
+    const Difference d = compare(draw(softgl_library(), scene, 0), expected);
+    INFO(d.text);
+    CHECK_FALSE(d.any());
+  }
+}
+
+TEST_CASE("the stipple pattern starts anew with a strip whose first line is out of view", "[spec][lines][deviation]") {
+  CHECK_FALSE(changed_by_another(softgl_library()));
+  CHECK(changed_by_another(osmesa_library()));
+}
+
+} // namespace softgl::test
