@@ -1,6 +1,7 @@
 // Automatic mipmap generation (GL 1.5, 3.8.8). OSMesa 22.3.6 draws each level with a linearly filtered, edge-clamped
 // texture of the level before; so the arithmetic is that of sampling.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <vector>
@@ -12,41 +13,99 @@ namespace softgl {
 
 namespace {
 
-struct Footprint { int first, second; int weight; float fraction; };
+/// Two texels and the weight of the second, in 1/256 or as a fraction.
+struct Footprint { int first, second, weight; float fraction; };
 
-// Texel pairs and weights along one axis of `to` texels made from `from`.
-std::vector<Footprint> footprints(int from, int to) {
+/// Where the texels of a level lie in the one before: a coordinate from `low` to 1 that OSMesa interpolates over two
+/// triangles, which has rounding errors. Across it starts at the right end; down, at the bottom in the lower left triangle
+/// and at the top in the upper right one.
+struct Interpolation {
+  float gradient, start;
+  Interpolation(int to, int other, float low, bool from_low) {
+    gradient = (1.0f - low) * (float(other) * (1.0f / (float(to) * float(other))));
+    start = from_low ? low - gradient * -0.5f : 1.0f - gradient * (float(to) - 0.5f);
+  }
+  float operator()(int i) const { return gradient * float(i) + start; }
+};
+
+/// Texel pairs and weights along one axis of `to` texels made from `from`.
+template <class Coordinate> std::vector<Footprint> footprints(int from, int to, bool fixed, Coordinate coordinate) {
   std::vector<Footprint> result{size_t(to)};
   for (int i = 0; i < to; ++i) {
-    const float coordinate = (float(i) + 0.5f) / float(to);
-    const int u = int(std::nearbyintf(coordinate * float(from * 256))) - 128;
-    const float scaled = std::max(0.0f, coordinate * float(from) - 0.5f), whole = std::floor(scaled);
+    const float s = coordinate(i);
     Footprint& f = result[size_t(i)];
-    f.first = std::clamp(u >> 8, 0, from - 1);
-    f.second = u >> 8 < 0 || u >> 8 >= from - 1 ? f.first : f.first + 1;
-    f.weight = u & 255;
-    f.fraction = scaled - whole;
+    if (fixed) {
+      const int u = int(std::nearbyintf(s * float(from * 256))) - 128;
+      f.weight = u & 255;
+      f.first = std::clamp(u >> 8, 0, from - 1);
+      f.second = u < 0 ? f.first : std::min(f.first + 1, from - 1);
+    } else {
+      const float u = std::max(0.0f, std::min(s * float(from), float(from)) - 0.5f);
+      f.first = int(u);
+      f.fraction = u - float(f.first);
+      f.second = std::min(f.first + 1, from - 1);
+    }
   }
   return result;
 }
 
-// 8 bits to the stored bits, filled to a byte again: 4 bits round, 5 and 6 drop the rest, fewer round (llvmpipe's scale_bits).
+struct Footprints {
+  std::vector<Footprint> x, z, lower_y, upper_y;
+  int width, height;
+  Footprints(const TextureImage& from, const TextureImage& to, bool fixed, bool cube) : width(to.width), height(to.height) {
+    auto edge = [&](int from_size, int to_size, int other, bool from_low) {
+      // A cube map's coordinates go from -1 to 1, and are halved when the face is found.
+      const Interpolation s(to_size, other, cube ? -1.0f : 0.0f, from_low);
+      return footprints(from_size, to_size, fixed, [&](int i) { return cube ? s(i) * 0.5f + 0.5f : s(i); });
+    };
+    x = edge(from.width, to.width, to.height, false);
+    lower_y = edge(from.height, to.height, to.width, false);
+    upper_y = edge(from.height, to.height, to.width, true);
+    const float step = float(from.depth) / float(to.depth), centre = float(0.5 / to.depth * from.depth);
+    z = footprints(from.depth, to.depth, fixed, [&](int i) { return (float(i) * step + centre) / float(from.depth); });
+  }
+  const Footprint& y(int i, int j) const {
+    const bool upper = int64_t(2 * i + 1) * height >= int64_t(2 * j + 1) * width;
+    return (upper ? upper_y : lower_y)[size_t(j)];
+  }
+};
+
+/// Fewer bits of `from`, as llvmpipe stores a fragment: 4 bits are rounded, the upper ones of more are kept, fewer are
+/// rounded nearly. `to` is 1 to 7 or, from 16 bits, 2 or 10.
+uint32_t reduce_bits(uint32_t value, int from, int to) {
+  const int drop = from - to;
+  if (to == 4) return convert_unorm(value, from, to);
+  if (drop <= to) return value >> drop;
+  return ((value >> to) * ((1u << to) - 1) + (1u << (drop - 1))) >> drop;
+}
+
+/// 8 bits cut to the stored bits and filled to a byte again.
 uint8_t restore(uint32_t value, int bits) {
-  if (bits == 0 || bits == 8) return uint8_t(value);
-  return uint8_t(convert_unorm(bits == 5 || bits == 6 ? value >> (8 - bits) : convert_unorm(value, 8, bits), bits, 8));
+  return uint8_t(bits == 0 || bits == 8 ? value : convert_unorm(reduce_bits(value, 8, bits), bits, 8));
+}
+
+/// A component of 10, 12, 16, 24 or 32 bits. A float has no room for 32: OSMesa reads the upper 23 and writes 31.
+float wide_to_float(uint32_t v, int bits) {
+  if (bits < 32) return unorm_to_float(v, bits);
+  return (std::bit_cast<float>(v >> 9 | 0x3f800000u) - 1.0f) * 1.00000011920930376163766f;
+}
+uint32_t float_to_wide(float v, int bits) {
+  if (bits == 2 || bits == 10) return reduce_bits(float_to_unorm(v, 16), 16, bits);
+  if (bits < 32) return float_to_unorm(v, bits);
+  const uint32_t scaled = uint32_t(v * 2147483648.0f);
+  return (scaled << 1) - (scaled >> 31);
 }
 
 int lerp8(int w, int a, int b) { return a + ((w * (b - a) + 128) >> 8); }
 
-void reduce_rgba8(const TextureImage& from, TextureImage& to) {
-  const auto xs = footprints(from.width, to.width), ys = footprints(from.height, to.height), zs = footprints(from.depth, to.depth);
+void reduce_rgba8(const TextureImage& from, const Footprints& footprints, TextureImage& to) {
   const TexelFormat& format = *to.format;
   for (int z = 0; z < to.depth; ++z)
     for (int y = 0; y < to.height; ++y) {
       unsigned char* target = to.at(0, y, z);
-      const Footprint &fy = ys[size_t(y)], &fz = zs[size_t(z)];
+      const Footprint& fz = footprints.z[size_t(z)];
       for (int x = 0; x < to.width; ++x, target += 4) {
-        const Footprint& fx = xs[size_t(x)];
+        const Footprint &fx = footprints.x[size_t(x)], &fy = footprints.y(x, y);
         for (int k = 0; k < 4; ++k) {
           auto plane = [&](int slice) {
             auto row = [&](int line) { return lerp8(fx.weight, from.at(fx.first, line, slice)[k], from.at(fx.second, line, slice)[k]); };
@@ -60,13 +119,12 @@ void reduce_rgba8(const TextureImage& from, TextureImage& to) {
 }
 
 // The wide formats are filtered in float and rounded back.
-template <class T> void reduce_wide(const TextureImage& from, TextureImage& to, int channels) {
-  const auto xs = footprints(from.width, to.width), ys = footprints(from.height, to.height), zs = footprints(from.depth, to.depth);
+template <class T> void reduce_wide(const TextureImage& from, const Footprints& footprints, TextureImage& to, int channels) {
   const TexelFormat& format = *to.format;
   for (int z = 0; z < to.depth; ++z)
     for (int y = 0; y < to.height; ++y)
       for (int x = 0; x < to.width; ++x) {
-        const Footprint &fx = xs[size_t(x)], &fy = ys[size_t(y)], &fz = zs[size_t(z)];
+        const Footprint &fx = footprints.x[size_t(x)], &fy = footprints.y(x, y), &fz = footprints.z[size_t(z)];
         for (int k = 0; k < channels; ++k) {
           const int bits = format.bits[k];
           auto texel = [&](int i, int j, int l) {
@@ -81,7 +139,7 @@ template <class T> void reduce_wide(const TextureImage& from, TextureImage& to, 
           }
           auto plane = [&](int slice) {
             auto row = [&](int line) {
-              const float a = unorm_to_float(texel(fx.first, line, slice), bits), b = unorm_to_float(texel(fx.second, line, slice), bits);
+              const float a = wide_to_float(texel(fx.first, line, slice), bits), b = wide_to_float(texel(fx.second, line, slice), bits);
               return fx.fraction * (b - a) + a;
             };
             const float a = row(fy.first), b = row(fy.second);
@@ -89,8 +147,7 @@ template <class T> void reduce_wide(const TextureImage& from, TextureImage& to, 
           };
           const float a = plane(fz.first);
           const float value = fz.first == fz.second ? a : fz.fraction * (plane(fz.second) - a) + a;
-          // 10 bits are the upper ones of 16.
-          const T v = T(bits == 10 ? float_to_unorm(value, 16) >> 6 : float_to_unorm(value, bits));
+          const T v = T(float_to_wide(value, bits));
           std::memcpy(to.at(x, y, z) + size_t(k) * sizeof(T), &v, sizeof v);
         }
       }
@@ -106,10 +163,11 @@ void generate_mipmaps(TextureObject& object, int face) {
   for (int level = p.base_level + 1; level < kMaxTextureLevels && level <= p.max_level; ++level) {
     if (from->width == 1 && from->height == 1 && from->depth == 1) break;
     auto to = make_image(*from->format, from->internal_format, std::max(1, from->width / 2), std::max(1, from->height / 2), std::max(1, from->depth / 2));
+    const Footprints footprints(*from, *to, from->format->layout == TexelLayout::Rgba8, object.target == kTextureCube);
     switch (from->format->layout) {
-    case TexelLayout::Rgba8: reduce_rgba8(*from, *to); break;
-    case TexelLayout::Rgba16: reduce_wide<uint16_t>(*from, *to, 4); break;
-    case TexelLayout::Depth: reduce_wide<uint32_t>(*from, *to, 1); break;
+    case TexelLayout::Rgba8: reduce_rgba8(*from, footprints, *to); break;
+    case TexelLayout::Rgba16: reduce_wide<uint16_t>(*from, footprints, *to, 4); break;
+    case TexelLayout::Depth: reduce_wide<uint32_t>(*from, footprints, *to, 1); break;
     }
     to->repeat_edges();
     object.image[face][level] = to;

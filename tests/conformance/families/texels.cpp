@@ -55,13 +55,15 @@ void one_texture(Stage& s, GLenum target, const TexelOptions& o) {
     gl.TexParameteri(target, GL_TEXTURE_COMPARE_MODE, r.pick({GL_NONE, GL_COMPARE_R_TO_TEXTURE}));
     gl.TexParameteri(target, GL_TEXTURE_COMPARE_FUNC, r.pick({GL_LEQUAL, GL_GEQUAL, GL_LESS, GL_GREATER, GL_EQUAL, GL_NOTEQUAL, GL_ALWAYS, GL_NEVER}));
   }
+  const bool generate = mipmaps && r.chance(40);
+  gl.TexParameteri(target, GL_GENERATE_MIPMAP, generate);
   const int faces = target == GL_TEXTURE_CUBE_MAP ? 6 : 1;
   for (int face = 0; face < faces; ++face) {
     const GLenum t = faces == 6 ? GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face) : target;
     int lw = w, lh = h, ld = d;
     for (int level = 0;; ++level) {
       image(s, t, format, level, lw, lh, ld);
-      if (!mipmaps || (lw == 1 && lh == 1 && ld == 1)) break;
+      if (!mipmaps || generate || (lw == 1 && lh == 1 && ld == 1)) break;
       lw = std::max(1, lw / 2), lh = std::max(1, lh / 2), ld = std::max(1, ld / 2);
     }
   }

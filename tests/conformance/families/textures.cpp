@@ -73,8 +73,7 @@ static void random_texture(Stage& s, const TextureOptions& o) {
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, magnify);
   const Float4 border = r.color();
   gl.TexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, border.data());
-  // Generated mipmaps of 3-3-2 texels and of wide ones with odd sizes: reference/DEVIATIONS.md.
-  const bool generate = r.chance(40) && mipmaps && format != GL_R3_G3_B2 && !(odd && o.any_format);
+  const bool generate = r.chance(40) && mipmaps;
   gl.TexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, generate);
   upload(s, format, 0, w, h);
   if (mipmaps && !generate)
