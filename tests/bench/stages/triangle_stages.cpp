@@ -98,9 +98,13 @@ void binning(benchmark::State& state) {
   uint64_t hash = 0;
   for (const auto& t : bins.run(scene, surface)) {
     hash = hash_of(&t.tile, sizeof t.tile, hash);
-    for_each_segment(t.first, [&](const TileSegment& segment, const uint8_t* entries) {
-      const bool finished = segment.kind == TileSegment::Fragments; // and not a pointer each
-      hash = hash_of(finished ? entries : reinterpret_cast<const uint8_t*>(&segment.count), finished ? segment.count * sizeof(SmallFragment) : 4, hash);
+    for_each_segment(t.first, [&](const TileSegment& segment) {
+      hash = hash_of(&segment.count, sizeof segment.count, hash);
+      if (segment.kind != TileSegment::Fragments) return; // pointers
+      const SmallFragments f = segment.fragments();
+      hash = hash_of(f.depth, segment.count * sizeof *f.depth, hash);
+      hash = hash_of(f.color, segment.count * sizeof *f.color, hash);
+      hash = hash_of(f.pixel, segment.count * sizeof *f.pixel, hash);
     });
   }
   count_work(state, "triangle", scene.steps);
