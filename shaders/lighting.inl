@@ -176,6 +176,21 @@ static inline void light_dots(LightingBlock& b, const LightConstants& l, bool in
   }
 }
 
+/// Fragments with the exponent zero: anything to the power of zero is 1, also n.h = 0, which pow_lane makes 0 as OSMesa does
+/// at vertices.
+static inline void light_zero_exponents(LightingBlock& b, const LightingConstants& k, const MaterialLanes& lanes, int n) {
+  const float* nl = b.diffuse[0];
+  float* nh = b.specular[0];
+  for (int face = 0; face <= int(k.two_sided); ++face) {
+    const float *shininess = lanes.component[4][face][0], constant = k.material[4][face][0], one = face ? -1.0f : 1.0f;
+    if (!shininess && constant != 0.0f) continue;
+    SOFTGL_FOR_LANES(i, n) {
+      const int32_t zero = mask_of((shininess ? shininess[i] : constant) == 0.0f), lit = mask_of(nl[i] * one > 0.0f);
+      nh[i] = select(zero & lit, one, nh[i]);
+    }
+  }
+}
+
 /// Specular factors from n.L and n.h. Front and back highlight are never both lit, so one power serves both.
 static inline void light_highlight(LightingBlock& b, const LightingConstants& k, const MaterialLanes& lanes, int n) {
   const float* nl = b.diffuse[0];
@@ -314,7 +329,10 @@ static inline void light_block(LightingBlock& b, const LightingConstants& k, con
     if (!shininess_zero && !infinite_half) light_half_vector(b, k.local_viewer, n);
     light_dots(b, l, infinite_half, !shininess_zero, n);
     if (shininess_zero) light_zero_highlight(b, two_sided, attenuated && !k.for_fragments, n);
-    else light_highlight(b, k, lanes, n);
+    else {
+      if (k.for_fragments) light_zero_exponents(b, k, lanes, n);
+      light_highlight(b, k, lanes, n);
+    }
     light_factors(b, two_sided, attenuated, n);
     for (int face = 0; face <= int(two_sided); ++face) {
       if (k.varies[face]) light_add_varying(b, k, lanes, l, face, attenuated, n);

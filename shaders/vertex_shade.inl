@@ -26,11 +26,12 @@ static inline void store_slot(const float* x, const float* y, const float* z, co
   }
 }
 
-/// Clamps the colours of a slot to [0,1] in place: OSMesa clamps at the vertex (GL 1.5, 2.14.6).
+/// Clamps the colours of a slot to [0,1] in place: OSMesa clamps at the vertex (GL 1.5, 2.14.6). What is not a number, such as
+/// an infinite highlight of a black material, becomes 1.
 static inline void clamp_lanes(float (*color)[kLanes], int components, int n) {
   for (int c = 0; c < components; ++c) {
     float* v = color[c];
-    SOFTGL_FOR_LANES(i, n) v[i] = saturate(v[i]);
+    SOFTGL_FOR_LANES(i, n) v[i] = maximum(minimum(v[i], 1.0f), 0.0f);
   }
 }
 

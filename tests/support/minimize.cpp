@@ -17,7 +17,7 @@ Picture draw_without(const Gl& gl, const Scene& scene, uint64_t seed, const std:
 
 } // namespace
 
-std::vector<bool> minimize(const Gl& a, const Gl& b, const Scene& scene, uint64_t seed) {
+std::vector<bool> minimize(const Gl& a, const Gl& b, const Scene& scene, uint64_t seed, int tolerance) {
   std::vector<bool> skip;
   int calls = 0;
   const Picture first = draw_without(a, scene, seed, skip, &calls), second = draw_without(b, scene, seed, skip);
@@ -28,7 +28,7 @@ std::vector<bool> minimize(const Gl& a, const Gl& b, const Scene& scene, uint64_
     const Picture x = draw_without(a, scene, seed, candidate), y = draw_without(b, scene, seed, candidate);
     if (only_errors) return x.errors != y.errors;
     if (x.errors.size() > first.errors.size() || y.errors.size() > second.errors.size()) return false;
-    return x.color != y.color || x.depth != y.depth;
+    return compare(x, y).max_color > tolerance || x.depth != y.depth;
   };
   for (bool progress = true; progress;) {
     progress = false;

@@ -1,7 +1,9 @@
 // Ten lighting states a scene, each in a cell of its own: every parameter of lights, light model, materials, colour
 // material and normal transformation, out to its limits. The states of one scene share what makes OSMesa compile a
 // program (which lights there are, and of what kind) and differ in all numbers, so that ten thousand are soon drawn.
+#include "conformance/families/lighting_states.h"
 #include "conformance/families/common.h"
+#include "support/lighting_extension.h"
 
 #include <cmath>
 
@@ -11,7 +13,7 @@ namespace {
 constexpr int kColumns = 5, kRows = 2;
 
 // Materials: some parameters keep their defaults; zero exponents are a program of their own.
-void set_material(Stage& s, Random& shape, GLenum face) {
+void set_material(Stage& s, Random& shape, GLenum face, bool exponent_zero) {
   const Gl& gl = s.gl;
   for (GLenum parameter : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION}) {
     Float4 c = s.random.color();
@@ -20,10 +22,10 @@ void set_material(Stage& s, Random& shape, GLenum face) {
     if (shape.chance(90)) gl.Materialfv(face, parameter, c.data());
   }
   const float shininess = s.random.pick({1.0f, 128.0f, float(s.random.integer(1, 127)), s.random.real(0.01f, 2), s.random.real(1, 128)});
-  gl.Materialf(face, GL_SHININESS, shape.chance(15) ? 0.0f : shininess);
+  gl.Materialf(face, GL_SHININESS, exponent_zero && shape.chance(15) ? 0.0f : shininess);
 }
 
-void set_light(Stage& s, Random& shape, GLenum light) {
+void set_light(Stage& s, Random& shape, GLenum light, const LightingStateOptions& options) {
   const Gl& gl = s.gl;
   gl.Enable(light);
   for (GLenum parameter : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR}) {
@@ -48,7 +50,7 @@ void set_light(Stage& s, Random& shape, GLenum light) {
   const Float3 inwards{-d[0], -d[1], -towards_us};
   const bool spot = shape.chance(40);
   gl.Lightfv(light, GL_SPOT_DIRECTION, s.random.chance(70) ? inwards.data() : anywhere.data());
-  const float cutoff = s.random.pick({90.0f, 0.0f, 89.99f, 0.5f, s.random.real(1, 90), s.random.real(20, 90), s.random.real(20, 90)});
+  const float cutoff = s.random.pick({90.0f, options.well_conditioned ? 5.0f : 0.0f, 89.99f, 0.5f, s.random.real(1, 90), s.random.real(20, 90), s.random.real(20, 90)});
   gl.Lightf(light, GL_SPOT_CUTOFF, spot ? cutoff : 180.0f);
   gl.Lightf(light, GL_SPOT_EXPONENT, s.random.pick({0.0f, 1.0f, 128.0f, s.random.real(0, 2), s.random.real(0, 128)}));
   if (moved) gl.PopMatrix();
@@ -108,14 +110,30 @@ void draw_surface(Stage& s, Random& shape, bool color_material) {
   }
 }
 
-void draw_state(Stage& s, Random shape) {
+// Moves the eye three units back; the picture stays the same.
+void step_back(const Gl& gl) {
+  GLfloat modelview[16];
+  gl.GetFloatv(GL_MODELVIEW_MATRIX, modelview);
+  gl.LoadIdentity();
+  gl.Translatef(0, 0, -3);
+  gl.MultMatrixf(modelview);
+}
+
+void draw_state(Stage& s, Random shape, const LightingStateOptions& options) {
   const Gl& gl = s.gl;
   random_projection(s);
+  if (options.well_conditioned) {
+    gl.LoadIdentity();
+    gl.MatrixMode(GL_PROJECTION);
+    gl.Translatef(0, 0, 3);
+    gl.MatrixMode(GL_MODELVIEW);
+    step_back(gl);
+  }
   gl.Enable(GL_LIGHTING);
   for (int i = 0; i < 8; i++) gl.Disable(GL_LIGHT0 + GLenum(i));
   for (int i = shape.chance(80) ? shape.integer(1, 2) : shape.integer(0, 8); i > 0; i--) {
     const GLenum light = GL_LIGHT0 + GLenum(shape.integer(0, 7));
-    set_light(s, shape, light);
+    set_light(s, shape, light, options);
   }
   Float4 ambient = s.random.color();
   for (float& x : ambient) x *= 0.4f;
@@ -126,16 +144,17 @@ void draw_state(Stage& s, Random shape) {
   gl.LightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, shape.chance(40) ? GL_SEPARATE_SPECULAR_COLOR : GL_SINGLE_COLOR);
   gl.FrontFace(s.random.chance(50) ? GL_CCW : GL_CW);
   gl.Disable(GL_COLOR_MATERIAL);
-  set_material(s, shape, GL_FRONT);
-  set_material(s, shape, GL_BACK);
+  set_material(s, shape, GL_FRONT, options.exponent_zero);
+  set_material(s, shape, GL_BACK, options.exponent_zero);
   const bool color_material = shape.chance(40);
   if (color_material) {
     // A back material that varies under two-sided lighting: reference/DEVIATIONS.md.
-    const GLenum face = two_sided ? GLenum(GL_FRONT) : GLenum(shape.pick({GL_FRONT, GL_BACK, GL_FRONT_AND_BACK}));
+    const GLenum face = two_sided && !options.back_colors ? GLenum(GL_FRONT) : GLenum(shape.pick({GL_FRONT, GL_BACK, GL_FRONT_AND_BACK}));
     gl.ColorMaterial(face, GLenum(shape.pick({GL_EMISSION, GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_AMBIENT_AND_DIFFUSE})));
     gl.Enable(GL_COLOR_MATERIAL);
   }
   random_modelview(s);
+  if (options.well_conditioned) step_back(gl);
   gl.Disable(GL_NORMALIZE);
   gl.Disable(GL_RESCALE_NORMAL);
   switch (shape.integer(0, 4)) {
@@ -144,11 +163,18 @@ void draw_state(Stage& s, Random shape) {
   case 3: gl.Enable(GL_RESCALE_NORMAL), gl.Enable(GL_NORMALIZE); break;
   default: break;
   }
-  gl.ShadeModel(shape.chance(85) ? GL_SMOOTH : GL_FLAT);
+  const GLenum shading = shape.chance(85) ? GL_SMOOTH : GL_FLAT;
+  gl.ShadeModel(options.phong ? GLenum(GL_PHONG_WIN) : shading);
   draw_surface(s, shape, color_material);
 }
 
-void draw_states(Stage& s) {
+SceneRegistration lighting{{.name = "lighting", .draw = [](Stage& s) { draw_lighting_states(s, {}); }, .random = true}};
+SceneRegistration gouraud{{.name = "gouraud_twin", .draw = [](Stage& s) { draw_lighting_states(s, {.exponent_zero = false, .well_conditioned = true}); }, .random = true, .extension = true}};
+SceneRegistration phong{{.name = "phong_twin", .draw = [](Stage& s) { draw_lighting_states(s, {.phong = true, .well_conditioned = true, .back_colors = true}); }, .random = true, .extension = true}};
+
+} // namespace
+
+void draw_lighting_states(Stage& s, const LightingStateOptions& options) {
   const Float4 c = s.random.color();
   s.gl.ClearColor(c[0], c[1], c[2], c[3]);
   s.gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -156,11 +182,8 @@ void draw_states(Stage& s) {
   const Random shape(s.random.bits());
   for (int i = 0; i < kColumns * kRows; i++) {
     s.gl.Viewport(s.width * (i % kColumns) / kColumns, s.height * (i / kColumns) / kRows, s.width / kColumns, s.height / kRows);
-    draw_state(s, shape);
+    draw_state(s, shape, options);
   }
 }
 
-SceneRegistration registration{{"lighting", draw_states, true}};
-
-} // namespace
 } // namespace softgl::test

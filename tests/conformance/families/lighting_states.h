@@ -1,0 +1,18 @@
+// Ten random lighting states a scene: the family `lighting`, and the scenes that are compared with shaders/glsl and
+// reference/spec.
+#pragma once
+
+#include "support/scene.h"
+
+namespace softgl::test {
+
+struct LightingStateOptions {
+  bool exponent_zero = true;       // materials with the exponent 0, where OSMesa has answers of its own (x^x, 0^0)
+  bool phong = false;              // GL_PHONG_WIN instead of GL_SMOOTH and GL_FLAT
+  bool well_conditioned = false;   // no vertex where the eye is, no cut-off of 0: rounding decides nothing that can be seen
+  bool back_colors = false;        // back materials may follow the colour under two-sided lighting
+};
+
+void draw_lighting_states(Stage& s, const LightingStateOptions& options);
+
+} // namespace softgl::test
