@@ -73,8 +73,8 @@ struct Frame::Workers {
 /// One flush.
 class FrameWork {
 public:
-  FrameWork(Frame& frame, const Surface& surface)
-      : frame_(frame), surface_(surface), tiles_(size_t(surface.tiles_x) * size_t(surface.tiles_y)), head_(tiles_), tail_(tiles_) {}
+  FrameWork(Frame& frame, const Surface& surface, const TileReader* reader)
+      : frame_(frame), surface_(surface), reader_(reader), tiles_(size_t(surface.tiles_x) * size_t(surface.tiles_y)), head_(tiles_), tail_(tiles_) {}
 
   void run() {
     for (const Frame::Item& item : frame_.items_) {
@@ -89,7 +89,7 @@ public:
         add_draw(*item.draw);
       }
     }
-    finish_round();
+    finish_round(reader_);
   }
 
 private:
@@ -139,9 +139,9 @@ private:
   }
 
   /// Does everything planned so far and forgets it.
-  void finish_round() {
+  void finish_round(const TileReader* reader = nullptr) {
     close_unit();
-    if (units_.empty()) return;
+    if (units_.empty() && !reader) return;
     ThreadPool& pool = ThreadPool::instance();
     for (int i = 0; i < pool.workers(); ++i) (*frame_.workers_)[i].arena.reset();
     pool.run(shade_.size(), [this](size_t i, int) {
@@ -150,10 +150,15 @@ private:
     });
     pool.run(units_.size(), [this](size_t i, int worker) { bin(units_[i], (*frame_.workers_)[worker]); });
     join();
-    pool.run(busy_.size(), [this](size_t i, int worker) {
-      const uint32_t tile = busy_[i];
+    auto execute = [this](uint32_t tile, int worker) {
+      if (!head_[tile]) return;
       execute_tile(surface_, tile, head_[tile], *kernels().raster, (*frame_.workers_)[worker].block);
       head_[tile] = nullptr;
+    };
+    if (!reader) pool.run(busy_.size(), [&](size_t i, int worker) { execute(busy_[i], worker); });
+    else pool.run(tiles_, [&](size_t tile, int worker) {
+      execute(uint32_t(tile), worker);
+      reader->read(uint32_t(tile)); // while it is in the cache
     });
     shade_.clear();
     units_.clear();
@@ -227,6 +232,7 @@ private:
 
   Frame& frame_;
   const Surface& surface_;
+  const TileReader* reader_;
   const size_t tiles_;
   std::vector<TileChunk*> head_, tail_;
   std::vector<uint32_t> busy_; // tiles with work
@@ -241,12 +247,12 @@ private:
 Frame::Frame() = default;
 Frame::~Frame() = default;
 
-void Frame::flush(const Surface& surface) {
+void Frame::flush(const Surface& surface, const TileReader* reader) {
   if (!items_.empty() && surface.tiles_x > 0 && surface.tiles_y > 0) {
     const FloatEnvironment environment;
     if (!workers_) workers_ = std::make_unique<Workers>();
     for (int i = 0; i < ThreadPool::instance().workers(); ++i) (*workers_)[i]; // no allocation inside the workers
-    FrameWork(*this, surface).run();
+    FrameWork(*this, surface, reader).run();
   }
   items_.clear();
   retained_.clear();

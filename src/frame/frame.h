@@ -20,6 +20,13 @@ struct ClearRecord {
   int32_t x0, y0, x1, y1; // window, y down, half open: scissor box and surface intersected
 };
 
+/// Is told of every tile of the surface, by the worker that did the last work on it.
+class TileReader {
+public:
+  virtual ~TileReader() = default;
+  virtual void read(uint32_t tile) const = 0;
+};
+
 class Frame {
 public:
   Frame();
@@ -38,7 +45,7 @@ public:
   bool over_budget() const { return arena_.used() > kBudgetBytes; }
   /// Does all work on `surface` with all threads and forgets it; snapshots taken from State must be taken anew after
   /// it (kDirtyAll). Same bytes for any number of threads.
-  void flush(const Surface& surface);
+  void flush(const Surface& surface, const TileReader* reader = nullptr);
 
 private:
   static constexpr size_t kBudgetBytes = 256u << 20;

@@ -6,23 +6,33 @@
 
 namespace softgl {
 
-void flush_rendering(Context& c) {
-  if ((c.guard & kRunPending)) close_run(c);
-  if (c.frame.empty()) return;
+namespace {
+
+void flush_rendering(Context& c, const TileReader* reader) {
   const FloatEnvironment environment;
-  c.frame.flush(c.framebuffer.surface);
+  c.frame.flush(c.framebuffer.surface, reader);
   c.dirty = kDirtyAll;
-  c.framebuffer.unresolved = true;
+  c.framebuffer.unresolved = !reader;
   ++c.framebuffer.counts.flushes;
 }
 
+} // namespace
+
+void flush_rendering(Context& c) {
+  if (c.guard & kRunPending) close_run(c);
+  if (!c.frame.empty()) flush_rendering(c, nullptr);
+}
+
 void finish_and_resolve(Context& c) {
-  flush_rendering(c);
-  if (!c.framebuffer.unresolved) return;
-  c.framebuffer.unresolved = false;
-  resolve(c.framebuffer.surface, c.framebuffer.client);
-  if (!c.framebuffer.depth_copy.empty()) copy_depth(c.framebuffer);
-  ++c.framebuffer.counts.resolves;
+  if (c.guard & kRunPending) close_run(c);
+  Framebuffer& f = c.framebuffer;
+  const Resolver resolver(f.surface, f.client);
+  if (!c.frame.empty()) flush_rendering(c, &resolver);
+  else if (f.unresolved) resolve(f.surface, f.client);
+  else return;
+  f.unresolved = false;
+  if (!f.depth_copy.empty()) copy_depth(f);
+  ++f.counts.resolves;
 }
 
 namespace gl {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/gl_types.h"
+#include "frame/frame.h"
 #include "surface.h"
 
 namespace softgl {
@@ -45,6 +46,18 @@ struct Framebuffer {
 
 private:
   size_t color_bytes_ = 0, depth_bytes_ = 0;
+};
+
+/// Writes tiles of the surface to the caller's buffer.
+class Resolver final : public TileReader {
+public:
+  Resolver(const Surface& surface, const ClientBuffer& client);
+  void read(uint32_t tile) const override { resolve_(surface_, client_, tile); }
+
+private:
+  const Surface& surface_;
+  const ClientBuffer& client_;
+  void (*resolve_)(const Surface&, const ClientBuffer&, uint32_t tile);
 };
 
 /// Writes the surface to the caller's buffer with all threads.

@@ -93,33 +93,35 @@ Destination destination_of(const Surface& s, const ClientBuffer& client, size_t 
   return {data, stride};
 }
 
-/// Rows 8 * block_row .. + 7 of the surface.
-template <class Convert> void resolve_block_row(const Surface& s, int block_row, const Destination& to) {
-  const int y0 = block_row * kBlock;
-  const int rows = s.height - y0 < kBlock ? s.height - y0 : kBlock;
-  const auto* color = static_cast<const unsigned char*>(s.color);
-  for (int y = y0; y < y0 + rows; ++y) {
-    unsigned char* out = to.top + ptrdiff_t(y) * to.row_stride;
+template <class Convert> void resolve_tile(const Surface& s, const ClientBuffer& client, uint32_t tile) {
+  const Destination to = destination_of(s, client, Convert::kTo);
+  const int x0 = int(tile) % s.tiles_x * kTileSize, y0 = int(tile) / s.tiles_x * kTileSize;
+  const int columns = s.width - x0 < kTileSize ? s.width - x0 : kTileSize, rows = s.height - y0 < kTileSize ? s.height - y0 : kTileSize;
+  const auto* color = static_cast<const unsigned char*>(s.color) + size_t(tile) * kTilePixels * Convert::kFrom;
+  for (int y = 0; y < rows; ++y) {
+    unsigned char* out = to.top + ptrdiff_t(y0 + y) * to.row_stride + ptrdiff_t(x0) * ptrdiff_t(Convert::kTo);
     int x = 0;
-    for (; x + kBlock <= s.width; x += kBlock, out += kBlock * Convert::kTo)
-      Convert::run(color + pixel_index(s, x, y) * Convert::kFrom, out, kBlock);
-    if (x < s.width) Convert::run(color + pixel_index(s, x, y) * Convert::kFrom, out, s.width - x);
+    for (; x + kBlock <= columns; x += kBlock, out += kBlock * Convert::kTo)
+      Convert::run(color + size_t(pixel_in_tile(x, y)) * Convert::kFrom, out, kBlock);
+    if (x < columns) Convert::run(color + size_t(pixel_in_tile(x, y)) * Convert::kFrom, out, columns - x);
   }
 }
 
-template <class Convert> void resolve_as(const Surface& s, const ClientBuffer& client) {
-  const Destination to = destination_of(s, client, Convert::kTo);
-  const int block_rows = (s.height + kBlock - 1) / kBlock;
-  // Below about a quarter of a megapixel the copy is shorter than waking a thread.
-  if (int64_t(s.width) * s.height < 256 * 1024) {
-    for (int row = 0; row < block_rows; ++row) resolve_block_row<Convert>(s, row, to);
-    return;
+auto resolver_of(const Surface& s, const ClientBuffer& client) -> decltype(&resolve_tile<Copy32>) {
+  if (!s.color || !client.data) return [](const Surface&, const ClientBuffer&, uint32_t) {};
+  const bool rgb = client.format == OSMESA_RGB;
+  switch (s.color_format) {
+    case ColorFormat::Rgba8:
+      if (rgb) return resolve_tile<BytesWithoutAlpha>;
+      if (client.format == OSMESA_BGRA) return resolve_tile<SwapRedAndBlue>;
+      if (client.format == OSMESA_ARGB) return resolve_tile<AlphaFirst>;
+      return resolve_tile<Copy32>;
+    // OSMesa 22.3.6: shorts and floats are stored as R, G, B, A whatever the format's name says.
+    case ColorFormat::Rgba16: return rgb ? resolve_tile<DropAlpha<2>> : resolve_tile<Copy64>;
+    case ColorFormat::RgbaFloat: return rgb ? resolve_tile<DropAlpha<4>> : resolve_tile<Copy128>;
+    case ColorFormat::Rgb565: break;
   }
-  constexpr int kRowsPerTask = 8;
-  ThreadPool::instance().run(size_t((block_rows + kRowsPerTask - 1) / kRowsPerTask), [&](size_t task, int) {
-    const int first = int(task) * kRowsPerTask;
-    for (int row = first; row < block_rows && row < first + kRowsPerTask; ++row) resolve_block_row<Convert>(s, row, to);
-  });
+  return resolve_tile<Copy16>;
 }
 
 } // namespace
@@ -142,20 +144,17 @@ void copy_depth(Framebuffer& f) {
     }
 }
 
+Resolver::Resolver(const Surface& surface, const ClientBuffer& client)
+    : surface_(surface), client_(client), resolve_(resolver_of(surface, client)) {}
+
 void resolve(const Surface& s, const ClientBuffer& client) {
-  if (!s.color || !client.data) return;
-  const bool rgb = client.format == OSMESA_RGB;
-  switch (s.color_format) {
-    case ColorFormat::Rgba8:
-      if (rgb) return resolve_as<BytesWithoutAlpha>(s, client);
-      if (client.format == OSMESA_BGRA) return resolve_as<SwapRedAndBlue>(s, client);
-      if (client.format == OSMESA_ARGB) return resolve_as<AlphaFirst>(s, client);
-      return resolve_as<Copy32>(s, client);
-    // OSMesa 22.3.6: shorts and floats are stored as R, G, B, A whatever the format's name says.
-    case ColorFormat::Rgba16: return rgb ? resolve_as<DropAlpha<2>>(s, client) : resolve_as<Copy64>(s, client);
-    case ColorFormat::RgbaFloat: return rgb ? resolve_as<DropAlpha<4>>(s, client) : resolve_as<Copy128>(s, client);
-    case ColorFormat::Rgb565: return resolve_as<Copy16>(s, client);
-  }
+  const Resolver resolver(s, client);
+  const size_t tiles = size_t(s.tiles_x) * size_t(s.tiles_y);
+  // Below about a quarter of a megapixel the copy is shorter than waking a thread.
+  if (int64_t(s.width) * s.height < 256 * 1024)
+    for (size_t tile = 0; tile < tiles; ++tile) resolver.read(uint32_t(tile));
+  else
+    ThreadPool::instance().run(tiles, [&](size_t tile, int) { resolver.read(uint32_t(tile)); });
 }
 
 } // namespace softgl
