@@ -89,7 +89,7 @@ static void direct_primitive(const RasterDraw& draw, const TileTarget& tile, con
       else rows(No{});
       if (!live_vectors) continue;
 
-      BlockPlane w, c[4];
+      BlockPlane w{}, c[4]{};
       if (!flat) {
         w = block_plane(p.plane[kPlaneW], x);
         for (int k = 0; k < 4; ++k) c[k] = block_plane(p.plane[kPlaneColor + k], x);
@@ -101,12 +101,9 @@ static void direct_primitive(const RasterDraw& draw, const TileTarget& tile, con
         IntV source = constant_color;
         if (!flat) {
           const FloatV py = kRows == 2 ? splat(float(y + (at >> 3))) + row_number(0) : splat(float(y + (at >> 3)));
-          FloatV a[4];
-          for (int k = 0; k < 4; ++k) a[k] = c[k].gy * py + c[k].column[h];
-          if (divide) {
-            const FloatV r = splat(1.0f) / (w.gy * py + w.column[h]);
-            for (int k = 0; k < 4; ++k) a[k] *= r;
-          }
+          const FloatV r = divide ? splat(1.0f) / (w.gy * py + w.column[h]) : splat(1.0f);
+          auto value = [&](int k) { return (c[k].gy * py + c[k].column[h]) * r; };
+          const FloatV a[4] = {value(0), value(1), value(2), draw.opaque ? splat(1.0f) : value(3)};
           source = pack_color(a[0], a[1], a[2], a[3]);
         }
         const IntV target = load(color + at);

@@ -35,6 +35,7 @@ struct RasterDraw {
   int8_t unit_plane[kBlockTextureUnits];
   bool facing; // the block's `back` is filled
   bool small;  // triangles of few pixels become finished fragments
+  bool opaque; // alpha is 1 at all vertices, so it is 1 / w times w everywhere, which rounds to 255
   bool direct; // no stage runs, RGBA8, no stencil: blocks of pixels bypass the FragmentBlock
   uint32_t color_mask; // of an RGBA8 word
 };

@@ -37,15 +37,18 @@ static constexpr BitPlaces make_bit_places() {
 }
 static constexpr BitPlaces kBitPlaces = make_bit_places();
 
-/// The numbers of the set bits to `place`, which has room for 8 more; gives how many there are.
+/// The numbers of the set bits to `place`, which has room for 8 more; gives how many there are. All rows are looked at:
+/// how many a triangle has is hard to predict.
 SOFTGL_INLINE int places_of(uint64_t mask, uint8_t* place) {
   int n = 0;
-  for (uint64_t row = 0; mask; mask >>= 8, row += 0x0808080808080808u) {
+#pragma GCC unroll 8
+  for (uint64_t row = 0; row < 64; row += 8) {
+    const uint64_t byte = mask >> row & 255;
     uint64_t columns;
-    memcpy(&columns, kBitPlaces.place[mask & 255], 8);
-    columns += row;
+    memcpy(&columns, kBitPlaces.place[byte], 8);
+    columns += row * 0x0101010101010101u;
     memcpy(place + n, &columns, 8);
-    n += kBitPlaces.count[mask & 255];
+    n += kBitPlaces.count[byte];
   }
   return n;
 }
@@ -178,7 +181,7 @@ private:
       Varying color = draw_.varying[0];
       color.first = 0; // says to the compiler what it is
       planes.select(color);
-      store(out_.color + f, pack_color(value(color, 0), value(color, 1), value(color, 2), value(color, 3)));
+      store(out_.color + f, pack_color(value(color, 0), value(color, 1), value(color, 2), draw_.opaque ? splat(1.0f) : value(color, 3)));
       return;
     }
     if (f + kWidth > block_first_ + kLanes) finish_block(f);

@@ -29,12 +29,14 @@ static void tile_fragments(const TileTarget& tile, const RasterDraw& draw, const
     auto* color = static_cast<uint32_t*>(tile.color);
     uint32_t* depth = tile.depth_stencil;
     const uint32_t mask = draw.color_mask;
+    uint32_t nowhere = 0;
     for (int32_t i = 0; i < count; ++i) {
       // Without a branch: which fragments pass is hard to predict.
-      const uint32_t pixel = fragments.pixel[i], z = fragments.depth[i], stored = depth[pixel], old = color[pixel];
-      const uint32_t passes = z < (stored & 0xffffff) ? ~uint32_t(0) : 0, depth_bits = passes & 0xffffff, color_bits = passes & mask;
-      depth[pixel] = (stored & ~depth_bits) | (z & depth_bits);
-      color[pixel] = (old & ~color_bits) | (fragments.color[i] & color_bits);
+      const uint32_t pixel = fragments.pixel[i], z = fragments.depth[i], stored = depth[pixel];
+      const bool passes = z < (stored & 0xffffff);
+      uint32_t* where = passes ? color + pixel : &nowhere;
+      depth[pixel] = passes ? (stored & 0xff000000) | z : stored;
+      *where = mask == ~uint32_t(0) ? fragments.color[i] : (*where & ~mask) | (fragments.color[i] & mask);
     }
     return;
   }

@@ -6,6 +6,19 @@
 
 namespace softgl {
 
+namespace {
+
+/// True when every vertex's alpha is known to be 1 without looking: lit with a material of constant diffuse alpha.
+bool is_opaque(const VertexProgram& vertex) {
+  if (!vertex.lit) return false;
+  const LightingConstants& k = *vertex.lighting;
+  for (int face = 0; face <= int(k.two_sided); ++face)
+    if (k.material_source[kMaterialDiffuse][face] >= 0 || !(k.material[kMaterialDiffuse][face][3] >= 1.0f)) return false;
+  return true;
+}
+
+} // namespace
+
 RasterDraw make_raster_draw(const DrawRecord& draw) {
   const FragmentKey& key = draw.fragment->key;
   RasterDraw d{};
@@ -39,6 +52,7 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
   for (int u = 0; u < kBlockTextureUnits; ++u) d.unit_plane[u] = key.texture_units >> u & 1 && l.texcoord[u] >= 0 ? take(4) : int8_t(-1);
   d.plane_count = static_cast<uint8_t>(planes);
   const auto format = static_cast<ColorFormat>(key.color_format);
+  d.opaque = draw.vertex && is_opaque(*draw.vertex);
   d.small = (format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565) && !d.program->reads_quads;
   d.direct = draw.fragment->step_count == 0 && format == ColorFormat::Rgba8 && !key.stencil;
   for (int c = 0; c < 4; ++c)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
 
 #include "raster/line_setup.h"
 #include "raster/point_setup.h"
@@ -41,13 +42,25 @@ void TileBinner::bin(const RasterPrimitive& p) {
     }
 }
 
+/// A run is some 30 fragments long, for which a call of memcpy is as much work as the copy.
+template <class T> void copy_run(const T* from, T* to, uint32_t count) {
+  constexpr uint32_t kStep = 16 / sizeof(T);
+  if (count < kStep) {
+    for (uint32_t i = 0; i < count; ++i) to[i] = from[i];
+    return;
+  }
+  auto step = [&](uint32_t i) { std::memcpy(to + i, from + i, 16); };
+  for (uint32_t i = 0; i < count - kStep; i += kStep) step(i);
+  step(count - kStep);
+}
+
 void TileBinner::append_run(const TriangleOutput& out, uint32_t tile, int32_t first, int32_t last) {
   while (first < last) {
     uint32_t given = 0;
     const SmallFragments f = lists_.append_fragments(tile, draw_, static_cast<uint32_t>(last - first), given);
-    std::copy_n(out.pixel + first, given, f.pixel);
-    std::copy_n(out.depth + first, given, f.depth);
-    std::copy_n(out.color + first, given, f.color);
+    copy_run(out.pixel + first, f.pixel, given);
+    copy_run(out.depth + first, f.depth, given);
+    copy_run(out.color + first, f.color, given);
     first += static_cast<int32_t>(given);
   }
 }
