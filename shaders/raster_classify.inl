@@ -34,7 +34,7 @@ SOFTGL_INLINE uint64_t box_pixels(int32_t w, int32_t h) {
 /// Sorts out the triangles of a batch that can be seen, small and large; finds the pixels of the small ones.
 static void classify_triangles(const RasterDraw& draw, const TriangleInput& in, TriangleOutput& out) {
   const RasterConstants& r = *draw.raster;
-  out.small = out.large = out.negative = 0;
+  out.small = out.large = out.cut = out.negative = 0;
   for (int base = 0; base < in.count; base += kWidth) {
     const int lanes = in.count - base < kWidth ? in.count - base : kWidth;
     IntV x[3], y[3];
@@ -86,17 +86,24 @@ static void classify_triangles(const RasterDraw& draw, const TriangleInput& in, 
     const IntV fits = extent_fits & (w < kSmallBox) & (h < kSmallBox);
     uint32_t small = draw.small ? alive & sign_bits(fits) : 0;
     const uint32_t large = alive & ~small;
+    const uint32_t cut = small & sign_bits((w >= kBlockBox) | (h >= kBlockBox)), whole = small & ~cut;
 
     if (small) {
-      const IntV zero = IntV{}, mine = mask_of_bits(small);
+      const IntV zero = IntV{}, mine = mask_of_bits(whole);
       const IntV origin_x = px0 << 8, origin_y = py0 << 8;
       const IntV x0 = choose(negative, x[1], x[0]) - origin_x, y0 = choose(negative, y[1], y[0]) - origin_y;
       const IntV x1 = choose(negative, x[0], x[1]) - origin_x, y1 = choose(negative, y[0], y[1]) - origin_y;
       const IntV x2 = x[2] - origin_x, y2 = y[2] - origin_y;
       EdgeV e0 = edge_of(x0, y0, x1, y1), e1 = edge_of(x1, y1, x2, y2), e2 = edge_of(x2, y2, x0, y0);
-      int columns = 1, rows = 1;
-      while (columns < kSmallBox && sign_bits((w >= columns) & mine)) ++columns;
-      while (rows < kSmallBox && sign_bits((h >= rows) & mine)) ++rows;
+      if (cut) {
+        const EdgeV* const edge[3] = {&e0, &e1, &e2};
+        for (int k = 0; k < 3; ++k)
+          store(out.edge_c[k] + base, edge[k]->c), store(out.edge_a[k] + base, edge[k]->a), store(out.edge_b[k] + base, edge[k]->b);
+        store(out.last_column + base, w), store(out.last_row + base, h);
+      }
+      int columns = whole != 0, rows = whole != 0;
+      while (columns < kBlockBox && sign_bits((w >= columns) & mine)) ++columns;
+      while (rows < kBlockBox && sign_bits((h >= rows) & mine)) ++rows;
       IntV mask[2] = {zero, zero};
       for (int dy = 0; dy < rows; ++dy) {
         IntV r0 = e0.c, r1 = e1.c, r2 = e2.c;
@@ -110,17 +117,17 @@ static void classify_triangles(const RasterDraw& draw, const TriangleInput& in, 
       }
       store(out.rows0to3 + base, mask[0]), store(out.rows4to7 + base, mask[1]);
       // Edges accept nothing outside the box of the triangle, but they know of no scissor box.
-      const IntV cut = (px1 != whole_px1) | (py1 != whole_py1);
-      for (uint32_t bits = small & sign_bits(cut); bits; bits &= bits - 1) {
+      const IntV clipped = (px1 != whole_px1) | (py1 != whole_py1);
+      for (uint32_t bits = whole & sign_bits(clipped); bits; bits &= bits - 1) {
         const int i = __builtin_ctz(bits);
         const uint64_t box = box_pixels(w[i], h[i]);
         out.rows0to3[base + i] &= uint32_t(box), out.rows4to7[base + i] &= uint32_t(box >> 32);
       }
-      small &= ~sign_bits((load(out.rows0to3 + base) | load(out.rows4to7 + base)) == zero);
+      small &= cut | ~sign_bits((load(out.rows0to3 + base) | load(out.rows4to7 + base)) == zero);
       store(out.position + base, (py0 << 16) + px0);
       store(out.tile + base, multiply(py0 >> 6, splat(in.tiles_x)) + (px0 >> 6));
     }
-    out.small |= uint64_t(small) << base, out.large |= uint64_t(large) << base;
+    out.small |= uint64_t(small) << base, out.large |= uint64_t(large) << base, out.cut |= uint64_t(cut) << base;
     out.negative |= uint64_t(negative_bits) << base;
   }
 }

@@ -16,6 +16,12 @@ struct TileEdges {
   bool inside;                        // all edges accept the whole tile
 };
 
+SOFTGL_INLINE void set_edge(TileEdges& t, int i, int32_t c, int32_t a, int32_t b) {
+  t.a[i] = a, t.b[i] = b, t.c[i] = c;
+  t.block_min[i] = ((a > 0 ? -a : 0) + (b < 0 ? b : 0)) * 7;
+  t.block_max[i] = ((a < 0 ? -a : 0) + (b > 0 ? b : 0)) * 7;
+}
+
 /// False: no pixel of the tile is covered. Looks at the first `Edges` edges.
 template <int Edges> SOFTGL_INLINE bool clip_to_tile(const RasterPrimitive& p, int32_t tile_x, int32_t tile_y, TileEdges& t) {
   t.x0 = p.x0 > tile_x ? p.x0 - tile_x : 0;
@@ -28,11 +34,9 @@ template <int Edges> SOFTGL_INLINE bool clip_to_tile(const RasterPrimitive& p, i
     const int32_t a = p.a[i], b = p.b[i];
     int64_t c = p.c[i] - int64_t(a) * tile_x + int64_t(b) * tile_y;
     c = c > (1 << 30) ? 1 << 30 : c < -(1 << 30) ? -(1 << 30) : c;
-    t.a[i] = a, t.b[i] = b, t.c[i] = int32_t(c);
-    const int32_t lo = (a > 0 ? -a : 0) + (b < 0 ? b : 0), hi = (a < 0 ? -a : 0) + (b > 0 ? b : 0);
-    t.block_min[i] = lo * 7, t.block_max[i] = hi * 7;
-    if (int32_t(c) + hi * 63 < 0) return false;
-    t.inside = t.inside && int32_t(c) + lo * 63 >= 0;
+    set_edge(t, i, int32_t(c), a, b);
+    if (t.c[i] + t.block_max[i] * 9 < 0) return false;
+    t.inside = t.inside && t.c[i] + t.block_min[i] * 9 >= 0;
   }
   return true;
 }

@@ -3,6 +3,7 @@
 
 #include "fragment_interpolate.inl"
 #include "raster_classify.inl"
+#include "raster_coverage.inl"
 
 namespace softgl {
 namespace SOFTGL_ISA {
@@ -64,7 +65,7 @@ public:
   void run() {
     int covered = 0;
     for (uint64_t bits = out_.small; bits; bits &= bits - 1) covered += __builtin_popcountll(pixels_of(__builtin_ctzll(bits)));
-    if (covered >= kDenseBelow * __builtin_popcountll(out_.small)) by_triangle();
+    if (out_.cut || covered >= kDenseBelow * __builtin_popcountll(out_.small)) by_triangle();
     else by_fragment();
     if (Staged) finish_block(end_);
     out_.fragment_count = end_;
@@ -86,12 +87,10 @@ private:
     last_tile_ = tile, last_large_ = large_before;
   }
 
-  /// Calls visit(pixels) for the pixels of small triangle t in each tile, with their run begun.
-  template <class Visit> SOFTGL_MEMBER void each_tile(int t, Visit&& visit) {
-    const uint32_t position = out_.position[t], x = position & 63, y = position >> 16 & 63;
-    const uint32_t tile = out_.tile[t];
-    const uint64_t pixels = pixels_of(t);
-    if (x <= 64 - kSmallBox && y <= 64 - kSmallBox) {
+  /// Calls visit(pixels) for the pixels of a box of triangle t in each tile, with their run begun.
+  template <class Visit> SOFTGL_MEMBER void each_tile(int t, uint32_t position, uint32_t tile, uint64_t pixels, Visit&& visit) {
+    const uint32_t x = position & 63, y = position >> 16 & 63;
+    if (x <= 64 - kBlockBox && y <= 64 - kBlockBox) {
       begin_run(tile, t);
       return visit(pixels);
     }
@@ -119,19 +118,41 @@ private:
       store_planes(draw_, corners, stored);
       for (int i = 0; i < lanes; ++i) {
         TrianglePlanes planes{stored, i};
-        const uint32_t position = out_.position[triangle[i]];
-        const IntV x = splat(int32_t(position & 0xffff)), y = splat(int32_t(position >> 16));
-        each_tile(triangle[i], [&](uint64_t pixels) __attribute__((always_inline)) {
-          uint8_t place[64 + 16];
-          const int n = places_of(pixels, place);
-          for (int k = 0; k < n; k += kWidth) {
-            const IntV p = load_bytes(place + k);
-            shade(planes, end_ + k, x + (p & 7), y + (p >> 3));
-          }
-          end_ += n;
-        });
+        const int t = triangle[i];
+        if (out_.cut >> t & 1) cut_box(planes, t);
+        else shade_box(planes, t, out_.position[t], out_.tile[t], pixels_of(t));
       }
     }
+  }
+
+  SOFTGL_MEMBER void shade_box(TrianglePlanes& planes, int t, uint32_t position, uint32_t tile, uint64_t pixels) {
+    const IntV x = splat(int32_t(position & 0xffff)), y = splat(int32_t(position >> 16));
+    each_tile(t, position, tile, pixels, [&](uint64_t part) __attribute__((always_inline)) {
+      uint8_t place[64 + 16];
+      const int n = places_of(part, place);
+      for (int k = 0; k < n; k += kWidth) {
+        const IntV p = load_bytes(place + k);
+        shade(planes, end_ + k, x + (p & 7), y + (p >> 3));
+      }
+      end_ += n;
+    });
+  }
+
+  /// A box of more than 8 by 8 pixels, block by block.
+  void cut_box(TrianglePlanes& planes, int t) {
+    TileEdges edges;
+    edges.x0 = edges.y0 = 0, edges.x1 = out_.last_column[t] + 1, edges.y1 = out_.last_row[t] + 1;
+    edges.inside = false;
+    for (int k = 0; k < 3; ++k) set_edge(edges, k, out_.edge_c[k][t], out_.edge_a[k][t], out_.edge_b[k][t]);
+    EdgeSteps<3> steps;
+    edge_steps<3>(edges, steps);
+    for (int y = 0; y < edges.y1; y += kBlockBox)
+      for (int x = 0; x < edges.x1; x += kBlockBox) {
+        const uint64_t pixels = block_coverage<3>(edges, steps, x, y);
+        if (!pixels) continue;
+        const uint32_t position = out_.position[t] + uint32_t(x + (y << 16));
+        shade_box(planes, t, position, (position >> 22) * uint32_t(in_.tiles_x) + (position >> 6 & 1023), pixels);
+      }
   }
 
   /// Fragments as they come, each lane of a triangle of its own.
@@ -141,8 +162,8 @@ private:
     uint8_t triangle[kMost];
     for (uint64_t bits = out_.small; bits; bits &= bits - 1) {
       const int t = __builtin_ctzll(bits);
-      each_tile(t, [&](uint64_t pixels) __attribute__((always_inline)) {
-        const uint32_t position = out_.position[t];
+      const uint32_t position = out_.position[t];
+      each_tile(t, position, out_.tile[t], pixels_of(t), [&](uint64_t pixels) __attribute__((always_inline)) {
         auto put = [&](int32_t at, uint32_t bit) { place[at] = position + ((bit & 56) << 13) + (bit & 7), triangle[at] = uint8_t(t); };
         // Most have one pixel or two, which is hard to predict: two are always written.
         for (;;) {

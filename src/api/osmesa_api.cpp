@@ -172,7 +172,7 @@ SOFTGL_EXPORT GLboolean OSMesaMakeCurrent(OSMesaContext ctx, void* buffer, GLenu
   }
   f.client.data = buffer;
   f.client.type = type;
-  if (new_planes) f.prepare_pages();
+  if (new_planes) prepare_first_frame(*ctx);
   if (!ctx->ever_current) {
     ctx->ever_current = true;
     ctx->state.viewport.width = ctx->state.scissor.width = width;

@@ -20,10 +20,10 @@ void* map_pages(size_t bytes) {
   return begin + before;
 }
 
-void populate_pages(void* memory, size_t bytes) {
+void populate_pages([[maybe_unused]] Pages pages) {
 #ifdef MADV_POPULATE_WRITE // Linux 5.14; without it pages come when they are written
-  const auto first = (reinterpret_cast<uintptr_t>(memory) + 4095) & ~uintptr_t(4095);
-  const auto last = (reinterpret_cast<uintptr_t>(memory) + bytes) & ~uintptr_t(4095);
+  const auto first = (reinterpret_cast<uintptr_t>(pages.memory) + 4095) & ~uintptr_t(4095);
+  const auto last = (reinterpret_cast<uintptr_t>(pages.memory) + pages.bytes) & ~uintptr_t(4095);
   // A piece at a time: the address space is locked meanwhile.
   constexpr uintptr_t kPiece = size_t(1) << 20;
   for (uintptr_t p = first; p < last; p += kPiece)

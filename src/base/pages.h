@@ -12,8 +12,13 @@ constexpr size_t kHugePage = size_t(2) << 20;
 void* map_pages(size_t bytes);
 void unmap_pages(void* memory, size_t bytes);
 
+struct Pages {
+  void* memory;
+  size_t bytes;
+};
+
 /// Has the system bring in the whole pages of [memory, memory + bytes) for writing, in one go: a third cheaper than a page
 /// fault each. Changes no byte; what is not mapped or cannot be written is left alone.
-void populate_pages(void* memory, size_t bytes);
+void populate_pages(Pages pages);
 
 } // namespace softgl

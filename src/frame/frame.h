@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/arena.h"
+#include "base/pages.h"
 #include "draw_record.h"
 #include "surface.h"
 
@@ -43,6 +44,8 @@ public:
   const std::vector<Item>& items() const { return items_; }
   /// True when so much memory is in use that the owner should flush before more work is added.
   bool over_budget() const { return arena_.used() > kBudgetBytes; }
+  /// Appends the memory that frames of some size will write first, to be brought in early.
+  void prepare(std::vector<Pages>& pages);
   /// Does all work on `surface` with all threads and forgets it; snapshots taken from State must be taken anew after
   /// it (kDirtyAll). Same bytes for any number of threads.
   void flush(const Surface& surface, const TileReader* reader = nullptr);
@@ -53,6 +56,7 @@ private:
   Arena arena_;
   std::vector<std::shared_ptr<const void>> retained_;
   std::vector<Item> items_;
+  void make_workers();
   struct Workers; // memory of the workers, kept from flush to flush
   std::unique_ptr<Workers> workers_;
 };

@@ -14,10 +14,8 @@
 #include <new>
 #include <thread>
 #include <utility>
-#include <vector>
 
 #include "base/float_environment.h"
-#include "base/pages.h"
 
 namespace softgl {
 
@@ -88,7 +86,7 @@ struct ThreadPool::State {
         if (!pages.empty()) {
           const std::vector<Pages> taken = std::exchange(pages, {});
           lock.unlock();
-          for (const Pages& p : taken) populate_pages(p.memory, p.bytes);
+          for (const Pages& p : taken) populate_pages(p);
           continue;
         }
         seen = generation.load(std::memory_order_relaxed);
@@ -144,7 +142,7 @@ ThreadPool& ThreadPool::instance() {
 int ThreadPool::workers() const { return state_->workers.load(std::memory_order_relaxed); }
 void ThreadPool::set_workers(int count) { state_->workers.store(std::clamp(count, 1, kMaxWorkers), std::memory_order_relaxed); }
 
-void ThreadPool::prepare(std::initializer_list<Pages> pages) {
+void ThreadPool::prepare(const std::vector<Pages>& pages) {
   State& s = *state_;
   std::unique_lock owner(s.owner, std::try_to_lock);
   if (!owner || s.start(workers() - 1) == 0) return;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
-#include <initializer_list>
+#include <vector>
+
+#include "base/pages.h"
 
 namespace softgl {
 
@@ -20,8 +22,7 @@ public:
 
   /// Starts the threads, and has one of them bring in memory that will soon be written (populate_pages) while the caller
   /// goes on. The memory may be gone by then. Does nothing where there is one worker.
-  struct Pages { void* memory; size_t bytes; };
-  void prepare(std::initializer_list<Pages> pages);
+  void prepare(const std::vector<Pages>& pages);
 
   /// Calls fn(i, worker) once for every i in [0, count), each worker (0 <= worker < workers()) on a thread of its own,
   /// and returns when all calls have returned. The first exception that a call throws is thrown again here; calls not

@@ -2,6 +2,7 @@
 #include "api/generated/commands.h"
 #include "api/list_interface.h"
 #include "base/float_environment.h"
+#include "frame/thread_pool.h"
 #include "state/context.h"
 
 namespace softgl {
@@ -33,6 +34,19 @@ void finish_and_resolve(Context& c) {
   f.unresolved = false;
   if (!f.depth_copy.empty()) copy_depth(f);
   ++f.counts.resolves;
+}
+
+void prepare_first_frame(Context& c) {
+  // 4 ms of a first frame of 1024x1024 pixels and 70,000 triangles. Small surfaces see small frames; of very large ones
+  // not all may ever be drawn on.
+  constexpr int64_t kLeast = 256 * 1024, kMost = 8 << 20;
+  const Surface& s = c.framebuffer.surface;
+  const int64_t pixels = int64_t(s.width) * s.height;
+  if (pixels < kLeast || pixels > kMost) return;
+  std::vector<Pages> pages;
+  c.frame.prepare(pages);
+  c.framebuffer.prepare(pages);
+  ThreadPool::instance().prepare(pages);
 }
 
 namespace gl {

@@ -3,7 +3,6 @@
 #include <cstring>
 
 #include "base/pages.h"
-#include "frame/thread_pool.h"
 
 namespace softgl {
 namespace {
@@ -61,13 +60,10 @@ bool Framebuffer::allocate(int width, int height, ColorFormat color_format) {
   return true;
 }
 
-void Framebuffer::prepare_pages() const {
-  // 3 ms of a 1024x1024 surface's first frame. Much larger ones cost more memory than a program that may never draw on
-  // all of it should pay.
-  constexpr size_t kMost = size_t(64) << 20;
-  const size_t caller_bytes = size_t(surface.width) * size_t(surface.height) * size_t(bytes_per_pixel(surface.color_format));
-  if (color_bytes_ + depth_bytes_ > kMost) return;
-  ThreadPool::instance().prepare({{surface.color, color_bytes_}, {surface.depth_stencil, depth_bytes_}, {client.data, caller_bytes}});
+void Framebuffer::prepare(std::vector<Pages>& pages) const {
+  pages.push_back({surface.color, color_bytes_});
+  pages.push_back({surface.depth_stencil, depth_bytes_});
+  pages.push_back({client.data, size_t(surface.width) * size_t(surface.height) * size_t(bytes_per_pixel(surface.color_format))});
 }
 
 } // namespace softgl

@@ -40,8 +40,8 @@ struct Framebuffer {
 
   /// New planes of zeros (alpha 1 where there is none). False, and nothing changed, when memory does not suffice.
   bool allocate(int width, int height, ColorFormat color_format);
-  /// Has new planes and the caller's buffer brought into memory while the caller prepares its first frame.
-  void prepare_pages() const;
+  /// Appends the planes and the caller's buffer, to be brought in early.
+  void prepare(std::vector<Pages>& pages) const;
   void release();
 
 private:
@@ -66,6 +66,8 @@ void resolve(const Surface& surface, const ClientBuffer& client);
 int depth_copy_bytes(const Framebuffer& framebuffer);
 /// Fills depth_copy from the surface, bottom row first.
 void copy_depth(Framebuffer& framebuffer);
+/// To be called when the planes are new: has the memory of the first frame brought in while the caller prepares it.
+void prepare_first_frame(Context& c);
 /// Finishes all rendering and brings the caller's buffer up to date if something was drawn since the last time.
 void finish_and_resolve(Context& c);
 

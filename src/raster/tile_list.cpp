@@ -25,6 +25,9 @@ void TileLists::open(List& l, TileSegment::Kind kind, const RasterDraw* draw, si
   l.open->count = 0;
   l.open->draw = draw;
   l.next += sizeof(TileSegment);
+  // What is written after this segment comes from a far cache.
+  if (kind == TileSegment::Fragments)
+    for (const uint8_t *p = l.next + entry, *stop = p + entry; p < stop; p += 64) __builtin_prefetch(p, 1);
 }
 
 } // namespace softgl

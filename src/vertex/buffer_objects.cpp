@@ -128,7 +128,7 @@ void gl::BufferData(Context& c, GLenum target, GLsizeiptr size, const void* data
   BufferObject& buffer = **binding;
   auto storage = std::make_shared<BufferStorage>(size_t(size));
   if (data) {
-    populate_pages(storage->bytes, size_t(size));
+    populate_pages({storage->bytes, size_t(size)});
     std::memcpy(storage->bytes, data, size_t(size));
   }
   buffer.storage = std::move(storage);
