@@ -1,7 +1,6 @@
 // Automatic mipmap generation (GL 1.5, 3.8.8). OSMesa 22.3.6 draws each level with a linearly filtered, edge-clamped
 // texture of the level before; so the arithmetic is that of sampling.
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <vector>
@@ -70,32 +69,6 @@ struct Footprints {
   }
 };
 
-/// Fewer bits of `from`, as llvmpipe stores a fragment: 4 bits are rounded, the upper ones of more are kept, fewer are
-/// rounded nearly. `to` is 1 to 7 or, from 16 bits, 2 or 10.
-uint32_t reduce_bits(uint32_t value, int from, int to) {
-  const int drop = from - to;
-  if (to == 4) return convert_unorm(value, from, to);
-  if (drop <= to) return value >> drop;
-  return ((value >> to) * ((1u << to) - 1) + (1u << (drop - 1))) >> drop;
-}
-
-/// 8 bits cut to the stored bits and filled to a byte again.
-uint8_t restore(uint32_t value, int bits) {
-  return uint8_t(bits == 0 || bits == 8 ? value : convert_unorm(reduce_bits(value, 8, bits), bits, 8));
-}
-
-/// A component of 10, 12, 16, 24 or 32 bits. A float has no room for 32: OSMesa reads the upper 23 and writes 31.
-float wide_to_float(uint32_t v, int bits) {
-  if (bits < 32) return unorm_to_float(v, bits);
-  return (std::bit_cast<float>(v >> 9 | 0x3f800000u) - 1.0f) * 1.00000011920930376163766f;
-}
-uint32_t float_to_wide(float v, int bits) {
-  if (bits == 2 || bits == 10) return reduce_bits(float_to_unorm(v, 16), 16, bits);
-  if (bits < 32) return float_to_unorm(v, bits);
-  const uint32_t scaled = uint32_t(v * 2147483648.0f);
-  return (scaled << 1) - (scaled >> 31);
-}
-
 int lerp8(int w, int a, int b) { return a + ((w * (b - a) + 128) >> 8); }
 
 void reduce_rgba8(const TextureImage& from, const Footprints& footprints, TextureImage& to) {
@@ -112,7 +85,7 @@ void reduce_rgba8(const TextureImage& from, const Footprints& footprints, Textur
             return lerp8(fy.weight, row(fy.first), row(fy.second));
           };
           const int value = fz.first == fz.second ? plane(fz.first) : lerp8(fz.weight, plane(fz.first), plane(fz.second));
-          target[k] = restore(uint32_t(value), format.bits[k]);
+          target[k] = reduced_byte(uint32_t(value), format.bits[k]);
         }
       }
     }

@@ -1,4 +1,5 @@
 // CopyTexImage and CopyTexSubImage (GL 1.5, 3.8.2).
+#include <algorithm>
 #include <memory>
 #include <new>
 #include <vector>
@@ -13,6 +14,13 @@ namespace softgl {
 
 namespace {
 
+/// A depth as the texture stores it, after depth scale and bias.
+uint32_t transferred_depth(const PixelModeState& transfer, uint32_t z, int from_bits, int to_bits) {
+  if (transfer.depth_scale == 1 && transfer.depth_bias == 0) return float_to_wide(wide_to_float(z, from_bits), to_bits);
+  const double scaled = double(convert_unorm(z, from_bits, 32)) * transfer.depth_scale + double(transfer.depth_bias * 4294967296.0f);
+  return uint32_t(std::clamp(scaled, 0.0, 4294967295.0)) >> (32 - to_bits);
+}
+
 /// The depths of a rectangle, bottom row first, in the bits of `format`; 0 outside the surface.
 void copy_depths(Context& c, int x, int y, int width, int height, const TexelFormat& format, TextureImage& image, int to_x, int to_y, int to_z) {
   flush_rendering(c);
@@ -24,7 +32,7 @@ void copy_depths(Context& c, int x, int y, int width, int height, const TexelFor
       const int sx = x + i, sy = surface.height - 1 - (y + j);
       if (sx >= 0 && sy >= 0 && sx < surface.width && sy < surface.height) copy_depth_stencil_row(surface, sx, sy, 1, &word);
       const uint32_t z = from_bits == 24 ? word & 0xffffffu : word & 0xffffu;
-      *reinterpret_cast<uint32_t*>(image.at(to_x + i, to_y + j, to_z)) = to_bits >= from_bits ? convert_unorm(z, from_bits, to_bits) : z >> (from_bits - to_bits);
+      *reinterpret_cast<uint32_t*>(image.at(to_x + i, to_y + j, to_z)) = transferred_depth(c.state.pixel_mode, z, from_bits, to_bits);
     }
 }
 
@@ -33,6 +41,8 @@ void copy_colors(Context& c, int x, int y, int width, int height, TextureImage& 
   if (c.framebuffer.surface.color_format == ColorFormat::Rgba8) {
     std::vector<uint8_t> pixels(size_t(width) * size_t(height) * 4);
     read_rgba8(c, x, y, width, height, reinterpret_cast<uint8_t(*)[4]>(pixels.data()));
+    if (image.format->layout == TexelLayout::Rgba8 && !transfers_color(transfer))
+      for (size_t i = 0; i < pixels.size(); ++i) pixels[i] = reduced_byte(pixels[i], image.format->bits[i & 3]);
     const PixelFormat f = describe_pixel_format(GL_RGBA, GL_UNSIGNED_BYTE);
     for (int j = 0; j < height; ++j)
       store_texels(*image.format, image.at(to_x, to_y + j, to_z), f, pixels.data() + size_t(j) * size_t(width) * 4, width, false, transfer);
@@ -85,10 +95,14 @@ void copy_sub_image(Context& c, int dimensions, GLenum target, GLint level, GLin
   if (!image) return set_error(c, GL_INVALID_OPERATION);
   if (!box_inside(*image, to_x, to_y, to_z, width, height, 1)) return set_error(c, GL_INVALID_VALUE);
   if (image->format->layout == TexelLayout::Depth && c.framebuffer.surface.depth_format == DepthFormat::None) return set_error(c, GL_INVALID_OPERATION);
-  if (width == 0 || height == 0) return;
+  // Texels that would come from outside the window are undefined (3.8.2); as in OSMesa they stay what they are.
+  const Surface& surface = c.framebuffer.surface;
+  const int right = int(std::min(int64_t(x) + width, int64_t(surface.width))), top = int(std::min(int64_t(y) + height, int64_t(surface.height)));
+  const int left = std::max(x, 0), bottom = std::max(y, 0);
+  if (left >= right || bottom >= top) return;
   try {
     flush_rendering(c); // a frame that still samples the image is done, so no copy has to be made of it
-    copy_rectangle(c, x, y, width, height, object->writable(t.face, level), to_x, to_y, to_z);
+    copy_rectangle(c, left, bottom, right - left, top - bottom, object->writable(t.face, level), to_x + left - x, to_y + bottom - y, to_z);
     image_changed(c, *object, t.face, level);
   } catch (const std::bad_alloc&) {
     set_error(c, GL_OUT_OF_MEMORY);

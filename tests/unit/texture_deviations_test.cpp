@@ -37,6 +37,29 @@ TEST_CASE("Skipped pixels are skipped when bytes are swapped or colours transfer
   CHECK(value == 0x0182);
 }
 
+TEST_CASE("Colours are scaled on their way from the framebuffer into a texture", "[texture][deviation]") {
+  TestContext c(softgl_library());
+  c.gl.Enable(GL_SCISSOR_TEST);
+  for (int row = 0; row < 4; ++row) {
+    c.gl.Scissor(0, row, 2, 1);
+    c.gl.ClearColor(0.2f * float(row), 0.4f, 1, 1);
+    c.gl.Clear(GL_COLOR_BUFFER_BIT);
+  }
+  c.gl.PixelTransferf(GL_RED_SCALE, 0.5f);
+  c.gl.PixelTransferf(GL_GREEN_BIAS, 0.2f);
+  c.gl.CopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, 0, 0, 2, 4, 0);
+  c.gl.PixelTransferf(GL_RED_SCALE, 1);
+  c.gl.PixelTransferf(GL_GREEN_BIAS, 0);
+  unsigned char texels[4][2][4] = {};
+  c.gl.GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+  for (int row = 0; row < 4; ++row)
+    for (const auto& texel : texels[row]) {
+      CHECK(std::abs(texel[0] - 51 * row / 2) <= 1);
+      CHECK(texel[1] == 153);
+      CHECK(texel[2] == 255);
+    }
+}
+
 TEST_CASE("A full texel reads back as the largest integer", "[texture][deviation]") {
   TestContext c(softgl_library());
   const unsigned char white = 255;
