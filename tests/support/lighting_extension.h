@@ -1,12 +1,13 @@
-// The tokens of per-pixel lighting that scenes use.
+// The tokens of softgl's lighting extension (reference/extensions/SOFTGL_phong_illumination.txt) that scenes use.
 #pragma once
 
-#include <GL/gl.h>
+#include "support/gl.h"
 
 namespace softgl::test {
 
-constexpr GLenum kSpecularVector = 0x7001, kReflectionVector = 0x7002, kHalfVector = 0x7003; // placeholders
-constexpr GLenum kTermMask = 0x7004;
+constexpr GLenum kSpecularVector = 0x5F6000;
+constexpr GLint kHalfVector = 0x5F6001, kReflectionVector = 0x5F6002;
+constexpr GLenum kTermMask = 0x5F6003;
 constexpr GLint kEmissionTerm = 1, kAmbientTerm = 2, kDiffuseTerm = 4, kSpecularTerm = 8, kAllTerms = 15;
 
 } // namespace softgl::test

@@ -126,7 +126,7 @@ void shade_model(GLenum mode) {
 }
 
 void light_model(GLenum name, GLint value) {
-  if (name == kSpecularVector) context.reflection = GLenum(value) == kReflectionVector;
+  if (name == kSpecularVector) context.reflection = value == kReflectionVector;
   else if (name == kTermMask) context.terms = value;
   else osmesa.LightModeli(name, value);
 }
