@@ -22,6 +22,7 @@ struct LightingConstants {
   bool two_sided, separate_specular, local_viewer;
   bool shininess_zero;          // both faces' exponents are zero all over the draw
   bool varies[2];               // some material parameter of the face is an array of lanes
+  bool reflection;              // highlights by the reflection vector instead of the half vector
   bool for_fragments;           // the lanes are fragments: their normals are renormalized
   int32_t light_count;
   float model_ambient[3];

@@ -191,6 +191,28 @@ static inline void light_zero_exponents(LightingBlock& b, const LightingConstant
   }
 }
 
+/// specular[0] = v.r of the front face, -v.r where the back face is lit, as n.h would be: r = 2 (n.s) n - s is the vector s
+/// to the light mirrored at the unit normal, v points to the viewer. v.r is the same for n and -n.
+static inline void light_reflection(LightingBlock& b, bool local_viewer, int n) {
+  const float *nx = b.normal[0], *ny = b.normal[1], *nz = b.normal[2];
+  const float *sx = b.light_vector[0], *sy = b.light_vector[1], *sz = b.light_vector[2];
+  const float *ux = b.eye_unit[0], *uy = b.eye_unit[1], *uz = b.eye_unit[2];
+  const float* nl = b.diffuse[0];
+  float* out = b.specular[0];
+  if (local_viewer) { // v = -eye_unit
+    SOFTGL_FOR_LANES(i, n) {
+      const float nv = -dot3(nx[i], ny[i], nz[i], ux[i], uy[i], uz[i]), sv = -dot3(sx[i], sy[i], sz[i], ux[i], uy[i], uz[i]);
+      const float vr = 2.0f * nl[i] * nv - sv;
+      out[i] = select(mask_of(nl[i] > 0.0f), vr, -vr);
+    }
+  } else { // v = (0, 0, 1)
+    SOFTGL_FOR_LANES(i, n) {
+      const float vr = 2.0f * nl[i] * nz[i] - sz[i];
+      out[i] = select(mask_of(nl[i] > 0.0f), vr, -vr);
+    }
+  }
+}
+
 /// Specular factors from n.L and n.h. Front and back highlight are never both lit, so one power serves both.
 static inline void light_highlight(LightingBlock& b, const LightingConstants& k, const MaterialLanes& lanes, int n) {
   const float* nl = b.diffuse[0];
@@ -324,13 +346,16 @@ static inline void light_block(LightingBlock& b, const LightingConstants& k, con
     const bool attenuated = l.spot || (l.positional && l.attenuated);
     const bool infinite_half = !l.positional && !k.local_viewer;
     if (l.positional) light_positional_vector(b, l, n);
-    else if (l.spot || k.local_viewer) light_directional_vector(b, l, n);
+    else if (l.spot || k.local_viewer || k.reflection) light_directional_vector(b, l, n);
     if (l.spot) light_spot(b, l, n);
-    if (!shininess_zero && !infinite_half) light_half_vector(b, k.local_viewer, n);
-    light_dots(b, l, infinite_half, !shininess_zero, n);
-    if (shininess_zero) light_zero_highlight(b, two_sided, attenuated && !k.for_fragments, n);
-    else {
-      if (k.for_fragments) light_zero_exponents(b, k, lanes, n);
+    const bool half = !shininess_zero && !k.reflection;
+    if (half && !infinite_half) light_half_vector(b, k.local_viewer, n);
+    light_dots(b, l, infinite_half, half, n);
+    if (k.reflection) light_reflection(b, k.local_viewer, n);
+    if (shininess_zero) {
+      light_zero_highlight(b, two_sided, attenuated && !k.for_fragments, n);
+    } else {
+      if (k.for_fragments && !k.reflection) light_zero_exponents(b, k, lanes, n);
       light_highlight(b, k, lanes, n);
     }
     light_factors(b, two_sided, attenuated, n);

@@ -42,7 +42,7 @@ struct VertexProgram {
   bool eye_unit;
   bool normal, normal_to_eye;
   bool normalize;                       // as OSMesa does: a normal of zero becomes not a number
-  bool unit_normal;                     // a normal of zero stays zero
+  bool unit_normal;                     // made a unit vector; a normal of zero stays zero, and so does the eye's
   bool lit;
   bool clamp_color;
   bool fog, fog_from_attribute;

@@ -80,7 +80,7 @@ static inline void shade_block(VertexBlock& b, const VertexJob& job, uint32_t fi
   for (int i = 0; i < count; ++i) mask[i] = uint16_t(b.mask[i]);
 
   if (p.eye_position || p.eye_position_late) transform_points(b.position, p.transform->modelview, b.lighting.eye, n);
-  if (p.eye_unit) normalize_lanes(b.lighting.eye, b.lighting.eye_unit, n);
+  if (p.eye_unit) (p.unit_normal ? unit_lanes : normalize_lanes)(b.lighting.eye, b.lighting.eye_unit, n);
   if (p.normal) {
     fetch_attribute(job, kNormal, first, count, n, 3, b.lighting.normal);
     transform_normals(b, p, n);

@@ -28,6 +28,18 @@ const char *softgl_isa(void);
  * have equal hashes, on every machine. 0 without a current context. The caller's buffer is not touched. */
 uint64_t softgl_frame_hash(void);
 
+/* GL_SOFTGL_phong_illumination (reference/extensions): glLightModel and glGet with these names. The values are those of
+ * no other extension: the registry gives out none above 108999. They are exact as floats. */
+#define GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL 0x5F6000
+#define GL_HALF_VECTOR_SOFTGL                 0x5F6001 /* (n.h)^a, OpenGL's highlight; the initial value */
+#define GL_REFLECTION_VECTOR_SOFTGL           0x5F6002 /* (v.r)^a, Phong's */
+#define GL_LIGHT_MODEL_TERMS_SOFTGL           0x5F6003
+#define GL_EMISSION_TERM_BIT_SOFTGL           1
+#define GL_AMBIENT_TERM_BIT_SOFTGL            2
+#define GL_DIFFUSE_TERM_BIT_SOFTGL            4
+#define GL_SPECULAR_TERM_BIT_SOFTGL           8
+#define GL_ALL_TERM_BITS_SOFTGL               15 /* the initial value */
+
 /* What the current context has done so far. */
 struct softgl_statistics {
   uint64_t flushes;  /* times that waiting work was carried out */

@@ -33,7 +33,8 @@ size_t count_of(CountTable table, GLenum pname) {
       }
     case kCountOf_light_model:
       return pname == GL_LIGHT_MODEL_LOCAL_VIEWER || pname == GL_LIGHT_MODEL_TWO_SIDE ||
-             pname == GL_LIGHT_MODEL_COLOR_CONTROL;
+             pname == GL_LIGHT_MODEL_COLOR_CONTROL || pname == GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL ||
+             pname == GL_LIGHT_MODEL_TERMS_SOFTGL;
     case kCountOf_point:
       switch (pname) {
         case GL_POINT_DISTANCE_ATTENUATION: return 3;

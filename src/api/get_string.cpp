@@ -22,7 +22,8 @@ constexpr const char* kExtensions =
     "GL_EXT_rescale_normal GL_EXT_secondary_color GL_EXT_separate_specular_color GL_EXT_shadow_funcs "
     "GL_EXT_stencil_wrap GL_EXT_texture_edge_clamp GL_EXT_texture_env_add GL_EXT_texture_lod_bias "
     "GL_EXT_texture_object GL_EXT_vertex_array GL_SGIS_generate_mipmap GL_SGIS_texture_border_clamp "
-    "GL_SGIS_texture_edge_clamp GL_SGIS_texture_lod GL_WIN_phong_shading ";
+    "GL_SGIS_texture_edge_clamp GL_SGIS_texture_lod GL_SOFTGL_phong_illumination "
+    "GL_WIN_phong_shading ";
 
 /// Lives as long as the process, however often the text changes (the number of threads may).
 const GLubyte* kept(const std::string& text) {

@@ -72,6 +72,7 @@ const VertexProgram* make_vertex_program(const Context& c, const SnapshotCache& 
 
   if (cache.lighting) {
     const LightingConstants& k = *cache.lighting;
+    p->unit_normal |= k.reflection;
     bool positional = false;
     for (int i = 0; i < k.light_count; ++i) positional |= k.light[i].positional;
     p->eye_unit = p->lit && k.local_viewer && !k.shininess_zero && k.light_count > 0;

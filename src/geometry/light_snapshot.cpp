@@ -20,6 +20,10 @@ void normalize(float v[3]) {
 void copy3(float out[3], const float* in) {
   for (int i = 0; i < 3; ++i) out[i] = in[i];
 }
+/// A colour of a term; black where the term is left out.
+void copy_term(float out[3], const Vec4& in, const LightingState& lighting, uint32_t term) {
+  for (int i = 0; i < 3; ++i) out[i] = lighting.terms & term ? in[i] : 0.0f;
+}
 
 /// Position, half vector and cone of a light, in eye or object space.
 void place_light(LightConstants& k, const Light& light, const Matrix& modelview, bool eye_space) {
@@ -82,13 +86,16 @@ bool is_tracked(const LightingState& l, int parameter, int face) {
 
 void find_material_sources(const Context& c, uint32_t present, int8_t source[5][2]) {
   const LightingState& l = c.state.lighting;
+  // What a term that is left out would read need not be fetched; alpha is the diffuse material's in any case.
+  const bool wanted[5] = {(l.terms & GL_AMBIENT_TERM_BIT_SOFTGL) != 0, true, (l.terms & GL_SPECULAR_TERM_BIT_SOFTGL) != 0,
+                          (l.terms & GL_EMISSION_TERM_BIT_SOFTGL) != 0, (l.terms & GL_SPECULAR_TERM_BIT_SOFTGL) != 0};
   for (int parameter = 0; parameter < 5; ++parameter)
     for (int face = 0; face < 2; ++face) {
       const int slot = material_slot(MaterialParameter(parameter), face);
       int from = -1;
       if (is_tracked(l, parameter, face)) from = present >> kColor & 1 ? kColor : -1;
       else if (present >> slot & 1) from = slot;
-      source[parameter][face] = int8_t(from);
+      source[parameter][face] = int8_t(wanted[parameter] ? from : -1);
     }
 }
 
@@ -106,7 +113,8 @@ const LightingConstants* make_lighting(const Context& c, const int8_t source[5][
   k.for_fragments = for_fragments;
   k.light_count = enabled;
   std::memcpy(k.material_source, source, sizeof k.material_source);
-  copy3(k.model_ambient, &l.model_ambient[0]);
+  k.reflection = l.specular_vector == GL_REFLECTION_VECTOR_SOFTGL;
+  copy_term(k.model_ambient, l.model_ambient, l, GL_AMBIENT_TERM_BIT_SOFTGL);
 
   for (int face = 0; face < 2; ++face) {
     k.varies[face] = false;
@@ -115,25 +123,27 @@ const LightingConstants* make_lighting(const Context& c, const int8_t source[5][
       std::memcpy(k.material[parameter][face], is_tracked(l, parameter, face) ? color : value, sizeof(float[4]));
       if (parameter != kMaterialShininess) k.varies[face] |= source[parameter][face] >= 0;
     }
+    if (!(l.terms & GL_EMISSION_TERM_BIT_SOFTGL)) std::memset(k.material[kMaterialEmission][face], 0, sizeof(float[4]));
     for (int i = 0; i < 3; ++i)
-      k.scene[face][i] = l.model_ambient[i] * k.material[kMaterialAmbient][face][i] + k.material[kMaterialEmission][face][i];
+      k.scene[face][i] = k.model_ambient[i] * k.material[kMaterialAmbient][face][i] + k.material[kMaterialEmission][face][i];
     k.scene[face][3] = k.material[kMaterialDiffuse][face][3];
   }
   auto shines = [&](int face) { return source[kMaterialShininess][face] >= 0 || k.material[kMaterialShininess][face][0] != 0; };
-  k.shininess_zero = !shines(0) && !(k.two_sided && shines(1));
+  // The reflection vector has no rule of its own for it: (v.r)^0 is 1.
+  k.shininess_zero = !shines(0) && !(k.two_sided && shines(1)) && !k.reflection;
 
   LightConstants* out = k.light;
   for (const Light& light : l.light) {
     if (!light.enabled) continue;
     place_light(*out, light, c.matrices.modelview.top(), eye_space);
-    copy3(out->ambient, &light.ambient[0]);
-    copy3(out->diffuse, &light.diffuse[0]);
-    copy3(out->specular, &light.specular[0]);
+    copy_term(out->ambient, light.ambient, l, GL_AMBIENT_TERM_BIT_SOFTGL);
+    copy_term(out->diffuse, light.diffuse, l, GL_DIFFUSE_TERM_BIT_SOFTGL);
+    copy_term(out->specular, light.specular, l, GL_SPECULAR_TERM_BIT_SOFTGL);
     for (int face = 0; face <= int(k.two_sided); ++face)
       for (int i = 0; i < 3; ++i) {
-        out->ambient_product[face][i] = light.ambient[i] * k.material[kMaterialAmbient][face][i];
-        out->diffuse_product[face][i] = light.diffuse[i] * k.material[kMaterialDiffuse][face][i];
-        out->specular_product[face][i] = light.specular[i] * k.material[kMaterialSpecular][face][i];
+        out->ambient_product[face][i] = out->ambient[i] * k.material[kMaterialAmbient][face][i];
+        out->diffuse_product[face][i] = out->diffuse[i] * k.material[kMaterialDiffuse][face][i];
+        out->specular_product[face][i] = out->specular[i] * k.material[kMaterialSpecular][face][i];
       }
     ++out;
   }

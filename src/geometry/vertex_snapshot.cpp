@@ -37,7 +37,7 @@ bool needs_eye_space(const Context& c, uint32_t texture_units) {
         if (g.enabled && g.mode != GL_OBJECT_LINEAR) return true;
   const LightingState& l = s.lighting;
   if (!l.enabled) return false;
-  if (lights_fragments(l, c.smooth_is_phong)) return true;
+  if (lights_fragments(l, c.smooth_is_phong) || l.specular_vector == GL_REFLECTION_VECTOR_SOFTGL) return true;
   if (l.local_viewer || l.color_control == GL_SEPARATE_SPECULAR_COLOR) return true;
   for (const Light& light : l.light)
     if (light.enabled && (light.position.w != 0 || light.spot_cutoff != 180)) return true;

@@ -143,6 +143,16 @@ void LightModel(Context& c, GLenum pname, const float* params) {
       return set_error(c, GL_INVALID_ENUM);
     lighting.color_control = GLenum(params[0]);
     break;
+  case GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL:
+    if (params[0] != float(GL_HALF_VECTOR_SOFTGL) && params[0] != float(GL_REFLECTION_VECTOR_SOFTGL))
+      return set_error(c, GL_INVALID_ENUM);
+    lighting.specular_vector = GLenum(params[0]);
+    break;
+  case GL_LIGHT_MODEL_TERMS_SOFTGL:
+    if (!(params[0] >= 0.0f && params[0] <= float(GL_ALL_TERM_BITS_SOFTGL)) || params[0] != float(uint32_t(params[0])))
+      return set_error(c, GL_INVALID_VALUE);
+    lighting.terms = uint32_t(params[0]);
+    break;
   default: return set_error(c, GL_INVALID_ENUM);
   }
   c.dirty |= kDirtyLighting | kDirtyFragment;

@@ -84,6 +84,8 @@ struct LightingState {
   Vec4 model_ambient{0.2f, 0.2f, 0.2f, 1};
   bool local_viewer = false, two_side = false;
   GLenum color_control = GL_SINGLE_COLOR;
+  GLenum specular_vector = GL_HALF_VECTOR_SOFTGL; // GL_SOFTGL_phong_illumination
+  uint32_t terms = GL_ALL_TERM_BITS_SOFTGL;
   Vec3 material_indexes[2] = {{0, 1, 1}, {0, 1, 1}}; // GL_COLOR_INDEXES of front and back: ambient, diffuse, specular
   std::array<Light, kMaxLights> light{};
   LightingState() { light[0].diffuse = light[0].specular = {1, 1, 1, 1}; }

@@ -6,6 +6,7 @@
 #endif
 #include <GL/gl.h>
 #include <GL/glext.h>
+#include <softgl/softgl.h>
 
 #include <string>
 

@@ -59,6 +59,7 @@ static bool random_light(Stage& s, GLenum light) {
 struct LightingOptions {
   bool modelview_any = true, color_material = true, materials_inside = true, secondary = true;
   GLenum shade_model = GL_SMOOTH; // or flat
+  bool illumination = false;      // GL_SOFTGL_phong_illumination
 };
 
 static void lit_batch(Stage& s, const LightingOptions& o) {
@@ -100,6 +101,10 @@ static void lit_batch(Stage& s, const LightingOptions& o) {
   case 0: case 1: gl.Enable(GL_NORMALIZE); break;
   case 2: gl.Enable(GL_RESCALE_NORMAL); break;
   default: break;
+  }
+  if (o.illumination) {
+    gl.LightModeli(GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL, s.random.chance(50) ? GL_REFLECTION_VECTOR_SOFTGL : GL_HALF_VECTOR_SOFTGL);
+    gl.LightModeli(GL_LIGHT_MODEL_TERMS_SOFTGL, s.random.chance(70) ? GL_ALL_TERM_BITS_SOFTGL : s.random.integer(0, GL_ALL_TERM_BITS_SOFTGL));
   }
   gl.ShadeModel(s.random.chance(75) ? o.shade_model : GL_FLAT);
   if (s.random.chance(40)) {
@@ -145,16 +150,25 @@ static void draw_normals(Stage& s) {
   }
 }
 
+static void draw_illumination(Stage& s) {
+  random_canvas(s);
+  LightingOptions o;
+  o.illumination = true;
+  for (int batch = s.random.integer(1, 3); batch > 0; batch--) lit_batch(s, o);
+}
+
 static void draw_phong(Stage& s) {
   random_canvas(s);
   LightingOptions o;
   o.shade_model = GL_PHONG_WIN;
+  o.illumination = s.random.chance(50);
   if (s.random.chance(30)) random_fog(s);
   if (s.random.chance(20)) random_alpha_test(s);
   for (int batch = s.random.integer(1, 3); batch > 0; batch--) lit_batch(s, o);
 }
 
 static SceneRegistration lit{{"lit", draw_lit, true}}, materials{{"materials", draw_materials, true}}, normals{{"normals", draw_normals, true}};
+static SceneRegistration illumination{{.name = "illumination", .draw = draw_illumination, .random = true, .extension = true}};
 static SceneRegistration phong{{.name = "phong", .draw = draw_phong, .random = true, .extension = true}};
 
 } // namespace softgl::test
