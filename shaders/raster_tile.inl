@@ -25,7 +25,8 @@ static void tile_primitives(const TileTarget& tile, const RasterDraw& draw, cons
 static void tile_fragments(const TileTarget& tile, const RasterDraw& draw, const SmallFragments& fragments, int32_t count) {
   const FragmentProgram& program = *draw.program;
   const FragmentKey& key = program.key;
-  if (draw.direct && !key.blend && !key.logic_op && Compare(key.depth_function) == Compare::Less && key.depth_write) {
+  // Whatever stages there were have run: what is left is the depth test.
+  if (ColorFormat(key.color_format) == ColorFormat::Rgba8 && !key.stencil && !key.blend && !key.logic_op && Compare(key.depth_function) == Compare::Less && key.depth_write) {
     auto* color = static_cast<uint32_t*>(tile.color);
     uint32_t* depth = tile.depth_stencil;
     const uint32_t mask = draw.color_mask;
