@@ -62,6 +62,7 @@ double highlight(Highlight kind, Vec3 normal, Vec3 towards_light, Vec3 towards_v
 
 LitColor light_vertex(const LightModel& model, std::span<const Light> lights, const Material& material, Vec4 vertex, Vec3 normal) {
   const Vec3 a_cm = material.ambient.xyz(), d_cm = material.diffuse.xyz(), s_cm = material.specular.xyz();
+  if (model.highlight == Highlight::ReflectionVector) normal = unit(normal); // another length would be mirrored, too
   const auto term = [](bool wanted, Vec3 color) { return wanted ? color : Vec3{}; };
 
   Vec3 primary = term(model.terms.emission, material.emission.xyz()) + term(model.terms.ambient, a_cm * model.ambient);

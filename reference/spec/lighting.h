@@ -1,5 +1,6 @@
 // The lighting of OpenGL 1.5 in double precision, one function for each formula, in the specification's words and order;
-// and beside GL's half vector the reflection vector of Phong's own equation. Everything is in eye coordinates.
+// and beside GL's half vector the reflection vector of Phong's own equation
+// (reference/extensions/SOFTGL_phong_illumination.txt). Everything is in eye coordinates.
 //
 // This is what softgl's kernels are measured against. It is written to be compared with the specification line by line,
 // not to be fast.
@@ -74,7 +75,7 @@ Vec3 reflection_vector(Vec3 towards_light, Vec3 normal);
 /// (n . h)^s or (v . r)^s; 0 where the light is behind the surface (f_i, equation 2.2), and where the viewer does not see
 /// the reflection (v . r <= 0).
 double highlight(Highlight kind, Vec3 normal, Vec3 towards_light, Vec3 towards_viewer, double shininess);
-/// c_pri and c_sec. Lights that are not enabled are left out of `lights`.
+/// c_pri and c_sec. Lights that are not enabled are left out of `lights`. With the reflection vector the normal is normalized.
 LitColor light_vertex(const LightModel& model, std::span<const Light> lights, const Material& material, Vec4 vertex, Vec3 normal);
 /// Twice the signed area of a polygon in window coordinates, equation 2.6; the third coordinate is not used.
 double twice_signed_area(std::span<const Vec3> window);

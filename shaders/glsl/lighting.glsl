@@ -9,8 +9,8 @@ uniform bool local_viewer;       // GL_LIGHT_MODEL_LOCAL_VIEWER
 uniform bool separate_specular;  // GL_LIGHT_MODEL_COLOR_CONTROL is GL_SEPARATE_SPECULAR_COLOR
 uniform vec4 front_tracks, back_tracks; // 1 where the colour replaces emission, ambient, diffuse, specular (glColorMaterial)
 
-// Not in fixed-function OpenGL:
-uniform bool reflection_vector;  // highlights by Phong's (v.r)^s instead of OpenGL's (n.h)^s
+// Not in fixed-function OpenGL (softgl: GL_SOFTGL_phong_illumination):
+uniform bool reflection_vector;  // highlights by Phong's (v.r)^s instead of OpenGL's (n.h)^s; set normalize_normal, too
 uniform vec4 left_out;           // 1 leaves out the term: emission, ambient, diffuse, specular
 
 struct Material {

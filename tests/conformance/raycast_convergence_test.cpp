@@ -25,8 +25,8 @@ void check_convergence(const char* shape, bool reflection) {
     CHECK(p.pixels > 2000);
     // Each step has a sixteenth of the error, until only rounding is left.
     if (i % slices.size()) CHECK(p.phong_mean <= std::max(points[i - 1].phong_mean / 2, 0.05));
-    // The shape of eight slices itself is wrong, whatever shades it.
-    if (p.slices > 8) CHECK(p.phong_mean <= p.gouraud_mean);
+    // The shape of eight slices itself is wrong, whatever shades it; a value may lie where rounding turns.
+    if (p.slices > 8) CHECK(p.phong_mean <= p.gouraud_mean + 0.001);
     if (p.slices == 512) CHECK(p.phong_equal >= 0.999);
   }
   std::printf("\n");
@@ -37,3 +37,6 @@ void check_convergence(const char* shape, bool reflection) {
 TEST_CASE("Phong shading of a sphere becomes the ray-cast picture: half vector", "[conformance][reference][slow]") { check_convergence("sphere", false); }
 TEST_CASE("Phong shading of a plane becomes the ray-cast picture: half vector", "[conformance][reference][slow]") { check_convergence("plane", false); }
 TEST_CASE("Phong shading of a box becomes the ray-cast picture: half vector", "[conformance][reference][slow]") { check_convergence("box", false); }
+TEST_CASE("Phong shading of a sphere becomes the ray-cast picture: reflection vector", "[conformance][reference][slow]") { check_convergence("sphere", true); }
+TEST_CASE("Phong shading of a plane becomes the ray-cast picture: reflection vector", "[conformance][reference][slow]") { check_convergence("plane", true); }
+TEST_CASE("Phong shading of a box becomes the ray-cast picture: reflection vector", "[conformance][reference][slow]") { check_convergence("box", true); }

@@ -1,5 +1,4 @@
 #include "support/raycast_comparison.h"
-#include "support/lighting_extension.h"
 #include "support/runner.h"
 
 #include <cmath>
@@ -167,7 +166,7 @@ void draw_shape(Stage& stage) {
   const GLfloat ambient[4] = {float(model.ambient.x), float(model.ambient.y), float(model.ambient.z), 1};
   gl.LightModelfv(GL_LIGHT_MODEL_AMBIENT, ambient);
   gl.LightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, model.local_viewer);
-  if (drawing.reflection) gl.LightModeli(kSpecularVector, kReflectionVector);
+  if (drawing.reflection) gl.LightModeli(GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL, GL_REFLECTION_VECTOR_SOFTGL);
   for (size_t i = 0; i < s.illumination.lights.size(); i++) set_light(gl, GL_LIGHT0 + GLenum(i), s.illumination.lights[i]);
   const auto set = [&](GLenum parameter, Vec3 c) {
     const GLfloat values[4] = {float(c.x), float(c.y), float(c.z), 1};

@@ -1,5 +1,4 @@
 #include "support/shader_twins.h"
-#include "support/lighting_extension.h"
 #include "test_paths.h"
 
 #include <fstream>
@@ -29,7 +28,7 @@ Gl2 gl2;
 struct Context {
   Twins twins = Twins::Phong;
   bool phong = false, reflection = false;
-  GLint terms = kAllTerms;
+  GLint terms = GL_ALL_TERM_BITS_SOFTGL;
   GLuint phong_program = 0, gouraud_program = 0; // once they have been needed
 } context;
 
@@ -90,12 +89,12 @@ void set_uniforms(GLuint program) {
   set("two_sided", integer(GL_LIGHT_MODEL_TWO_SIDE));
   set("separate_specular", integer(GL_LIGHT_MODEL_COLOR_CONTROL) == GL_SEPARATE_SPECULAR_COLOR);
   set("rescale_normal", osmesa.IsEnabled(GL_RESCALE_NORMAL));
-  set("normalize_normal", osmesa.IsEnabled(GL_NORMALIZE));
+  set("normalize_normal", osmesa.IsEnabled(GL_NORMALIZE) || context.reflection);
   set_tracked(program, "front_tracks", GL_FRONT);
   set_tracked(program, "back_tracks", GL_BACK);
   set("reflection_vector", context.reflection);
   GLfloat left_out[4];
-  const GLint bits[4] = {kEmissionTerm, kAmbientTerm, kDiffuseTerm, kSpecularTerm};
+  const GLint bits[4] = {GL_EMISSION_TERM_BIT_SOFTGL, GL_AMBIENT_TERM_BIT_SOFTGL, GL_DIFFUSE_TERM_BIT_SOFTGL, GL_SPECULAR_TERM_BIT_SOFTGL};
   for (int i = 0; i < 4; i++) left_out[i] = context.terms & bits[i] ? 0.0f : 1.0f;
   gl2.Uniform4fv(gl2.GetUniformLocation(program, "left_out"), 1, left_out);
 }
@@ -126,8 +125,8 @@ void shade_model(GLenum mode) {
 }
 
 void light_model(GLenum name, GLint value) {
-  if (name == kSpecularVector) context.reflection = value == kReflectionVector;
-  else if (name == kTermMask) context.terms = value;
+  if (name == GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL) context.reflection = value == GL_REFLECTION_VECTOR_SOFTGL;
+  else if (name == GL_LIGHT_MODEL_TERMS_SOFTGL) context.terms = value;
   else osmesa.LightModeli(name, value);
 }
 

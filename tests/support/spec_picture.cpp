@@ -114,6 +114,10 @@ Draw begin_draw() {
   d.model.local_viewer = integer(GL_LIGHT_MODEL_LOCAL_VIEWER);
   d.model.two_sided = integer(GL_LIGHT_MODEL_TWO_SIDE);
   d.model.separate_specular = integer(GL_LIGHT_MODEL_COLOR_CONTROL) == GL_SEPARATE_SPECULAR_COLOR;
+  if (integer(GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL) == GL_REFLECTION_VECTOR_SOFTGL) d.model.highlight = spec::Highlight::ReflectionVector;
+  const GLint terms = integer(GL_LIGHT_MODEL_TERMS_SOFTGL);
+  d.model.terms = {(terms & GL_EMISSION_TERM_BIT_SOFTGL) != 0, (terms & GL_AMBIENT_TERM_BIT_SOFTGL) != 0,
+                   (terms & GL_DIFFUSE_TERM_BIT_SOFTGL) != 0, (terms & GL_SPECULAR_TERM_BIT_SOFTGL) != 0};
   for (GLenum i = 0; i < 8; i++)
     if (gl.IsEnabled(GL_LIGHT0 + i)) d.lights.push_back(read_light(GL_LIGHT0 + i));
   d.material[0] = read_material(GL_FRONT), d.material[1] = read_material(GL_BACK);
@@ -135,7 +139,9 @@ Draw begin_draw() {
 // Takes the triangles, in object coordinates.
 void end_draw(Draw d, const std::vector<Vertex>& triangles) {
   const Matrix4 modelview = matrix(GL_MODELVIEW_MATRIX);
-  const bool rescale = recorder.real.IsEnabled(GL_RESCALE_NORMAL), normalize = recorder.real.IsEnabled(GL_NORMALIZE);
+  const bool rescale = recorder.real.IsEnabled(GL_RESCALE_NORMAL);
+  // Reflection vectors need normals of unit length: reference/extensions/SOFTGL_phong_illumination.txt.
+  const bool normalize = recorder.real.IsEnabled(GL_NORMALIZE) || d.model.highlight == spec::Highlight::ReflectionVector;
   std::vector<TriangleMesh::Vertex> mesh;
   std::vector<int> indices;
   for (const Vertex& v : triangles) {

@@ -3,7 +3,6 @@
 // program (which lights there are, and of what kind) and differ in all numbers, so that ten thousand are soon drawn.
 #include "conformance/families/lighting_states.h"
 #include "conformance/families/common.h"
-#include "support/lighting_extension.h"
 
 #include <cmath>
 
@@ -165,12 +164,16 @@ void draw_state(Stage& s, Random shape, const LightingStateOptions& options) {
   }
   const GLenum shading = shape.chance(85) ? GL_SMOOTH : GL_FLAT;
   gl.ShadeModel(options.phong ? GLenum(GL_PHONG_WIN) : shading);
+  if (options.illumination) {
+    gl.LightModeli(GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL, shape.chance(50) ? GL_REFLECTION_VECTOR_SOFTGL : GL_HALF_VECTOR_SOFTGL);
+    gl.LightModeli(GL_LIGHT_MODEL_TERMS_SOFTGL, shape.chance(67) ? GL_ALL_TERM_BITS_SOFTGL : s.random.integer(0, GL_ALL_TERM_BITS_SOFTGL));
+  }
   draw_surface(s, shape, color_material);
 }
 
 SceneRegistration lighting{{.name = "lighting", .draw = [](Stage& s) { draw_lighting_states(s, {}); }, .random = true}};
-SceneRegistration gouraud{{.name = "gouraud_twin", .draw = [](Stage& s) { draw_lighting_states(s, {.exponent_zero = false, .well_conditioned = true}); }, .random = true, .extension = true}};
-SceneRegistration phong{{.name = "phong_twin", .draw = [](Stage& s) { draw_lighting_states(s, {.phong = true, .well_conditioned = true, .back_colors = true}); }, .random = true, .extension = true}};
+SceneRegistration gouraud{{.name = "gouraud_twin", .draw = [](Stage& s) { draw_lighting_states(s, {.exponent_zero = false, .illumination = true, .well_conditioned = true}); }, .random = true, .extension = true}};
+SceneRegistration phong{{.name = "phong_twin", .draw = [](Stage& s) { draw_lighting_states(s, {.phong = true, .illumination = true, .well_conditioned = true, .back_colors = true}); }, .random = true, .extension = true}};
 
 } // namespace
 

@@ -9,6 +9,7 @@ namespace softgl::test {
 struct LightingStateOptions {
   bool exponent_zero = true;       // materials with the exponent 0, where OSMesa has answers of its own (x^x, 0^0)
   bool phong = false;              // GL_PHONG_WIN instead of GL_SMOOTH and GL_FLAT
+  bool illumination = false;       // reflection vectors in half the scenes, single terms in a third of them
   bool well_conditioned = false;   // no vertex where the eye is, no cut-off of 0: rounding decides nothing that can be seen
   bool back_colors = false;        // back materials may follow the colour under two-sided lighting
 };
