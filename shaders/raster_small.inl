@@ -63,9 +63,7 @@ public:
       : draw_(draw), in_(in), out_(out), block_(block), program_(*draw.program), scale_(depth_scale(draw.program->key)) {}
 
   void run() {
-    int covered = 0;
-    for (uint64_t bits = out_.small; bits; bits &= bits - 1) covered += __builtin_popcountll(pixels_of(__builtin_ctzll(bits)));
-    if (out_.cut || covered >= kDenseBelow * __builtin_popcountll(out_.small)) by_triangle();
+    if (out_.cut || covered() >= kDenseBelow * __builtin_popcountll(out_.small)) by_triangle();
     else by_fragment();
     if (Staged) finish_block(end_);
     out_.fragment_count = end_;
@@ -78,6 +76,12 @@ private:
   static constexpr int kDenseBelow = 3;
 
   SOFTGL_MEMBER uint64_t pixels_of(int t) const { return uint64_t(out_.rows4to7[t]) << 32 | out_.rows0to3[t]; }
+
+  int covered() const {
+    int n = 0;
+    for (uint64_t bits = out_.small; bits; bits &= bits - 1) n += __builtin_popcountll(pixels_of(__builtin_ctzll(bits)));
+    return n;
+  }
 
   /// Begins a run unless the last one goes on.
   SOFTGL_MEMBER void begin_run(uint32_t tile, int t) {

@@ -132,8 +132,11 @@ template <class Visit> void for_each_segment(const TileChunk* chunk, Visit&& vis
     const uint8_t* end = p + chunk->used;
     while (p < end) {
       const auto& segment = *reinterpret_cast<const TileSegment*>(p);
-      visit(segment);
       p = segment.entries() + segment.entry_bytes();
+      // The next one comes from a far cache.
+      const auto* next = p < end ? p : reinterpret_cast<const uint8_t*>(chunk->next);
+      if (next) for (int line = 0; line < 20; ++line) __builtin_prefetch(next + 64 * line);
+      visit(segment);
     }
   }
 }
