@@ -95,7 +95,7 @@ int run(const Options& o) {
   }
   const bool alone = o.library != "compare";
   const Gl& gl = o.library == "osmesa" ? osmesa_library() : softgl_library();
-  const Gl shaders = shader_library(Twins::PhongAndGouraud);
+  const Gl shaders = alone || o.hash ? Gl{} : shader_library(Twins::PhongAndGouraud); // OSMesa, which one library alone must not need
   Sheet sheet;
   bool failed = false;
   for (const Scene& scene : scenes) {
