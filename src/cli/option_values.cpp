@@ -58,6 +58,71 @@ std::array<uint8_t, 3> split(uint32_t rgb) {
   return {static_cast<uint8_t>(rgb >> 16), static_cast<uint8_t>(rgb >> 8), static_cast<uint8_t>(rgb)};
 }
 
+constexpr float kDefaultCutoff = 30; // degrees, of a spot that does not say
+
+LightOptions parse_light_kind(const std::string& text) {
+  static const std::string what = "a light: key, headlight, x,y,z, model:x,y,z, at:x,y,z or an axis such as +Y";
+  LightOptions light;
+  if (text == "key") return light;
+  light.kind = LightOptions::kHeadlight;
+  if (text == "headlight" || text == "head") return light;
+  light.kind = LightOptions::kDirection;
+  std::string rest = text;
+  if (text.rfind("model:", 0) == 0) {
+    light.kind = LightOptions::kModelDirection;
+    rest = text.substr(6);
+  } else if (text.rfind("at:", 0) == 0) {
+    light.kind = LightOptions::kModelPosition;
+    rest = text.substr(3);
+  }
+  if (rest.size() == 2 && (rest[0] == '+' || rest[0] == '-') && light.kind != LightOptions::kModelPosition) {
+    const char axis = lower(rest)[1];
+    if (axis < 'x' || axis > 'z') refuse(what, text);
+    light.kind = LightOptions::kModelDirection;
+    light.value[0] = light.value[1] = light.value[2] = 0;
+    light.value[axis - 'x'] = rest[0] == '-' ? -1 : 1;
+    return light;
+  }
+  std::vector<double> values;
+  if (!parse_numbers(rest, values) || values.size() != 3) refuse(what, text);
+  for (size_t i = 0; i < 3; ++i) light.value[i] = values[i];
+  if (light.kind == LightOptions::kModelPosition) return light;
+  const double largest = std::max({std::fabs(values[0]), std::fabs(values[1]), std::fabs(values[2])});
+  if (!(largest > 0)) refuse(what, text);
+  for (double& value : light.value) value /= largest;
+  return light;
+}
+
+void parse_light_property(const std::string& text, LightOptions& light) {
+  static const std::string what = "a property of a light: color:COLOUR for any; for at:x,y,z also spot:x,y,z, cutoff:0..90, "
+                                  "exponent:0..128 and attenuation:constant,linear,quadratic";
+  const size_t colon = text.find(':');
+  if (colon == std::string::npos) refuse(what, text);
+  const std::string name = lower(text.substr(0, colon)), value = text.substr(colon + 1);
+  if (name == "color" || name == "colour") {
+    const std::array<float, 3> colour = parse_reflectance(value);
+    std::copy(colour.begin(), colour.end(), light.colour);
+    return;
+  }
+  std::vector<double> values;
+  if (light.kind != LightOptions::kModelPosition || !parse_numbers(value, values)) refuse(what, text);
+  const size_t count = values.size();
+  const bool from_zero = std::all_of(values.begin(), values.end(), [](double number) { return number >= 0; });
+  if (name == "spot" && count == 3 && (values[0] != 0 || values[1] != 0 || values[2] != 0)) {
+    const double largest = std::max({std::fabs(values[0]), std::fabs(values[1]), std::fabs(values[2])});
+    for (size_t i = 0; i < 3; ++i) light.spot_direction[i] = values[i] / largest;
+    if (light.cutoff == 180) light.cutoff = kDefaultCutoff;
+  } else if (name == "cutoff" && count == 1 && from_zero && values[0] <= 90) {
+    light.cutoff = static_cast<float>(values[0]);
+  } else if (name == "exponent" && count == 1 && from_zero && values[0] <= 128) {
+    light.exponent = static_cast<float>(values[0]);
+  } else if (name == "attenuation" && count == 3 && from_zero && values[0] + values[1] + values[2] > 0) {
+    for (size_t i = 0; i < 3; ++i) light.attenuation[i] = static_cast<float>(values[i]);
+  } else {
+    refuse(what, text);
+  }
+}
+
 } // namespace
 
 std::array<uint8_t, 3> parse_colour(const std::string& text) {
@@ -108,36 +173,43 @@ UpAxis parse_up_axis(const std::string& text) {
 }
 
 LightOptions parse_light(const std::string& text) {
-  static const std::string what = "a light: key, headlight, x,y,z, model:x,y,z, at:x,y,z or an axis such as +Y";
-  LightOptions light;
-  if (text == "key") return light;
-  light.kind = LightOptions::kHeadlight;
-  if (text == "headlight" || text == "head") return light;
-  light.kind = LightOptions::kDirection;
-  std::string rest = text;
-  if (text.rfind("model:", 0) == 0) {
-    light.kind = LightOptions::kModelDirection;
-    rest = text.substr(6);
-  } else if (text.rfind("at:", 0) == 0) {
-    light.kind = LightOptions::kModelPosition;
-    rest = text.substr(3);
+  size_t end = std::min(text.find('/'), text.size());
+  LightOptions light = parse_light_kind(text.substr(0, end));
+  while (end < text.size()) {
+    const size_t begin = end + 1;
+    end = std::min(text.find('/', begin), text.size());
+    parse_light_property(text.substr(begin, end - begin), light);
   }
-  if (rest.size() == 2 && (rest[0] == '+' || rest[0] == '-') && light.kind != LightOptions::kModelPosition) {
-    const char axis = lower(rest)[1];
-    if (axis < 'x' || axis > 'z') refuse(what, text);
-    light.kind = LightOptions::kModelDirection;
-    light.value[0] = light.value[1] = light.value[2] = 0;
-    light.value[axis - 'x'] = rest[0] == '-' ? -1 : 1;
-    return light;
-  }
-  std::vector<double> values;
-  if (!parse_numbers(rest, values) || values.size() != 3) refuse(what, text);
-  for (size_t i = 0; i < 3; ++i) light.value[i] = values[i];
-  if (light.kind == LightOptions::kModelPosition) return light;
-  const double largest = std::max({std::fabs(values[0]), std::fabs(values[1]), std::fabs(values[2])});
-  if (!(largest > 0)) refuse(what, text);
-  for (double& value : light.value) value /= largest;
   return light;
+}
+
+unsigned parse_terms(const std::string& text) {
+  static constexpr struct {
+    const char* name;
+    unsigned term;
+  } kTerms[] = {{"ambient", kAmbient}, {"diffuse", kDiffuse}, {"specular", kSpecular}, {"emission", kEmission}, {"all", kAllTerms}};
+  unsigned terms = 0;
+  for (size_t begin = 0; begin <= text.size();) {
+    const size_t comma = std::min(text.find(',', begin), text.size());
+    const std::string name = lower(text.substr(begin, comma - begin));
+    const auto* found = std::find_if(std::begin(kTerms), std::end(kTerms), [&](const auto& t) { return name == t.name; });
+    if (found == std::end(kTerms)) refuse("a list of terms: ambient, diffuse, specular, emission or all", text);
+    terms |= found->term;
+    begin = comma + 1;
+  }
+  return terms;
+}
+
+std::array<float, 3> parse_reflectance(const std::string& text) {
+  std::vector<double> values;
+  if (!parse_numbers(text, values)) {
+    const std::array<uint8_t, 3> rgb = parse_colour(text);
+    return {static_cast<float>(rgb[0]) / 255, static_cast<float>(rgb[1]) / 255, static_cast<float>(rgb[2]) / 255};
+  }
+  if (values.size() == 1) values.resize(3, values[0]);
+  const bool inside = std::all_of(values.begin(), values.end(), [](double value) { return value >= 0 && value <= 1; });
+  if (values.size() != 3 || !inside) refuse("a number from 0 to 1, three of them (r,g,b), or a colour", text);
+  return {static_cast<float>(values[0]), static_cast<float>(values[1]), static_cast<float>(values[2])};
 }
 
 Background parse_background(const std::string& text) {

@@ -1,10 +1,12 @@
 #include "options.h"
 
+#include "lighting_setup.h"
 #include "option_values.h"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -14,6 +16,8 @@
 
 namespace softgl::cli {
 namespace {
+
+constexpr int kFigurePart = 400; // pixels: the sheet is then 2072 wide
 
 constexpr const char* kFooter = R"(
 Examples:
@@ -29,7 +33,7 @@ Environment: SOFTGL_THREADS=n (as --threads), SOFTGL_ISA=baseline|v2|v3|v4 (inst
 
 // Runs a parser of option_values as a CLI11 check, so that its sentence names the option.
 template <class Parse> auto checked(Parse parse) {
-  return [parse](const std::string& text) {
+  return [parse](const auto& text) {
     try {
       parse(text);
       return true;
@@ -49,6 +53,11 @@ CLI::Validator range(double low, double high) {
         return sentence;
       },
       "");
+}
+
+template <class Use> void add_reflectance(CLI::App& app, const char* name, const char* description, Use use) {
+  app.add_option_function<std::string>(name, checked([use](const std::string& text) { use(parse_reflectance(text)); }), description)
+      ->type_name("K");
 }
 
 } // namespace
@@ -100,8 +109,17 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
          "axis of the model that points up: +Y, +Z, -X ... or auto [+Y]")
       ->type_name("AXIS");
 
-  std::string shading = "gouraud";
-  app.add_option("--shading", shading, "flat or gouraud [gouraud]")->check(CLI::IsMember({"flat", "gouraud"}))->type_name("HOW");
+  LightingOptions& lighting = options.render.lighting;
+  std::string shading = "gouraud", specular = "half";
+  app.add_option("--shading", shading, "flat, gouraud (lit per vertex) or phong (lit per pixel) [gouraud]")
+      ->check(CLI::IsMember({"flat", "gouraud", "phong"}))
+      ->type_name("HOW");
+  app.add_option("--specular", specular, "vector of the specular term: half (n.h)^ns or reflection (v.r)^ns [half]")
+      ->check(CLI::IsMember({"half", "reflection"}))
+      ->type_name("VECTOR");
+  app.add_option_function<std::string>("--terms", checked([&](const std::string& t) { lighting.terms = parse_terms(t); }),
+                                       "terms of the light that are drawn: ambient,diffuse,specular,emission [all]")
+      ->type_name("LIST");
   app.add_option_function<double>(
          "--crease",
          [&](double angle) {
@@ -111,19 +129,33 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
          "generated normals: smooth up to this angle between faces, whatever the smoothing groups [40 where there are none]")
       ->check(range(0, 180))
       ->type_name("DEG");
-  app.add_option_function<std::string>(
-         "--light", checked([&](const std::string& t) { options.render.light = parse_light(t); }),
-         "key, headlight, x,y,z (direction as seen), model:x,y,z or +Y (direction in the model's axes), at:x,y,z [key]")
+  app.add_option_function<std::vector<std::string>>(
+         "--light", [&](const std::vector<std::string>& all) {
+           checked([&](const std::vector<std::string>& texts) {
+             for (const std::string& text : texts) lighting.lights.push_back(parse_light(text));
+           })(all);
+         },
+         "key, headlight, x,y,z (direction as seen), model:x,y,z or +Y (direction in the model's axes), at:x,y,z (place in "
+         "the model); then /color:COLOUR, and for a place /spot:x,y,z/cutoff:DEG/exponent:N/attenuation:C,L,Q; may be "
+         "repeated [key]")
+      ->allow_extra_args(false)
       ->type_name("LIGHT");
+  add_reflectance(app, "--ambient-light", "light that comes from everywhere: a number, r,g,b or a colour [0.2]",
+                  [&](const auto& rgb) { std::copy(rgb.begin(), rgb.end(), lighting.ambient); });
+  add_reflectance(app, "--ka", "ambient reflectance of all materials", [&](const auto& rgb) { options.materials.ambient = rgb; });
+  add_reflectance(app, "--kd", "diffuse reflectance of all materials", [&](const auto& rgb) { options.materials.diffuse = rgb; });
+  add_reflectance(app, "--ks", "specular reflectance of all materials", [&](const auto& rgb) { options.materials.specular = rgb; });
+  app.add_option("--ns", options.materials.shininess, "specular exponent of all materials, 0 to 128")
+      ->check(range(0, 128))
+      ->type_name("N");
   app.add_option_function<std::string>(
          "--bg", checked([&](const std::string& t) { options.render.background = parse_background(t); }),
          "background: #rrggbb, name, r,g,b from 0 to 1, or transparent [#2e333a]")
       ->type_name("COLOUR");
   app.add_option_function<std::string>(
          "--color,--colour", checked([&](const std::string& t) {
-           const auto rgb = parse_colour(t);
-           options.colour = {static_cast<float>(rgb[0]) / 255, static_cast<float>(rgb[1]) / 255,
-                             static_cast<float>(rgb[2]) / 255};
+           parse_colour(t); // three numbers or a name; one number is no colour
+           options.materials.colour = parse_reflectance(t);
          }),
          "one colour for the whole model instead of its materials")
       ->type_name("COLOUR");
@@ -147,6 +179,12 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   info->add_flag("-v,--verbose", options.verbose, "more about what is left out");
   info->add_option("--threads", options.threads, "threads")->check(range(1, 1024))->type_name("N");
 
+  CLI::App* figure = app.add_subcommand("figure", "draw the terms of the light, exponents, Gouraud and Phong shading and both "
+                                                  "specular vectors side by side, on one labelled sheet; takes the options "
+                                                  "of a picture, --size being that of each part [400x400]");
+  figure->add_option("model", options.model, "OBJ file; without one a sphere")->type_name("MODEL.obj");
+  figure->fallthrough();
+
   const auto usage = [](const std::string& sentence) {
     std::fprintf(stderr, "softgl: %s (softgl --help shows the options)\n", sentence.c_str());
     return ParsedOptions{std::nullopt, 2};
@@ -167,7 +205,13 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
     options.command = ProgramOptions::kInfo;
     return {options, 0};
   }
-  if (options.model.empty()) return usage("no model given");
+  if (*figure) {
+    options.command = ProgramOptions::kFigure;
+    if (options.render.background.transparent) return usage("a figure has no transparent background");
+    if (!app.count("--size")) options.render.width = options.render.height = kFigurePart;
+    if (options.camera.up == UpAxis::kAuto && options.model.empty()) options.camera.up = UpAxis::kPlusY;
+  }
+  if (options.model.empty() && !*figure) return usage("no model given");
   if (options.output.empty()) return usage("no output file given; -o PICTURE.png names one");
   if (options.format.empty()) options.format = image_format_of(options.output);
   if (options.format.empty()) {
@@ -176,8 +220,11 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
     options.format = "png";
   }
   if (!is_image_format(options.format)) return usage("unknown picture format \"" + options.format + "\"");
+  if (*figure && (options.render.width > 2048 || options.render.height > 2048)) return usage("a figure's parts are at most 2048 pixels wide and high");
   options.png = png == "fast" ? PngEffort::kFast : png == "small" ? PngEffort::kSmall : PngEffort::kDefault;
-  options.render.flat = shading == "flat";
+  lighting.shading = shading == "flat" && !*figure ? Shading::kFlat : shading == "phong" ? Shading::kPhong : Shading::kGouraud;
+  lighting.reflection_vector = specular == "reflection";
+  if (gl_lights_of(lighting) > 8) return usage("--light: GL has 8 lights, and the key light takes two of them");
   options.render.samples_per_side = samples == 16 ? 4 : samples == 4 ? 2 : 1;
   const int side = options.render.samples_per_side;
   if (options.render.width * side > 16384 || options.render.height * side > 16384)

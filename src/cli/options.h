@@ -12,16 +12,24 @@
 
 namespace softgl::cli {
 
+// What replaces the reflectances of all materials.
+struct MaterialOptions {
+  using Reflectance = std::optional<std::array<float, 3>>;
+  Reflectance colour; // ambient and diffuse, and no textures
+  Reflectance ambient, diffuse, specular;
+  std::optional<float> shininess;
+};
+
 struct ProgramOptions {
-  enum Command { kRender, kInfo } command = kRender;
-  std::string model;
+  enum Command { kRender, kInfo, kFigure } command = kRender;
+  std::string model; // empty for kFigure: a sphere
   std::string output;
   std::string format;
   PngEffort png = PngEffort::kDefault;
   CameraOptions camera;
   RenderOptions render;
   NormalOptions normals;
-  std::optional<std::array<float, 3>> colour; // instead of all materials
+  MaterialOptions materials;
   unsigned threads = 0;                       // 0: as many as the machine has
   bool quiet = false, verbose = false, strict = false;
   bool json = false; // info --json

@@ -1,10 +1,12 @@
 #include "program.h"
 
 #include "face_triangulation.h"
+#include "figure.h"
 #include "model_loader.h"
 #include "options.h"
 #include "program_error.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -24,6 +26,12 @@ public:
 
   int run() {
     const auto start = Clock::now();
+    if (options.command == ProgramOptions::kFigure && options.model.empty()) {
+      FigureSubject sphere = sphere_subject(options.camera);
+      override_reflectances(sphere.materials);
+      write(draw_figure(sphere, options.render, warnings));
+      return kSuccess;
+    }
     const SourceText text = SourceText::open(options.model);
     RemarkList remarks;
     LoadedModel loaded = load_model(text, threads(), remarks, warnings, notes);
@@ -78,15 +86,16 @@ private:
   void draw(LoadedModel& loaded, const SourceText& text, RemarkList& remarks, Clock::time_point start) {
     const auto prepare_start = Clock::now();
     ObjModel& model = loaded.model;
-    if (options.colour) paint_over(loaded);
-    const ModelFrame frame = frame_model(model);
+    paint_over(loaded);
+    const bool flat = options.render.lighting.shading == Shading::kFlat;
+    ModelFrame frame = frame_model(model);
     note_bounds(loaded.report, frame);
     if (options.verbose) loaded.report.area = surface_area(model);
-    if (!options.render.flat) generate_normals(model, frame, options.normals);
+    if (!flat) generate_normals(model, frame, options.normals);
     MeshOptions mesh_options;
-    mesh_options.flat = options.render.flat;
-    mesh_options.with_texcoords = loaded.report.textures > 0 && !options.colour;
-    const Mesh mesh = build_mesh(model, frame, loaded.library, mesh_options, remarks);
+    mesh_options.flat = flat;
+    mesh_options.with_texcoords = loaded.report.textures > 0 && !options.materials.colour;
+    Mesh mesh = build_mesh(model, frame, loaded.library, mesh_options, remarks);
     model = ObjModel(); // the mesh is all that is needed from here on
     warnings.add(remarks, text);
     CameraOptions camera_options = options.camera;
@@ -94,37 +103,68 @@ private:
     const Camera camera = fit_camera(mesh, camera_options);
     times.prepare = since(prepare_start);
 
-    RenderResult result = render(mesh, loaded.library.materials(), frame, camera, options.render, warnings);
-    times.upload = result.upload_seconds;
-    times.draw = result.draw_seconds;
-    times.resolve = result.resolve_seconds;
-    if (!result.visible)
-      throw ProgramError(kCannotRead, text.name() + ": nothing of the model is visible in this view; no picture written");
-    if (result.as_wireframe)
-      warnings.add(text.name(), "its surfaces have no visible area in this view; their edges are drawn instead");
-    if (options.strict && warnings.count() > 0)
-      throw ProgramError(kCannotRead, text.name() + ": " + std::to_string(warnings.count()) +
-                                          (warnings.count() == 1 ? " warning" : " warnings") +
-                                          " with --strict; no picture written");
-
+    Picture picture;
+    if (options.command == ProgramOptions::kFigure) {
+      const auto subject = model_subject(text.name(), std::move(mesh), std::move(loaded.library.materials()), std::move(frame), camera);
+      picture = draw_figure(subject, options.render, warnings);
+    } else {
+      picture = draw_picture(mesh, loaded.library.materials(), frame, camera, text.name());
+    }
+    refuse_warnings(text.name());
     const auto write_start = Clock::now();
-    write_file(options.output, encode_image(result.picture, options.format, options.png));
+    write(picture);
     times.write = since(write_start);
     times.total = since(start);
     if (options.stats) print_stats(loaded.report);
     if (options.verbose) std::fputs(as_text(loaded.report).c_str(), stderr);
   }
 
+  Picture draw_picture(const Mesh& mesh, const std::vector<Material>& materials, const ModelFrame& frame, const Camera& camera,
+                       const std::string& name) {
+    RenderResult result = render(mesh, materials, frame, camera, options.render, warnings);
+    times.upload = result.upload_seconds;
+    times.draw = result.draw_seconds;
+    times.resolve = result.resolve_seconds;
+    if (!result.visible) throw ProgramError(kCannotRead, name + ": nothing of the model is visible in this view; no picture written");
+    if (result.as_wireframe) warnings.add(name, "its surfaces have no visible area in this view; their edges are drawn instead");
+    return std::move(result.picture);
+  }
+
+  void refuse_warnings(const std::string& name) const {
+    if (!options.strict || warnings.count() == 0) return;
+    throw ProgramError(kCannotRead, name + ": " + std::to_string(warnings.count()) + (warnings.count() == 1 ? " warning" : " warnings") +
+                                        " with --strict; no picture written");
+  }
+
+  void write(const Picture& picture) const { write_file(options.output, encode_image(picture, options.format, options.png)); }
+
   void paint_over(LoadedModel& loaded) const {
-    const auto& colour = *options.colour;
-    loaded.model.colours.release();
-    for (Material& material : loaded.library.materials()) {
-      for (size_t i = 0; i < 3; ++i) material.ambient[i] = material.diffuse[i] = colour[i];
-      for (float& value : material.emission) value = 0;
-      material.diffuse_map = {};
-      material.opacity_map = {};
-      material.opacity = 1;
+    const MaterialOptions& chosen = options.materials;
+    if (chosen.colour || chosen.ambient || chosen.diffuse) loaded.model.colours.release();
+    if (chosen.colour)
+      for (Material& material : loaded.library.materials()) {
+        replace(chosen.colour, material.ambient);
+        replace(chosen.colour, material.diffuse);
+        for (float& value : material.emission) value = 0;
+        material.diffuse_map = {};
+        material.opacity_map = {};
+        material.opacity = 1;
+      }
+    override_reflectances(loaded.library.materials());
+  }
+
+  void override_reflectances(std::vector<Material>& materials) const {
+    const MaterialOptions& chosen = options.materials;
+    for (Material& material : materials) {
+      replace(chosen.ambient, material.ambient);
+      replace(chosen.diffuse, material.diffuse);
+      replace(chosen.specular, material.specular);
+      material.shininess = chosen.shininess.value_or(material.shininess);
     }
+  }
+
+  static void replace(const MaterialOptions::Reflectance& chosen, float* reflectance) {
+    if (chosen) std::copy(chosen->begin(), chosen->end(), reflectance);
   }
 
   void print_stats(const ModelReport& report) {

@@ -1,6 +1,7 @@
 #include "renderer.h"
 
 #include "gl_functions.h"
+#include "lighting_setup.h"
 #include "program_error.h"
 #include "resolve.h"
 #include "texture_loader.h"
@@ -153,57 +154,16 @@ private:
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   }
 
-  void set_light(GLenum light, const float* position, float diffuse, float specular) {
-    const float d[4] = {diffuse, diffuse, diffuse, 1}, s[4] = {specular, specular, specular, 1}, a[4] = {0, 0, 0, 1};
-    glLightfv(light, GL_POSITION, position);
-    glLightfv(light, GL_DIFFUSE, d);
-    glLightfv(light, GL_SPECULAR, s);
-    glLightfv(light, GL_AMBIENT, a);
-    glEnable(light);
-  }
-
-  void set_lights() {
-    const LightOptions& light = options.light;
-    glMatrixMode(GL_MODELVIEW);
-    glLoadIdentity();
-    const double* value = light.value;
-    float position[4] = {static_cast<float>(value[0]), static_cast<float>(value[1]), static_cast<float>(value[2]), 0};
-    switch (light.kind) {
-    case LightOptions::kKey: {
-      const float key[4] = {-0.45f, 0.65f, 0.9f, 0}, fill[4] = {0.9f, -0.15f, 0.45f, 0};
-      set_light(GL_LIGHT0, key, 0.78f, 0.8f);
-      set_light(GL_LIGHT1, fill, 0.18f, 0);
-      return;
-    }
-    case LightOptions::kHeadlight: {
-      const float ahead[4] = {0, 0, 1, 0};
-      set_light(GL_LIGHT0, ahead, 0.8f, 0.8f);
-      return;
-    }
-    case LightOptions::kDirection: break;
-    case LightOptions::kModelDirection: glLoadMatrixd(camera.view); break;
-    case LightOptions::kModelPosition:
-      glLoadMatrixd(camera.view);
-      for (int axis = 0; axis < 3; ++axis) position[axis] = static_cast<float>(frame.to_frame(value[axis], axis));
-      position[3] = 1;
-    }
-    set_light(GL_LIGHT0, position, 0.8f, 0.8f);
-  }
-
   void set_state() {
     glViewport(0, 0, width, height);
     clear();
-    set_lights();
+    apply_lighting(options.lighting, camera, frame);
     glMatrixMode(GL_PROJECTION);
     glLoadMatrixd(camera.projection);
     glMatrixMode(GL_MODELVIEW);
     glLoadMatrixd(camera.view);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
-    glShadeModel(options.flat ? GL_FLAT : GL_SMOOTH);
-    const float ambient[4] = {0.2f, 0.2f, 0.2f, 1};
-    glLightModelfv(GL_LIGHT_MODEL_AMBIENT, ambient);
-    glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     glAlphaFunc(GL_GREATER, 0);

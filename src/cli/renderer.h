@@ -2,6 +2,7 @@
 #pragma once
 
 #include "camera.h"
+#include "lighting_options.h"
 #include "mesh_builder.h"
 #include "picture.h"
 #include "warnings.h"
@@ -11,18 +12,6 @@
 
 namespace softgl::cli {
 
-struct LightOptions {
-  enum Kind {
-    kKey,       // over the viewer's left shoulder, with a weak fill light from the right
-    kHeadlight, // from the viewer
-    kDirection, // towards `value` as the viewer sees it: x right, y up, z to the viewer
-    kModelDirection, // towards `value` in the model's axes
-    kModelPosition,  // at `value` in the model's coordinates
-  };
-  Kind kind = kKey;
-  double value[3] = {0, 0, 1};
-};
-
 struct Background {
   uint8_t colour[3] = {0x2e, 0x33, 0x3a};
   bool transparent = false;
@@ -31,8 +20,7 @@ struct Background {
 struct RenderOptions {
   int width = 1024, height = 1024;
   int samples_per_side = 1; // 2: 4 samples per pixel
-  bool flat = false;
-  LightOptions light;
+  LightingOptions lighting;
   Background background;
 };
 

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
+#include <set>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -25,8 +26,20 @@ std::string read_bytes(const std::string& path) {
 }
 
 std::string output_folder(const std::string& name) {
-  const std::string folder = std::string(SOFTGL_TEST_OUTPUT) + "/" + name + "-" + std::to_string(::getpid()) + "/";
+  static struct Folders {
+    std::set<std::string> made;
+    const pid_t process = ::getpid();
+    ~Folders() {
+      if (::getpid() != process) return;
+      for (const std::string& folder : made) {
+        std::error_code ignored;
+        std::filesystem::remove_all(folder, ignored);
+      }
+    }
+  } folders;
+  const std::string folder = std::string(SOFTGL_TEST_OUTPUT) + "/" + name + "-" + std::to_string(folders.process) + "/";
   std::filesystem::create_directories(folder);
+  folders.made.insert(folder);
   return folder;
 }
 

@@ -12,7 +12,8 @@ struct ProgramRun {
   std::string output, errors;
 };
 
-// A folder for what one process writes, ending in "/": ctest runs the cases side by side, and several write the same names.
+// A folder for what one process writes, ending in "/": ctest runs the cases side by side, and several write the same
+// names. It is gone when the process ends.
 std::string output_folder(const std::string& name);
 
 ProgramRun run_softgl(const std::vector<std::string>& arguments, const std::string& input = {});

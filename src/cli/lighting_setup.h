@@ -1,0 +1,17 @@
+// Lights and the lighting model, as GL calls.
+#pragma once
+
+#include "camera.h"
+#include "lighting_options.h"
+#include "model_frame.h"
+
+namespace softgl::cli {
+
+// GL lights that the options take; GL has 8.
+unsigned gl_lights_of(const LightingOptions& options);
+
+// Sets shade model, lighting model and lights of the current context; leaves the modelview matrix changed. Throws
+// ProgramError if the GL library lacks what is asked for.
+void apply_lighting(const LightingOptions& options, const Camera& camera, const ModelFrame& frame);
+
+} // namespace softgl::cli
