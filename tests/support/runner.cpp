@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 
 #define STB_IMAGE_WRITE_STATIC
@@ -114,12 +115,24 @@ Difference compare(const Picture& ours, const Picture& theirs) {
   return d;
 }
 
+std::vector<uint8_t> encode_png(int width, int height, std::vector<uint8_t> rgba) {
+  for (size_t i = 3; i < rgba.size(); i += 4) rgba[i] = 255;
+  std::vector<uint8_t> png;
+  stbi_flip_vertically_on_write(1);
+  stbi_write_png_to_func(
+      [](void* to, void* data, int size) {
+        const auto* first = static_cast<const uint8_t*>(data);
+        auto* bytes = static_cast<std::vector<uint8_t>*>(to);
+        bytes->insert(bytes->end(), first, first + size);
+      },
+      &png, width, height, 4, rgba.data(), 4 * width);
+  return png;
+}
+
 void write_png(const std::string& path, int width, int height, const std::vector<uint8_t>& rgba) {
   std::filesystem::create_directories(std::filesystem::path(path).parent_path());
-  std::vector<uint8_t> opaque(rgba);
-  for (size_t i = 3; i < opaque.size(); i += 4) opaque[i] = 255;
-  stbi_flip_vertically_on_write(1);
-  stbi_write_png(path.c_str(), width, height, 4, opaque.data(), width * 4);
+  const std::vector<uint8_t> png = encode_png(width, height, rgba);
+  std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
 }
 
 void write_difference(const std::string& stem, const Picture& ours, const Picture& theirs) {

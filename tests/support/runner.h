@@ -39,7 +39,8 @@ Difference compare(const Picture& ours, const Picture& theirs);
 /// command that repeats it. Empty: same bytes.
 std::string check_against_osmesa(const Scene& scene, uint64_t seed);
 
-/// PNG with row 0 at the bottom.
+/// PNG with row 0 at the bottom, opaque: alpha is compared, not shown.
+std::vector<uint8_t> encode_png(int width, int height, std::vector<uint8_t> rgba);
 void write_png(const std::string& path, int width, int height, const std::vector<uint8_t>& rgba);
 /// Ours, theirs, and the amplified difference of colours; depths alike.
 void write_difference(const std::string& stem, const Picture& ours, const Picture& theirs);
