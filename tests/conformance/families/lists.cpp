@@ -53,8 +53,8 @@ void list_content(Stage& s, GLuint call_below, bool partial_attributes, bool exe
       const std::vector<Float4> p = random_positions(s, mode, count, Spread::View, false);
       // The first vertices take the colour and normal that are current when the list is called.
       const int late_color = r.integer(0, count), late_normal = r.integer(0, count);
-      // In these modes OSMesa loses vertices when an attribute comes late: reference/DEVIATIONS.md.
-      const bool late = partial_attributes && mode != GL_LINE_LOOP && mode != GL_TRIANGLE_STRIP && mode != GL_QUADS;
+      // In these modes OSMesa loses vertices when an attribute comes late, or changes their order: reference/DEVIATIONS.md.
+      const bool late = partial_attributes && mode != GL_LINE_LOOP && mode != GL_TRIANGLE_STRIP && mode != GL_QUADS && mode != GL_QUAD_STRIP;
       const int color_from = late ? late_color : 0, normal_from = late ? late_normal : 0;
       if (mode == GL_QUADS) gl.ShadeModel(GL_FLAT);
       gl.Begin(mode);
