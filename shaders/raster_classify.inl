@@ -63,7 +63,8 @@ static void classify_triangles(const RasterDraw& draw, const TriangleInput& in, 
 
     // 32 bits hold the area, and edge functions relative to the box, of triangles up to 64 pixels wide and high.
     const IntV extent_fits = ((max_x - min_x) < (1 << 14)) & ((max_y - min_y) < (1 << 14));
-    const IntV area = multiply(x[0] - x[1], y[2] - y[0]) - multiply(x[2] - x[0], y[0] - y[1]);
+    // Where they are larger it may wrap, which only unsigned numbers may do.
+    const IntV area = (IntV)((UintV)multiply(x[0] - x[1], y[2] - y[0]) - (UintV)multiply(x[2] - x[0], y[0] - y[1]));
     IntV negative = area < 0;
     const IntV positive = area > 0;
     IntV kept = (negative & splat(r.cull & 2 ? 0 : -1)) | (positive & splat(r.cull & 1 ? 0 : -1));

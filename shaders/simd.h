@@ -65,7 +65,7 @@ SOFTGL_INLINE FloatV min_(FloatV a, FloatV b) { return (FloatV)_mm_min_ps((__m12
 SOFTGL_INLINE uint32_t sign_bits(IntV v) { return uint32_t(_mm_movemask_ps((__m128)v)); }
 SOFTGL_INLINE IntV min_(IntV a, IntV b) { const IntV m = a < b; return (a & m) | (b & ~m); }
 SOFTGL_INLINE IntV max_(IntV a, IntV b) { const IntV m = a > b; return (a & m) | (b & ~m); }
-SOFTGL_INLINE IntV multiply(IntV a, IntV b) { return a * b; }
+SOFTGL_INLINE IntV multiply(IntV a, IntV b) { return (IntV)((UintV)a * (UintV)b); }
 #endif
 
 SOFTGL_INLINE IntV choose(IntV mask, IntV a, IntV b) { return (a & mask) | (b & ~mask); }
