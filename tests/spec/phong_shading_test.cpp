@@ -1,6 +1,7 @@
 // GL_WIN_phong_shading: state, errors, and what per-pixel lighting must and must not change.
 #include <catch2/catch.hpp>
 
+#include <cstdlib>
 #include <limits>
 #include <string>
 #include <vector>
@@ -99,6 +100,22 @@ TEST_CASE("Phong shading finds the highlight between the vertices, smooth shadin
   REQUIRE(phong.errors.empty());
   REQUIRE(pixel(phong, 35, 33)[0] > 250);
   REQUIRE(pixel(smooth, 35, 33)[0] < 150);
+}
+
+TEST_CASE("SOFTGL_SHADING=phong gives it to programs that ask for smooth shading, and leaves what they read", "[spec][phong]") {
+  const auto expected = picture(lit_quad, GL_PHONG_WIN).hash(), flat = picture(lit_quad, GL_FLAT).hash();
+  REQUIRE(picture(lit_quad, GL_SMOOTH).hash() != expected);
+  setenv("SOFTGL_SHADING", "phong", 1);
+  const auto upgraded = picture(lit_quad, GL_SMOOTH).hash(), still_flat = picture(lit_quad, GL_FLAT).hash();
+  GLint read = 0;
+  {
+    CurrentContext context(softgl_library());
+    read = integer(softgl_library(), GL_SHADE_MODEL);
+  }
+  unsetenv("SOFTGL_SHADING");
+  REQUIRE(upgraded == expected);
+  REQUIRE(still_flat == flat);
+  REQUIRE(read == GL_SMOOTH);
 }
 
 TEST_CASE("without lighting Phong shading is smooth shading", "[spec][phong]") {
