@@ -49,7 +49,7 @@ static void classify_triangles(const RasterDraw& draw, const TriangleInput& in, 
       load_transposed(place, p);
       const FloatV sx = snap_scaled(p[0]), sy = snap_scaled(p[1]);
       valid &= (sx < kMaxSnapped) & (sx > -kMaxSnapped) & (sy < kMaxSnapped) & (sy > -kMaxSnapped);
-      x[k] = round_to_int(sx), y[k] = round_to_int(sy);
+      x[k] = round_to_int(sx) & valid, y[k] = round_to_int(sy) & valid; // no sums of lanes that are out of range
     }
     const IntV min_x = min_(min_(x[0], x[1]), x[2]), max_x = max_(max_(x[0], x[1]), x[2]);
     const IntV min_y = min_(min_(y[0], y[1]), y[2]), max_y = max_(max_(y[0], y[1]), y[2]);
