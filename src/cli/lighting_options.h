@@ -1,6 +1,8 @@
 // How the picture is lit, as the command line says it.
 #pragma once
 
+#include <softgl/softgl.h>
+
 #include <vector>
 
 namespace softgl::cli {
@@ -23,7 +25,13 @@ struct LightOptions {
 
 enum class Shading { kFlat, kGouraud, kPhong };
 
-enum Term : unsigned { kAmbient = 1, kDiffuse = 2, kSpecular = 4, kEmission = 8, kAllTerms = 15 };
+enum Term : unsigned {
+  kAmbient = GL_AMBIENT_TERM_BIT_SOFTGL,
+  kDiffuse = GL_DIFFUSE_TERM_BIT_SOFTGL,
+  kSpecular = GL_SPECULAR_TERM_BIT_SOFTGL,
+  kEmission = GL_EMISSION_TERM_BIT_SOFTGL,
+  kAllTerms = GL_ALL_TERM_BITS_SOFTGL,
+};
 
 struct LightingOptions {
   Shading shading = Shading::kGouraud;

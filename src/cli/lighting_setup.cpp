@@ -3,28 +3,13 @@
 #include "gl_functions.h"
 #include "program_error.h"
 
-#include <softgl/softgl.h>
-
-#include <cstring>
 #include <string>
 
 namespace softgl::cli {
 namespace {
 
-constexpr unsigned kMostLights = 8; // what GL promises
-
-bool has_extension(const char* name) {
-  const auto* all = reinterpret_cast<const char*>(glGetString(GL_EXTENSIONS));
-  return all && (std::string(" ") + all + " ").find(std::string(" ") + name + " ") != std::string::npos;
-}
-
 void require_extension(const char* name, const char* what) {
   if (!has_extension(name)) throw ProgramError(kCannotRead, std::string("this GL library has no ") + what + " (" + name + ")");
-}
-
-unsigned term_bits(unsigned terms) {
-  return (terms & kAmbient ? GL_AMBIENT_TERM_BIT_SOFTGL : 0u) | (terms & kDiffuse ? GL_DIFFUSE_TERM_BIT_SOFTGL : 0u) |
-         (terms & kSpecular ? GL_SPECULAR_TERM_BIT_SOFTGL : 0u) | (terms & kEmission ? GL_EMISSION_TERM_BIT_SOFTGL : 0u);
 }
 
 class LightSetup {
@@ -87,13 +72,12 @@ unsigned gl_lights_of(const LightingOptions& options) {
 }
 
 void apply_lighting(const LightingOptions& options, const Camera& camera, const ModelFrame& frame) {
-  if (gl_lights_of(options) > kMostLights) throw ProgramError(kUsageError, "more than 8 lights; the key light counts as two");
   if (options.shading == Shading::kPhong) require_extension("GL_WIN_phong_shading", "shading per pixel");
   glShadeModel(options.shading == Shading::kFlat ? GL_FLAT : options.shading == Shading::kGouraud ? GL_SMOOTH : GL_PHONG_WIN);
   if (options.reflection_vector || options.terms != kAllTerms) {
     require_extension("GL_SOFTGL_phong_illumination", "reflection vector and no choice of terms");
     glLightModeli(GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL, options.reflection_vector ? GL_REFLECTION_VECTOR_SOFTGL : GL_HALF_VECTOR_SOFTGL);
-    glLightModeli(GL_LIGHT_MODEL_TERMS_SOFTGL, static_cast<GLint>(term_bits(options.terms)));
+    glLightModeli(GL_LIGHT_MODEL_TERMS_SOFTGL, static_cast<GLint>(options.terms));
   }
   const float ambient[4] = {options.ambient[0], options.ambient[1], options.ambient[2], 1};
   glLightModelfv(GL_LIGHT_MODEL_AMBIENT, ambient);

@@ -224,7 +224,7 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   options.png = png == "fast" ? PngEffort::kFast : png == "small" ? PngEffort::kSmall : PngEffort::kDefault;
   lighting.shading = shading == "flat" && !*figure ? Shading::kFlat : shading == "phong" ? Shading::kPhong : Shading::kGouraud;
   lighting.reflection_vector = specular == "reflection";
-  if (gl_lights_of(lighting) > 8) return usage("--light: GL has 8 lights, and the key light takes two of them");
+  if (gl_lights_of(lighting) > kMostLights) return usage("--light: GL has 8 lights, and the key light takes two of them");
   options.render.samples_per_side = samples == 16 ? 4 : samples == 4 ? 2 : 1;
   const int side = options.render.samples_per_side;
   if (options.render.width * side > 16384 || options.render.height * side > 16384)

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstring>
 #include <memory>
 
 namespace softgl::cli {
@@ -123,10 +122,8 @@ private:
     }
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    const auto* extensions = reinterpret_cast<const char*>(glGetString(GL_EXTENSIONS));
     const auto* version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
-    const bool any_size = (version && version[0] >= '2') ||
-                          (extensions && std::strstr(extensions, "GL_ARB_texture_non_power_of_two"));
+    const bool any_size = (version && version[0] >= '2') || has_extension("GL_ARB_texture_non_power_of_two");
     fit_texture(image, std::max(largest, 64), !any_size);
     prepared.blended |= image.channels == 4;
     glGenTextures(1, &prepared.texture);

@@ -60,7 +60,7 @@ std::string cells(std::initializer_list<std::string> texts, const char* tag = "t
 
 std::string row_html(const ReportRow& row, Tally& tally) {
   const Difference d = compare(row.ours, row.theirs);
-  const bool same = !d.any(), passed = !d.size && !d.errors && !d.depth_values && d.max_color <= row.allowed;
+  const bool same = !d.any(), passed = passes(row);
   ++tally.rows;
   tally.equal += same;
   tally.passed += passed;
@@ -131,6 +131,11 @@ void replace(std::string& page, const std::string& placeholder, const std::strin
 }
 
 } // namespace
+
+bool passes(const ReportRow& row) {
+  const Difference d = compare(row.ours, row.theirs);
+  return !d.size && !d.errors && !d.depth_values && d.max_color <= row.allowed;
+}
 
 std::string report_page(const std::string& page, const Report& report) {
   std::map<std::string, Tally> tallies;

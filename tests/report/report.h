@@ -17,6 +17,9 @@ struct ReportRow {
   int allowed = 0;    // largest difference of a colour byte that the group allows
 };
 
+/// The same depths and errors, and colours within what the group allows.
+bool passes(const ReportRow& row);
+
 /// One curve of an error against the number of slices.
 struct ReportCurve {
   std::string plot, name;

@@ -69,6 +69,11 @@ TEST_CASE("report: rows, states and sums", "[report]") {
   report.rows.push_back({"a & b", "near", "", plain(7), plain(8), 1});
   report.rows.push_back({"c", "far", "", plain(7), plain(9), 1});
   report.curves.push_back({"errors", "sphere", {{8, 0.5}, {16, 0.1}}});
+  CHECK(passes(report.rows[1]));
+  CHECK_FALSE(passes(report.rows[2]));
+  ReportRow deeper = report.rows[0];
+  deeper.ours.depth[3] = 1;
+  CHECK_FALSE(passes(deeper)); // colours are not all that counts
   const std::string page = report_page(template_page(), report);
   CHECK(count(page, "data-state=\"equal\"") == 1);
   CHECK(count(page, "data-state=\"within\"") == 1);

@@ -1,4 +1,5 @@
 // softgl_report: draws every lighting scene with softgl and with what it is compared with, and writes one HTML page.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -100,8 +101,7 @@ int main(int argc, char** argv) {
     const std::string page = report_page(read(SOFTGL_TEST_SOURCE_DIR "/tests/report/page.html"), report);
     std::ofstream file(output, std::ios::binary);
     if (!(file << page) || !file.flush()) return std::fprintf(stderr, "softgl_report: cannot write %s\n", output.c_str()), 4;
-    bool passed = true;
-    for (const ReportRow& row : report.rows) passed &= compare(row.ours, row.theirs).max_color <= row.allowed;
+    const bool passed = std::all_of(report.rows.begin(), report.rows.end(), passes);
     std::printf("%s: %zu pictures, %zu bytes\n", output.c_str(), report.rows.size(), page.size());
     return passed ? 0 : 1;
   } catch (const std::exception& error) {

@@ -158,6 +158,7 @@ TEST_CASE("single terms add up to the whole, per vertex and per pixel, in both f
           gl.End();
           std::array<float, 4> c;
           gl.ReadPixels(32, 32, 1, 1, GL_RGBA, GL_FLOAT, c.data());
+          // A float's unit is 1.2e-7 of it; interpolation and sums round it up to eight times, 1e-6.
           REQUIRE(c[3] == Approx(0.625f).epsilon(1e-6)); // the diffuse material's, whatever the terms
           return c;
         };
@@ -176,6 +177,7 @@ TEST_CASE("single terms add up to the whole, per vertex and per pixel, in both f
           REQUIRE(none[i] == 0);
           REQUIRE(emitted[i] == Approx(emission[i]).epsilon(1e-6));
           REQUIRE(surroundings[i] == Approx(ambient[i] * (0.2f + ambient[i])).epsilon(1e-6));
+          // Four such terms, each a part of the whole, against a sum rounded in another order.
           REQUIRE(sum[i] == Approx(all[i]).epsilon(1e-5));
         }
       }
