@@ -45,7 +45,7 @@ void clear_color(const ClearRecord& c, const Surface& s, size_t first, const Box
     uint32_t value = 0, mask = 0;
     for (int i = 0; i < 4; ++i) {
       value |= uint32_t(c.color_value[i]) << (8 * i);
-      mask |= (c.color_mask[i] ? 0xffu : 0u) << (8 * i);
+      if (c.color_mask[i]) mask |= 0xffu << (8 * i); // GCC 12.2 -fsanitize=undefined makes 0 of (c ? 0xffu : 0u) << 8 * i
     }
     fill(static_cast<uint32_t*>(s.color) + first, value, mask, box, whole);
     break;
@@ -60,7 +60,7 @@ void clear_color(const ClearRecord& c, const Surface& s, size_t first, const Box
     uint64_t value = 0, mask = 0;
     for (int i = 0; i < 4; ++i) {
       value |= uint64_t(c.color_value[i]) << (16 * i);
-      mask |= (c.color_mask[i] ? uint64_t(0xffff) : 0) << (16 * i);
+      if (c.color_mask[i]) mask |= uint64_t(0xffff) << (16 * i);
     }
     fill(static_cast<uint64_t*>(s.color) + first, value, mask, box, whole);
     break;

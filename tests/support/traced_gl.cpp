@@ -60,6 +60,8 @@ bool wanted(const char* name, int number) {
     active->primitive_skipped = false;
     return made;
   }
+  // What a new buffer holds before the first Clear is undefined: a difference there means nothing.
+  if (!std::strcmp(name, "Clear") && !active->cleared) return active->cleared = true;
   // OSMesa has an answer of its own to a list that lacks an attribute at first: primitives in lists stay whole.
   if (!std::strcmp(name, "NewList") || !std::strcmp(name, "EndList")) active->in_list = name[0] == 'N';
   if (active->in_list && active->in_primitive) return !active->primitive_skipped;

@@ -14,6 +14,7 @@ struct CallFilter {
   int next = 0;                            // number of the next call
   bool in_list = false, in_primitive = false;
   bool primitive_skipped = false;          // between a Begin that was left out and its End
+  bool cleared = false;                    // the first Clear was called
 };
 
 /// A table whose functions obey `filter` and call `real`. One at a time, on one thread; OSMesa functions, GetError and
