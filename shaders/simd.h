@@ -37,8 +37,9 @@ SOFTGL_INLINE IntV load(const uint32_t* p) { IntV v; memcpy(&v, p, sizeof v); re
 SOFTGL_INLINE void store(float* p, FloatV v) { memcpy(p, &v, sizeof v); }
 SOFTGL_INLINE void store(int32_t* p, IntV v) { memcpy(p, &v, sizeof v); }
 SOFTGL_INLINE void store(uint32_t* p, IntV v) { memcpy(p, &v, sizeof v); }
-SOFTGL_INLINE FloatV splat(float x) { return FloatV{} + x; }
-SOFTGL_INLINE IntV splat(int32_t x) { return IntV{} + x; }
+// x - 0 is x, for all x, so nothing is left of it but the broadcast; 0 + x would be 0 for -0, and an addition.
+SOFTGL_INLINE FloatV splat(float x) { return x - FloatV{}; }
+SOFTGL_INLINE IntV splat(int32_t x) { return x - IntV{}; }
 SOFTGL_INLINE FloatV to_float(IntV v) { return __builtin_convertvector(v, FloatV); }
 
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
