@@ -14,6 +14,13 @@ static void stage_color_sum(FragmentBlock& block, const FragmentConstants&, int)
     for (int i = 0; i < lanes; ++i) block.color[c][i] = block.color[c][i] + block.secondary[c][i];
 }
 
+/// The sum of lit fragments, clamped as GL 1.5, 3.9 says.
+static void stage_color_sum_clamped(FragmentBlock& block, const FragmentConstants&, int) {
+  const int lanes = block.lanes;
+  for (int c = 0; c < 3; ++c)
+    for (int i = 0; i < lanes; ++i) block.color[c][i] = saturate(block.color[c][i] + block.secondary[c][i]);
+}
+
 /// GL 1.5, 3.10: f in [0,1] mixes the colour with the fog colour; alpha stays.
 SOFTGL_INLINE void mix_fog(FragmentBlock& block, const FragmentConstants& constants, const float* factor) {
   const int lanes = block.lanes;

@@ -38,7 +38,7 @@ struct RasterKernels {
   // Stages of fragment programs.
   FragmentStage light;        // colours from normals, eye positions and materials
   FragmentStage keep_primary; // for GL_PRIMARY_COLOR in a combiner
-  FragmentStage color_sum, fog_linear, fog_exp, fog_exp2;
+  FragmentStage color_sum, color_sum_clamped, fog_linear, fog_exp, fog_exp2;
   FragmentStage alpha_test_8, alpha_test_float; // `unit` is the comparison
 };
 

@@ -103,6 +103,32 @@ static inline void light_positional_vector(LightingBlock& b, const LightConstant
   }
 }
 
+/// The same for fragments, which have no bytes of OSMesa's to match, only a colour to give: a light that is at the fragment
+/// itself, or not a finite way off, shines from nowhere (unit_lanes) and leaves its ambient term. Without a constant part in
+/// the attenuation that would be infinite; the limit keeps products with any colour finite, and saturates any that is not
+/// black.
+static inline void light_fragment_vector(LightingBlock& b, const LightConstants& l, int n) {
+  constexpr float kBrightest = 1e18f, kFarthest2 = 3e38f;
+  const float *ex = b.eye[0], *ey = b.eye[1], *ez = b.eye[2];
+  float(*v)[kLanes] = b.light_vector;
+  const float px = l.position[0], py = l.position[1], pz = l.position[2];
+  SOFTGL_FOR_LANES(i, n) {
+    v[0][i] = px - ex[i];
+    v[1][i] = py - ey[i];
+    v[2][i] = pz - ez[i];
+  }
+  if (l.attenuated) {
+    const float k0 = l.attenuation[0], k1 = l.attenuation[1], k2 = l.attenuation[2];
+    float* att = b.attenuation;
+    SOFTGL_FOR_LANES(i, n) {
+      const float x = v[0][i], y = v[1][i], z = v[2][i];
+      const float d2 = minimum(dot3(x, y, z, x, y, z), kFarthest2);
+      att[i] = minimum(1.0f / ((k2 * d2 + k1 * __builtin_sqrtf(d2)) + k0), kBrightest);
+    }
+  }
+  unit_lanes(v, v, n);
+}
+
 static inline void light_directional_vector(LightingBlock& b, const LightConstants& l, int n) {
   for (int c = 0; c < 3; ++c) {
     const float v = l.position[c];
@@ -345,7 +371,7 @@ static inline void light_block(LightingBlock& b, const LightingConstants& k, con
     const LightConstants& l = k.light[j];
     const bool attenuated = l.spot || (l.positional && l.attenuated);
     const bool infinite_half = !l.positional && !k.local_viewer;
-    if (l.positional) light_positional_vector(b, l, n);
+    if (l.positional) (k.for_fragments ? light_fragment_vector : light_positional_vector)(b, l, n);
     else if (l.spot || k.local_viewer || k.reflection) light_directional_vector(b, l, n);
     if (l.spot) light_spot(b, l, n);
     const bool half = !shininess_zero && !k.reflection;

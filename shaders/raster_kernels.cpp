@@ -26,6 +26,7 @@ const RasterKernels raster_kernels = {
     .light = stage_light,
     .keep_primary = stage_keep_primary,
     .color_sum = stage_color_sum,
+    .color_sum_clamped = stage_color_sum_clamped,
     .fog_linear = stage_fog_linear,
     .fog_exp = stage_fog_exp,
     .fog_exp2 = stage_fog_exp2,

@@ -34,7 +34,8 @@ Vec3 direction_between(Vec4 from, Vec4 to) {
 double distance_attenuation(const Light& light, Vec4 vertex) {
   if (light.position.w == 0) return 1;
   const double d = length(light.position.divided() - vertex.divided());
-  return 1 / (light.constant_attenuation + light.linear_attenuation * d + light.quadratic_attenuation * d * d);
+  // Not infinite where the light itself is, so that black stays black there.
+  return std::min(1 / (light.constant_attenuation + light.linear_attenuation * d + light.quadratic_attenuation * d * d), 1e18);
 }
 
 double spotlight(const Light& light, Vec4 vertex) {

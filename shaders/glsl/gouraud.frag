@@ -1,4 +1,6 @@
 #version 120
-// The colour sum of Gouraud shading; a texture would be multiplied in between.
+// Gouraud shading: the colours are interpolated.
 
-void main() { gl_FragColor = vec4(gl_Color.rgb + gl_SecondaryColor.rgb, gl_Color.a); }
+vec4 finish(vec4 primary, vec3 secondary);
+
+void main() { gl_FragColor = finish(gl_Color, gl_SecondaryColor.rgb); }

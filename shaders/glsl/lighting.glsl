@@ -24,31 +24,28 @@ vec3 unit(vec3 v) {
   return length2 > 0.0 ? v * inversesqrt(length2) : vec3(0.0);
 }
 
-// GL 1.5, 2.14.3.
-Material front_material(vec4 color) {
-  Material m = Material(gl_FrontMaterial.emission, gl_FrontMaterial.ambient, gl_FrontMaterial.diffuse, gl_FrontMaterial.specular, gl_FrontMaterial.shininess);
-  if (front_tracks.x != 0.0) m.emission = color;
-  if (front_tracks.y != 0.0) m.ambient = color;
-  if (front_tracks.z != 0.0) m.diffuse = color;
-  if (front_tracks.w != 0.0) m.specular = color;
-  return m;
-}
+// The materials before they follow the colour: materials.glsl or a file of vertex_materials.
+Material given_front_material();
+Material given_back_material();
 
-Material back_material(vec4 color) {
-  Material m = Material(gl_BackMaterial.emission, gl_BackMaterial.ambient, gl_BackMaterial.diffuse, gl_BackMaterial.specular, gl_BackMaterial.shininess);
-  if (back_tracks.x != 0.0) m.emission = color;
-  if (back_tracks.y != 0.0) m.ambient = color;
-  if (back_tracks.z != 0.0) m.diffuse = color;
-  if (back_tracks.w != 0.0) m.specular = color;
+// GL 1.5, 2.14.3.
+Material track_color(Material m, vec4 tracks, vec4 color) {
+  if (tracks.x != 0.0) m.emission = color;
+  if (tracks.y != 0.0) m.ambient = color;
+  if (tracks.z != 0.0) m.diffuse = color;
+  if (tracks.w != 0.0) m.specular = color;
   return m;
 }
+Material front_material(vec4 color) { return track_color(given_front_material(), front_tracks, color); }
+Material back_material(vec4 color) { return track_color(given_back_material(), back_tracks, color); }
 
 // Distance attenuation and spotlight factor (equations 2.4 and 2.5); `to_light` has length 1.
 float attenuation(int i, vec3 to_light, float distance) {
   float att = 1.0;
   if (gl_LightSource[i].position.w != 0.0)
-    att = 1.0 / (gl_LightSource[i].constantAttenuation + gl_LightSource[i].linearAttenuation * distance +
-                 gl_LightSource[i].quadraticAttenuation * distance * distance);
+    // Not infinite where the light itself is, so that black stays black there.
+    att = min(1.0 / (gl_LightSource[i].constantAttenuation + gl_LightSource[i].linearAttenuation * distance +
+                     gl_LightSource[i].quadraticAttenuation * distance * distance), 1e18);
   if (gl_LightSource[i].spotCutoff != 180.0) {
     float cosine = dot(-to_light, unit(gl_LightSource[i].spotDirection));
     // At the very edge, which is all of a cut-off of 0, equation 2.5 lights; fixed-function OSMesa does not.

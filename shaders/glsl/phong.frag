@@ -14,6 +14,7 @@ Material front_material(vec4 color);
 Material back_material(vec4 color);
 void light_point(Material m, vec3 eye, vec3 normal, out vec4 primary, out vec3 secondary);
 vec3 unit(vec3 v);
+vec4 finish(vec4 primary, vec3 secondary);
 
 void main() {
   vec4 primary;
@@ -21,7 +22,5 @@ void main() {
   vec3 n = unit(normal); // interpolation makes it shorter
   if (two_sided && !gl_FrontFacing) light_point(back_material(color), eye, -n, primary, secondary);
   else light_point(front_material(color), eye, n, primary, secondary);
-  primary = clamp(primary, 0.0, 1.0);
-  // A texture would be multiplied to `primary` here.
-  gl_FragColor = vec4(clamp(primary.rgb + clamp(secondary, 0.0, 1.0), 0.0, 1.0), primary.a);
+  gl_FragColor = finish(primary, secondary);
 }

@@ -4,13 +4,17 @@
 varying vec3 eye, normal;
 varying vec4 color;
 
+vec4 place_vertex();
 vec3 eye_normal();
+#ifdef VERTEX_MATERIALS
+void pass_materials();
+#endif
 
 void main() {
-  vec4 position = gl_ModelViewMatrix * gl_Vertex;
-  eye = position.xyz;
+  eye = place_vertex().xyz;
   normal = eye_normal();
   color = gl_Color;
-  gl_Position = ftransform();
-  gl_ClipVertex = position;
+#ifdef VERTEX_MATERIALS
+  pass_materials();
+#endif
 }

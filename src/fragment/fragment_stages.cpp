@@ -7,7 +7,7 @@ namespace softgl {
 void append_fragment_stages(FragmentProgram& program) {
   const FragmentKey& key = program.key;
   const RasterKernels& k = *kernels().raster;
-  if (key.color_sum) program.add(k.color_sum);
+  if (key.color_sum) program.add(key.lit ? k.color_sum_clamped : k.color_sum);
   switch (static_cast<FogMode>(key.fog_mode)) {
   case FogMode::None: break;
   case FogMode::Linear: program.add(k.fog_linear); break;

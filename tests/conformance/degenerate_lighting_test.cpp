@@ -20,7 +20,7 @@ std::vector<float> draw_all(const Gl& gl) {
   REQUIRE(gl.OSMesaMakeCurrent(context, picture.data(), GL_FLOAT, kSize, kSize));
   gl.Enable(GL_LIGHTING);
   gl.Enable(GL_LIGHT0);
-  for (int i = 0; i < 256; i++) {
+  for (int i = 0; i < 512; i++) {
     const auto bit = [&](int n) { return ((i >> n) & 1) != 0; };
     const GLfloat specular[4] = {bit(1) ? 0.5f : 0, 0, 0.2f, 1}, position[4] = {0, 0, bit(2) ? 0.0f : 1.0f, bit(2) ? 1.0f : 0.0f};
     gl.Materialf(GL_FRONT_AND_BACK, GL_SHININESS, bit(0) ? 20.0f : bit(6) ? 128.0f : 0.0f);
@@ -29,6 +29,7 @@ std::vector<float> draw_all(const Gl& gl) {
     gl.LightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, bit(3));
     (bit(4) ? gl.Enable : gl.Disable)(GL_NORMALIZE);
     gl.Lightf(GL_LIGHT0, GL_LINEAR_ATTENUATION, bit(5));
+    gl.Lightf(GL_LIGHT0, GL_CONSTANT_ATTENUATION, bit(8) ? 0.0f : 1.0f); // 0: infinitely bright where it is, without the linear one everywhere
     gl.LightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, bit(7) ? GL_SEPARATE_SPECULAR_COLOR : GL_SINGLE_COLOR);
     static const GLfloat kNormals[6][3] = {{0, 0, 1}, {0, 0, 0}, {NAN, 0, 1}, {INFINITY, 0, 1}, {0, 0, 1e30f}, {0, 0, 7}};
     for (const auto& normal : kNormals) {

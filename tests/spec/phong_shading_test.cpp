@@ -1,6 +1,8 @@
 // GL_WIN_phong_shading: state, errors, and what per-pixel lighting must and must not change.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <limits>
 #include <string>
@@ -185,6 +187,160 @@ TEST_CASE("degenerate input is lit per pixel with finite colours or draws nothin
     drawn |= x > 0;
   }
   REQUIRE(drawn);
+}
+
+TEST_CASE("a light at the fragment itself leaves its ambient term, attenuated by its constant part", "[spec][phong]") {
+  const Gl& gl = softgl_library();
+  CurrentContext context(gl, GL_FLOAT);
+  const GLfloat position[4] = {0, 0, 0, 1}, sun[4] = {0, 0, 1, 0}, model_ambient[4] = {0.125f, 0.125f, 0.125f, 1}, white[4] = {1, 1, 1, 1};
+  const GLfloat ambient[4] = {0.5f, 0, 0.25f, 1}, sunlight[4] = {0, 0, 0.25f, 1};
+  gl.ShadeModel(GL_PHONG_WIN);
+  gl.Enable(GL_LIGHTING);
+  gl.Enable(GL_LIGHT0);
+  gl.Enable(GL_LIGHT1);
+  gl.Lightfv(GL_LIGHT0, GL_POSITION, position);
+  gl.Lightfv(GL_LIGHT0, GL_AMBIENT, ambient);
+  gl.Lightfv(GL_LIGHT1, GL_POSITION, sun);
+  gl.Lightfv(GL_LIGHT1, GL_DIFFUSE, sunlight);
+  gl.LightModelfv(GL_LIGHT_MODEL_AMBIENT, model_ambient);
+  gl.Materialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, white);
+  gl.Materialfv(GL_FRONT, GL_SPECULAR, white);
+  gl.PointSize(8);
+  // A point is lit as if all of it were at its vertex.
+  const auto color = [&](float constant, float linear, float quadratic, float exponent) {
+    gl.Lightf(GL_LIGHT0, GL_CONSTANT_ATTENUATION, constant);
+    gl.Lightf(GL_LIGHT0, GL_LINEAR_ATTENUATION, linear);
+    gl.Lightf(GL_LIGHT0, GL_QUADRATIC_ATTENUATION, quadratic);
+    gl.Materialf(GL_FRONT, GL_SHININESS, exponent);
+    gl.Normal3f(0, 0, 1);
+    gl.Begin(GL_POINTS), gl.Vertex3f(0, 0, 0), gl.End();
+    std::array<float, 3> rgb;
+    gl.ReadPixels(32, 32, 1, 1, GL_RGB, GL_FLOAT, rgb.data());
+    return rgb;
+  };
+  for (float exponent : {0.0f, 1.0f, 128.0f}) {
+    CAPTURE(exponent);
+    CHECK(color(1, 0, 0, exponent) == std::array{0.625f, 0.125f, 0.625f});
+    CHECK(color(1, 1, 1, exponent) == std::array{0.625f, 0.125f, 0.625f});
+    CHECK(color(2, 0, 1, exponent) == std::array{0.375f, 0.125f, 0.5f});
+    // 1/0 of a colour is white, of black it is black.
+    CHECK(color(0, 1, 0, exponent) == std::array{1.0f, 0.125f, 1.0f});
+    CHECK(color(0, 0, 1, exponent) == std::array{1.0f, 0.125f, 1.0f});
+    CHECK(color(0, 0, 0, exponent) == std::array{1.0f, 0.125f, 1.0f});
+    gl.Lightf(GL_LIGHT0, GL_SPOT_CUTOFF, 60); // nothing is in the cone's direction
+    CHECK(color(0, 1, 0, exponent) == std::array{0.125f, 0.125f, 0.375f});
+    gl.Lightf(GL_LIGHT0, GL_SPOT_CUTOFF, 180);
+    gl.LightModeli(GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL, GL_REFLECTION_VECTOR_SOFTGL);
+    CHECK(color(0, 1, 0, exponent) == std::array{1.0f, 0.125f, 1.0f});
+    gl.LightModeli(GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL, GL_HALF_VECTOR_SOFTGL);
+    const GLfloat negative[4] = {-0.5f, 0.25f, 0, 1};
+    gl.Lightfv(GL_LIGHT0, GL_AMBIENT, negative);
+    CHECK(color(0, 1, 0, exponent) == std::array{0.0f, 1.0f, 0.375f});
+    gl.Lightfv(GL_LIGHT0, GL_AMBIENT, ambient);
+  }
+}
+
+TEST_CASE("a vertex without a normal is lit by its neighbours' normals under GL_NORMALIZE", "[spec][phong]") {
+  const auto one_zero = [](Stage& s) {
+    const Gl& gl = s.gl;
+    const GLfloat white[4] = {1, 1, 1, 1}, black[4] = {0, 0, 0, 1};
+    gl.ShadeModel(model);
+    gl.Enable(GL_LIGHTING);
+    gl.Enable(GL_LIGHT0);
+    gl.Enable(GL_NORMALIZE);
+    gl.LightModelfv(GL_LIGHT_MODEL_AMBIENT, black);
+    gl.Materialfv(GL_FRONT, GL_DIFFUSE, white);
+    gl.Begin(GL_TRIANGLES);
+    gl.Normal3f(0, 0, 0), gl.Vertex2f(-1, -1);
+    gl.Normal3f(0, 0, 7), gl.Vertex2f(3, -1);
+    gl.Normal3f(0, 0, 7), gl.Vertex2f(-1, 3);
+    gl.End();
+  };
+  const Picture p = picture(one_zero, GL_PHONG_WIN);
+  REQUIRE(int(pixel(p, 0, 0)[0]) == 255);
+  REQUIRE(int(pixel(p, 32, 32)[0]) == 255);
+}
+
+TEST_CASE("normals of no length between opposite ones leave the ambient light", "[spec][phong]") {
+  const auto opposite = [](Stage& s) {
+    const Gl& gl = s.gl;
+    // So short that their squares are zero, and pointing nowhere between the corners of the upper edge.
+    const float tiny = 1e-30f;
+    gl.ShadeModel(model);
+    gl.Enable(GL_LIGHTING);
+    gl.Enable(GL_LIGHT0);
+    const GLfloat white[4] = {1, 1, 1, 1}, position[4] = {1, 2, 3, 0};
+    gl.Lightfv(GL_LIGHT0, GL_POSITION, position);
+    gl.Materialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, white);
+    gl.Materialfv(GL_FRONT, GL_SPECULAR, white);
+    gl.Begin(GL_TRIANGLE_STRIP);
+    for (int i = 0; i < 4; ++i) {
+      const float x = i & 1 ? tiny : -tiny;
+      gl.Normal3f(x, x, x), gl.Vertex2f(i & 1 ? 1.0f : -1.0f, i & 2 ? 1.0f : -1.0f);
+    }
+    gl.End();
+  };
+  const Picture p = picture(opposite, GL_PHONG_WIN);
+  for (int i = 0; i < 64; ++i) REQUIRE(int(pixel(p, i, 32)[0]) == 51); // 0.2
+}
+
+TEST_CASE("a fragment at the eye has the highlight of a viewer in no direction", "[spec][phong]") {
+  const Gl& gl = softgl_library();
+  CurrentContext context(gl, GL_FLOAT);
+  const GLfloat white[4] = {1, 1, 1, 1}, black[4] = {0, 0, 0, 1}, position[4] = {0, 3, 4, 0};
+  gl.ShadeModel(GL_PHONG_WIN);
+  gl.Enable(GL_LIGHTING);
+  gl.Enable(GL_LIGHT0);
+  gl.Lightfv(GL_LIGHT0, GL_POSITION, position);
+  gl.LightModelfv(GL_LIGHT_MODEL_AMBIENT, black);
+  gl.LightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, 1);
+  gl.Materialfv(GL_FRONT, GL_DIFFUSE, black);
+  gl.Materialfv(GL_FRONT, GL_SPECULAR, white);
+  gl.Materialf(GL_FRONT, GL_SHININESS, 1);
+  gl.PointSize(8);
+  gl.Normal3f(0, 0, 1);
+  gl.Begin(GL_POINTS), gl.Vertex3f(0, 0, 0), gl.End();
+  float red = 0;
+  gl.ReadPixels(32, 32, 1, 1, GL_RED, GL_FLOAT, &red);
+  REQUIRE(red == Approx(0.8f).margin(1e-5)); // the half vector is that to the light: n.h = 4/5
+}
+
+TEST_CASE("primitives with a vertex that is nowhere draw nothing, and their neighbours as ever", "[spec][phong]") {
+  static GLfloat bad[4];
+  static GLenum mode;
+  const auto scene = [](Stage& s) {
+    const Gl& gl = s.gl;
+    gl.ShadeModel(model);
+    gl.Enable(GL_LIGHTING);
+    gl.Enable(GL_LIGHT0);
+    gl.Enable(GL_COLOR_MATERIAL);
+    gl.LineWidth(3), gl.PointSize(9);
+    gl.Begin(mode);
+    const int corners = mode == GL_TRIANGLES ? 3 : mode == GL_LINES ? 2 : 1;
+    for (int primitive = 0; primitive < 3; ++primitive)
+      for (int i = 0; i < corners; ++i) {
+        const float x = i == 1 ? 0.9f : -0.9f, y = (i == 2 ? 0.2f : -0.2f) + 0.6f * float(primitive - 1);
+        gl.Color3f(x, y, 1);
+        if (primitive == 1 && i == corners - 1 && bad[0] != 7) gl.Vertex4fv(bad);
+        else if (primitive != 1 || bad[0] != 7) gl.Vertex2f(x, y);
+      }
+    gl.End();
+  };
+  const float nan = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
+  const GLfloat vertices[][4] = {{nan, 0, 0, 1}, {0, nan, 0, 1}, {0, 0, nan, 1}, {0, 0, 0, nan}, {nan, nan, nan, nan}, {infinite, 0, 0, 1},
+                                 {0, -infinite, 0, 1}, {0, 0, 0, infinite}, {0, 0, 0, 0}};
+  for (GLenum m : {GL_TRIANGLES, GL_LINES, GL_POINTS})
+    for (GLenum shading : {GL_PHONG_WIN, GL_SMOOTH}) {
+      mode = m;
+      bad[0] = 7; // without the primitive in the middle
+      const Picture expected = picture(scene, shading);
+      for (const auto& v : vertices) {
+        std::copy(v, v + 4, bad);
+        const Difference d = compare(picture(scene, shading), expected);
+        INFO(m << " " << shading << ": " << v[0] << " " << v[1] << " " << v[2] << " " << v[3] << ": " << d.text);
+        CHECK_FALSE(d.any());
+      }
+    }
 }
 
 TEST_CASE("a normal of zero leaves emission and ambient light", "[spec][phong]") {

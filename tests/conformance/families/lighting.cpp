@@ -60,6 +60,7 @@ struct LightingOptions {
   bool modelview_any = true, color_material = true, materials_inside = true, secondary = true;
   GLenum shade_model = GL_SMOOTH; // or flat
   bool illumination = false;      // GL_SOFTGL_phong_illumination
+  bool texture = false;           // is on, and needs coordinates
 };
 
 static void lit_batch(Stage& s, const LightingOptions& o) {
@@ -113,7 +114,7 @@ static void lit_batch(Stage& s, const LightingOptions& o) {
       gl.Color4fv(c.data());
     }
     const int slices = s.random.integer(5, 20), stacks = s.random.integer(3, 12);
-    sphere(s, slices, stacks, s.random.real(0.5f, 1.1f), false);
+    sphere(s, slices, stacks, s.random.real(0.5f, 1.1f), o.texture);
   } else {
     PrimitiveOptions options;
     options.mode = s.random.chance(10) ? GLenum(s.random.pick({GL_POINTS, GL_LINES, GL_LINE_STRIP})) : random_filled_mode(s);
@@ -121,6 +122,7 @@ static void lit_batch(Stage& s, const LightingOptions& o) {
     options.colors = color_material || s.random.chance(20);
     options.materials = o.materials_inside && s.random.chance(30);
     options.front_materials = two_sided;
+    if (o.texture) options.texture_coordinates = s.random.integer(2, 4);
     options.spread = s.random.chance(70) ? Spread::View : Spread::Any;
     gl.PointSize(7);
     random_primitive(s, options);
@@ -157,11 +159,23 @@ static void draw_illumination(Stage& s) {
   for (int batch = s.random.integer(1, 3); batch > 0; batch--) lit_batch(s, o);
 }
 
+// Unit 0 modulates. Filtered, that no texel ends where a rounding error could be seen.
+static void random_texture(Stage& s) {
+  const Gl& gl = s.gl;
+  uint8_t texels[8 * 8 * 4];
+  for (uint8_t& t : texels) t = uint8_t(s.random.integer(0, 255));
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl.Enable(GL_TEXTURE_2D);
+}
+
 static void draw_phong(Stage& s) {
   random_canvas(s);
   LightingOptions o;
   o.shade_model = GL_PHONG_WIN;
   o.illumination = s.random.chance(50);
+  o.texture = s.random.chance(30);
+  if (o.texture) random_texture(s);
   if (s.random.chance(30)) random_fog(s);
   if (s.random.chance(20)) random_alpha_test(s);
   for (int batch = s.random.integer(1, 3); batch > 0; batch--) lit_batch(s, o);

@@ -4,6 +4,7 @@
 #include "conformance/families/lighting_states.h"
 #include "conformance/families/common.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace softgl::test {
@@ -49,7 +50,8 @@ void set_light(Stage& s, Random& shape, GLenum light, const LightingStateOptions
   const Float3 inwards{-d[0], -d[1], -towards_us};
   const bool spot = shape.chance(40);
   gl.Lightfv(light, GL_SPOT_DIRECTION, s.random.chance(70) ? inwards.data() : anywhere.data());
-  const float cutoff = s.random.pick({90.0f, options.well_conditioned ? 5.0f : 0.0f, 89.99f, 0.5f, s.random.real(1, 90), s.random.real(20, 90), s.random.real(20, 90)});
+  float cutoff = s.random.pick({90.0f, 0.0f, 89.99f, 0.5f, s.random.real(1, 90), s.random.real(20, 90), s.random.real(20, 90)});
+  if (options.well_conditioned) cutoff = std::max(cutoff, 5.0f);
   gl.Lightf(light, GL_SPOT_CUTOFF, spot ? cutoff : 180.0f);
   gl.Lightf(light, GL_SPOT_EXPONENT, s.random.pick({0.0f, 1.0f, 128.0f, s.random.real(0, 2), s.random.real(0, 128)}));
   if (moved) gl.PopMatrix();
