@@ -14,15 +14,16 @@ constexpr float kMaxSnapped = 16777216.0f;
 /// Rounds (v - 0.5) * 256 to nearest even.
 SOFTGL_INLINE FloatV snap_scaled(FloatV v) { return (v - 0.5f) * 256.0f; }
 
+/// Unsigned, because in lanes whose triangle does not fit the sums wrap.
 struct EdgeV {
-  IntV c, a, b; // inside iff c - 256 * a * dx + 256 * b * dy >= 0; a and b are kept times 256
+  UintV c, a, b; // inside iff c - 256 * a * dx + 256 * b * dy >= 0; a and b are kept times 256
 };
 SOFTGL_INLINE EdgeV edge_of(IntV xi, IntV yi, IntV xj, IntV yj) {
   EdgeV e;
   const IntV a = yi - yj, b = xi - xj;
   const IntV included = (a < 0) | ((a == 0) & (b < 0)); // all ones: centres on the edge are inside
-  e.c = multiply(a, xi) - multiply(b, yi) - 1 - included;
-  e.a = a << 8, e.b = b << 8;
+  e.c = (UintV)multiply(a, xi) - (UintV)multiply(b, yi) - 1 - (UintV)included;
+  e.a = (UintV)a << 8, e.b = (UintV)b << 8;
   return e;
 }
 
@@ -99,7 +100,7 @@ static void classify_triangles(const RasterDraw& draw, const TriangleInput& in, 
       if (cut) {
         const EdgeV* const edge[3] = {&e0, &e1, &e2};
         for (int k = 0; k < 3; ++k)
-          store(out.edge_c[k] + base, edge[k]->c), store(out.edge_a[k] + base, edge[k]->a), store(out.edge_b[k] + base, edge[k]->b);
+          store(out.edge_c[k] + base, (IntV)edge[k]->c), store(out.edge_a[k] + base, (IntV)edge[k]->a), store(out.edge_b[k] + base, (IntV)edge[k]->b);
         store(out.last_column + base, w), store(out.last_row + base, h);
       }
       int columns = whole != 0, rows = whole != 0;
@@ -107,10 +108,10 @@ static void classify_triangles(const RasterDraw& draw, const TriangleInput& in, 
       while (rows < kBlockBox && sign_bits((h >= rows) & mine)) ++rows;
       IntV mask[2] = {zero, zero};
       for (int dy = 0; dy < rows; ++dy) {
-        IntV r0 = e0.c, r1 = e1.c, r2 = e2.c;
+        UintV r0 = e0.c, r1 = e1.c, r2 = e2.c;
         UintV bits = UintV{}; // bit dx, counted from the top
         for (int dx = 0; dx < columns; ++dx) {
-          bits = (bits >> 1) | ((UintV)~(r0 | r1 | r2) & 0x80000000u);
+          bits = (bits >> 1) | (~(r0 | r1 | r2) & 0x80000000u);
           r0 -= e0.a, r1 -= e1.a, r2 -= e2.a;
         }
         mask[dy >> 2] |= (IntV)((bits >> (32 - columns)) << (8 * (dy & 3)));
