@@ -1,4 +1,5 @@
-// One picture on every processor: each scene has one hash, whatever the instruction set and the number of threads.
+// One picture on every processor: each scene has one hash, whatever the instruction set and the number of threads; and
+// what is Phong-lit, from immediate mode, lists and arrays, too.
 #include <catch2/catch.hpp>
 
 #include <array>
@@ -48,6 +49,11 @@ void check(const std::string& isa) {
     REQUIRE(got.size() == reference.size());
     for (const auto& [scene, hash] : reference)
       if (got.at(scene) != hash) FAIL_CHECK(scene << " with " << isa << " and " << threads << " threads has another hash than with baseline and one");
+    for (int seed = 0; seed < softgl::test::seed_count(100); ++seed) {
+      const std::string number = " " + std::to_string(seed), &hash = got.at("phong_immediate" + number);
+      for (const char* family : {"phong_list", "phong_arrays"})
+        if (got.at(family + number) != hash) FAIL_CHECK(family << number << " with " << isa << " and " << threads << " threads has another hash than phong_immediate");
+    }
   }
   SUCCEED();
 }

@@ -48,7 +48,7 @@ Picture draw(const Gl& gl, const Scene& scene, uint64_t seed) {
     throw std::runtime_error(gl.name + ": OSMesaMakeCurrent failed");
   }
   uint64_t name = 0xcbf29ce484222325u; // every family draws something else for one seed
-  for (char c : scene.name) name = (name ^ uint8_t(c)) * 0x100000001b3u;
+  for (char c : scene.numbers.empty() ? scene.name : scene.numbers) name = (name ^ uint8_t(c)) * 0x100000001b3u;
   Random random(seed * 1000003u + name);
   Stage stage{gl, random, p.width, p.height};
   scene.draw(stage);

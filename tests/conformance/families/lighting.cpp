@@ -176,7 +176,12 @@ static void draw_phong(Stage& s) {
   o.illumination = s.random.chance(50);
   o.texture = s.random.chance(30);
   if (o.texture) random_texture(s);
-  if (s.random.chance(30)) random_fog(s);
+  if (s.random.chance(30)) {
+    random_fog(s);
+    const Float2 range{s.random.real(-1, 2), s.random.real(2.5f, 6)}; // never empty: what that means is not specified
+    s.gl.Fogf(GL_FOG_START, range[0]);
+    s.gl.Fogf(GL_FOG_END, range[1]);
+  }
   if (s.random.chance(20)) random_alpha_test(s);
   for (int batch = s.random.integer(1, 3); batch > 0; batch--) lit_batch(s, o);
 }
