@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "frames/workloads.h"
+#include "support/shader_twins.h"
 #include "test_paths.h"
 
 using namespace softgl;
@@ -54,10 +55,14 @@ uint64_t hash_of(const std::vector<uint64_t>& words) {
 
 Result measure(const std::string& library, const WorkloadKind& kind, const Options& o) {
   const double begin = now();
-  const Gl gl = test::load_gl(library, library);
+  Gl gl = test::load_gl(library, library);
   void* context = gl.OSMesaCreateContextExt(test::kOSMesaRgba, 24, 8, 0, nullptr);
   std::vector<uint64_t> pixels(size_t(o.size) * size_t(o.size) / 2);
   if (!context || !gl.OSMesaMakeCurrent(context, pixels.data(), GL_UNSIGNED_BYTE, o.size, o.size)) throw std::runtime_error(library + " makes no context");
+  if (kind.phong && !std::strstr(reinterpret_cast<const char*>(gl.GetString(GL_EXTENSIONS)), "GL_WIN_phong_shading")) {
+    gl = test::with_shaders(gl, test::Twins::Phong);
+    gl.OSMesaMakeCurrent(context, pixels.data(), GL_UNSIGNED_BYTE, o.size, o.size);
+  }
   auto workload = kind.make(gl, o.size, o.scale);
   auto frame = [&](int turn) {
     workload->frame(turn);

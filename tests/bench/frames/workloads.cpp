@@ -17,6 +17,7 @@ struct MeshPlan {
   Source source = Source::Buffers;
   bool textured = false;
   GLenum mode = GL_TRIANGLES;
+  GLenum shade_model = GL_SMOOTH;
 };
 
 void use_texture(const Gl& gl, bool trilinear) {
@@ -74,6 +75,7 @@ public:
     gl.Frustum(-0.5, 0.5, -0.5, 0.5, 1, 10);
     gl.MatrixMode(GL_MODELVIEW);
     use_lights(gl, plan.lights);
+    gl.ShadeModel(plan.shade_model);
     if (plan.textured) use_texture(gl, true);
     if (plan.source == Source::Buffers || plan.source == Source::ClientArrays) set_arrays();
     if (plan.source == Source::List) {
@@ -187,9 +189,9 @@ private:
   const int count_;
 };
 
-template <int Around, int Along, int Lights, Source From, bool Textured = false, GLenum Mode = GL_TRIANGLES>
+template <int Around, int Along, int Lights, Source From, bool Textured = false, GLenum Mode = GL_TRIANGLES, GLenum ShadeModel = GL_SMOOTH>
 std::unique_ptr<Workload> make_mesh(const Gl& gl, int size, double scale) {
-  return std::make_unique<MeshWorkload>(gl, size, MeshPlan{Around, Along, Lights, From, Textured, Mode}, scale);
+  return std::make_unique<MeshWorkload>(gl, size, MeshPlan{Around, Along, Lights, From, Textured, Mode, ShadeModel}, scale);
 }
 template <Layer Kind> std::unique_ptr<Workload> make_layers(const Gl& gl, int size, double scale) {
   return std::make_unique<Layers>(gl, size, Kind, scale);
@@ -205,6 +207,8 @@ const std::vector<WorkloadKind>& workloads() {
       {"one_shot", "load the library, one picture of 70 thousand triangles", make_mesh<256, 136, 1, Source::Buffers>, true},
       {"mesh", "a million lit triangles from buffer objects", make_mesh<1024, 512, 1, Source::Buffers>, false},
       {"mesh_70k", "70 thousand lit triangles from buffer objects", make_mesh<256, 136, 1, Source::Buffers>, false},
+      {"phong_70k", "the same, Phong-shaded: by GL_WIN_phong_shading or, where there is none, by shaders/glsl",
+       make_mesh<256, 136, 1, Source::Buffers, false, GL_TRIANGLES, GL_PHONG_WIN>, false, true},
       {"client_arrays", "a million lit triangles from the program's memory", make_mesh<1024, 512, 1, Source::ClientArrays>, false},
       {"lights", "a quarter of a million triangles under eight lights, four of them spots", make_mesh<512, 256, 8, Source::Buffers>, false},
       {"list", "a quarter of a million triangles from a display list", make_mesh<512, 256, 1, Source::List>, false},

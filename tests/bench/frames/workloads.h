@@ -32,6 +32,8 @@ struct WorkloadKind {
   std::unique_ptr<Workload> (*make)(const Gl& gl, int size, double scale);
   /// Measured from loading the library to the first finished picture, and not from picture to picture.
   bool first_frame;
+  /// Needs GL_PHONG_WIN.
+  bool phong = false;
 };
 const std::vector<WorkloadKind>& workloads();
 
