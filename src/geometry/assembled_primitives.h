@@ -13,7 +13,7 @@ struct DrawRecord;
 /// 64 or 128 primitives are best for the setup kernels (measured: 256 and more cost 0.3-1.0 ns a triangle, L1).
 constexpr int kAssemblyBatch = 64;
 
-/// Triangles in drawing order, corners in the order that set-up wants (osmesa-facts 1.5). Corner 2 is the provoking
+/// Triangles in drawing order, corners in the order that set-up wants (as OSMesa 22.3.6 orders them). Corner 2 is the provoking
 /// vertex; clipping has already copied flat colours to it. Vertices made by clipping live in the chunk's arena.
 struct AssembledTriangles {
   int32_t count = 0;

@@ -13,13 +13,20 @@ namespace softgl {
 /// triangles). Work is cut into chunks at steps.
 uint32_t assembly_steps(const PrimitiveRange& range);
 
+/// A run of neighbouring elements of a primitive.
+struct ElementRange {
+  uint32_t first, count;
+};
+/// The elements that steps [first_step, first_step + step_count) of a primitive read, if they lie side by side and the
+/// steps depend on nothing else; otherwise a range of none.
+ElementRange elements_of_steps(const PrimitiveRange& range, uint32_t first_step, uint32_t step_count);
+
 /// Shades vertices [first, first + count) of the draw into `out`, whose own first and count describe its memory.
 /// `first` lies a multiple of 64 behind out.first. Safe from several threads for disjoint ranges.
 void shade_vertices(const DrawRecord& draw, uint32_t first, uint32_t count, const ShadedVertices& out);
 
 /// Assembles, clips and hands over steps [first_step, first_step + step_count) of a primitive, in drawing order.
-/// Vertices made by clipping are taken from `arena`; they must live until the frame is done. The last batch of a call
-/// may be partly filled.
+/// Vertices made by clipping are taken from `arena`. The last batch of a call may be partly filled.
 void assemble(const DrawRecord& draw, const ShadedVertices& vertices, const PrimitiveRange& range, uint32_t first_step,
               uint32_t step_count, Arena& arena, PrimitiveSink& sink);
 
