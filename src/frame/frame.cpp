@@ -295,7 +295,19 @@ void Frame::flush(const Surface& surface, const TileReader* reader) {
   }
   items_.clear();
   retained_.clear();
+  retained_bytes_ = 0;
+  next_count_ = kBudgetBytes;
   arena_.reset();
+}
+
+size_t Frame::abandoned_bytes() {
+  std::sort(retained_.begin(), retained_.end(), [](const Retained& a, const Retained& b) { return a.object < b.object; });
+  retained_.erase(std::unique(retained_.begin(), retained_.end(), [](const Retained& a, const Retained& b) { return a.object == b.object; }), retained_.end());
+  size_t abandoned = 0, kept = 0;
+  for (const Retained& r : retained_) (r.object.use_count() == 1 ? abandoned : kept) += r.bytes;
+  retained_bytes_ = abandoned + kept;
+  next_count_ = retained_bytes_ + kBudgetBytes;
+  return abandoned;
 }
 
 } // namespace softgl

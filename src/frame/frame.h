@@ -34,8 +34,11 @@ public:
   ~Frame();
   /// Memory for everything that draws of this frame point to. Freed by flush().
   Arena& arena() { return arena_; }
-  /// Keeps an object (buffer storage, texture image, display list run) alive and unchanged until the flush.
-  void retain(std::shared_ptr<const void> object) { retained_.push_back(std::move(object)); }
+  /// Keeps an object (buffer storage, texture image, display list run) of so many bytes alive and unchanged until the flush.
+  void retain(std::shared_ptr<const void> object, size_t bytes) {
+    retained_.push_back({std::move(object), bytes});
+    retained_bytes_ += bytes;
+  }
   /// Adds a draw or a clear behind all earlier ones. The record lies in arena().
   void append(const DrawRecord* draw) { items_.push_back({draw, nullptr}); }
   void append(const ClearRecord* clear) { items_.push_back({nullptr, clear}); }
@@ -43,7 +46,7 @@ public:
   struct Item { const DrawRecord* draw; const ClearRecord* clear; }; // one of the two
   const std::vector<Item>& items() const { return items_; }
   /// True when so much memory is in use that the owner should flush before more work is added.
-  bool over_budget() const { return arena_.used() > kBudgetBytes; }
+  bool over_budget() { return arena_.used() > kBudgetBytes || (retained_bytes_ > next_count_ && abandoned_bytes() > kBudgetBytes); }
   /// Appends the memory that frames of some size will write first, to be brought in early.
   void prepare(std::vector<Pages>& pages);
   /// Does all work on `surface` with all threads and forgets it; snapshots taken from State must be taken anew after
@@ -54,7 +57,15 @@ private:
   static constexpr size_t kBudgetBytes = 256u << 20;
   friend class FrameWork;
   Arena arena_;
-  std::vector<std::shared_ptr<const void>> retained_;
+  struct Retained {
+    std::shared_ptr<const void> object;
+    size_t bytes;
+  };
+  std::vector<Retained> retained_;
+  size_t retained_bytes_ = 0;          // an object counts as often as it was retained
+  size_t next_count_ = kBudgetBytes;   // retained_bytes_ at which the abandoned ones are counted
+  /// The bytes of objects that only this frame still holds: textures and buffers that were deleted or specified anew.
+  size_t abandoned_bytes();
   std::vector<Item> items_;
   void make_workers();
   struct Workers; // memory of the workers, kept from flush to flush

@@ -120,7 +120,7 @@ TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum&
   }
   for (auto& face : object->image)
     for (int i = 0; i < levels.count; ++i)
-      if (auto& kept = face[levels.first + i]) c.frame.retain(kept);
+      if (auto& kept = face[levels.first + i]) c.frame.retain(kept, kept->texels.size());
   return t;
 }
 

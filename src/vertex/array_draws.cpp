@@ -86,7 +86,7 @@ Indices indices_of(Context& c, GLenum mode, uint32_t count, GLenum type, const v
   result.range = index_range(*buffer, offset, type, result.count);
   result.data = data;
   if (c.arrays.retained_indices != buffer->storage.get()) {
-    c.frame.retain(buffer->storage);
+    c.frame.retain(buffer->storage, buffer->storage->size);
     c.arrays.retained_indices = buffer->storage.get();
   }
   return result;

@@ -90,7 +90,7 @@ void rebuild(Context& c) {
   for (int slot = 0; slot < kMaterial0; ++slot)
     if (c.client.vertex_array.array[slot].enabled) add_array(a, slot, c.client.vertex_array.array[slot]);
   for (const VertexArray& array : c.client.vertex_array.array)
-    if (array.enabled && array.object && array.object->storage) c.frame.retain(array.object->storage);
+    if (array.enabled && array.object && array.object->storage) c.frame.retain(array.object->storage, array.object->storage->size);
   // No memory of the arena is taken here: ArrayElement comes by while the builder has a chunk of it open.
   c.dirty &= ~kDirtyArrays;
 }

@@ -131,8 +131,8 @@ void play_run(Context& c, const std::shared_ptr<VertexRun>& pointer) {
       call.vertex_count = run.distinct_count;
     }
     lock.unlock();
-    c.frame.retain(pointer);
-    c.frame.retain(block);
+    c.frame.retain(pointer, 0);
+    c.frame.retain(block, size_t(run.vertex_count) * run.slots * 16);
     call.source = &block->source;
     call.constant = current_constants(c);
     call.primitives = run.primitives.data();
