@@ -47,25 +47,22 @@ VertexArray* find_array(ClientState& client, GLenum token) {
 namespace gl {
 namespace {
 
+void set_array(Context& c, GLenum token, bool value) {
+  VertexArray* array = find_array(c.client, token);
+  if (!array) return set_error(c, GL_INVALID_ENUM);
+  array->enabled = value;
+  c.dirty |= kDirtyArrays;
+}
+
 void set_capability(Context& c, GLenum token, bool value) {
   const Capability* capability = find_capability(token);
-  if (!capability) {
-    // EXT_vertex_array had the arrays here, and OSMesa still takes them; GL 1.5 does not.
-    return set_error(c, GL_INVALID_ENUM);
-  }
+  if (!capability) return set_array(c, token, value); // EXT_vertex_array switches the arrays here
   const int unit = c.state.texture.active_unit;
   if (capability->get(c.state, unit) == value) return;
   if (token == GL_COLOR_MATERIAL && !value) track_color_material(c); // keeps the last colour
   capability->set(c.state, unit, value);
   if (token == GL_COLOR_MATERIAL && value) track_color_material(c);
   c.dirty |= capability->dirty;
-}
-
-void set_array(Context& c, GLenum token, bool value) {
-  VertexArray* array = find_array(c.client, token);
-  if (!array) return set_error(c, GL_INVALID_ENUM);
-  array->enabled = value;
-  c.dirty |= kDirtyArrays;
 }
 
 } // namespace

@@ -1,18 +1,12 @@
 // GL 1.5: arguments that the commands of primitives, arrays, buffers, textures, pixels and lists must refuse.
 #include <catch2/catch.hpp>
 
+#include "spec/refused_calls.h"
 #include "spec/state_snapshot.h"
 
 using namespace softgl::test;
 
 namespace {
-
-struct BadCall {
-  const char* text;
-  GLenum error;
-  void (*run)(const Gl& gl);
-};
-#define BAD(error, call) {#call, GL_##error, [](const Gl& gl) { gl.call; }}
 
 unsigned char bytes[4096];
 GLuint names[4];
@@ -97,14 +91,10 @@ TEST_CASE("a refused argument of an object's command gives the specification's e
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   const StateSnapshot before = take_snapshot(gl, false);
-  for (const BadCall& bad : bad_calls) {
-    INFO(bad.text);
-    bad.run(gl);
-    CHECK(gl.GetError() == bad.error);
-    CHECK(gl.GetError() == GL_NO_ERROR);
+  expect_refused(gl, bad_calls, [&] {
     CHECK(compare_snapshots(before, take_snapshot(gl, false)) == "");
     CHECK(gl.IsList(1) + gl.IsTexture(1) + gl.IsBuffer(1) == 0);
-  }
+  });
 }
 
 TEST_CASE("a refused change of a buffer or of a texture image leaves its contents", "[spec][errors]") {
@@ -131,24 +121,17 @@ TEST_CASE("a refused change of a buffer or of a texture image leaves its content
       BAD(INVALID_VALUE, CopyTexSubImage2D(GL_TEXTURE_2D, 0, 1, 1, 0, 0, 2, 2)), BAD(INVALID_OPERATION, CopyTexSubImage2D(GL_TEXTURE_2D, 1, 0, 0, 0, 0, 1, 1)),
       BAD(INVALID_VALUE, TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, -2, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes)),
   };
-  for (const BadCall& bad : calls) {
-    INFO(bad.text);
-    bad.run(gl);
-    CHECK(gl.GetError() == bad.error);
+  expect_refused(gl, calls, [&] {
     GLubyte buffer[16] = {}, texels[16] = {};
     gl.GetBufferSubData(GL_ARRAY_BUFFER, 0, 16, buffer);
     gl.GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
     CHECK(std::string(buffer, buffer + 16) == std::string(data, data + 16));
     CHECK(std::string(texels, texels + 16) == std::string(data, data + 16));
     CHECK(gl.GetError() == GL_NO_ERROR);
-  }
+  });
   REQUIRE(gl.MapBuffer(GL_ARRAY_BUFFER, GL_READ_ONLY) != nullptr); // while it is mapped nobody else may touch it (2.9)
   const BadCall mapped[] = {BAD(INVALID_OPERATION, BufferSubData(GL_ARRAY_BUFFER, 0, 4, bytes)), BAD(INVALID_OPERATION, GetBufferSubData(GL_ARRAY_BUFFER, 0, 4, bytes)),
                             BAD(INVALID_OPERATION, MapBuffer(GL_ARRAY_BUFFER, GL_READ_ONLY))};
-  for (const BadCall& bad : mapped) {
-    INFO(bad.text);
-    bad.run(gl);
-    CHECK(gl.GetError() == bad.error);
-  }
+  expect_refused(gl, mapped, [] {});
   CHECK(gl.UnmapBuffer(GL_ARRAY_BUFFER) == GL_TRUE);
 }

@@ -40,6 +40,24 @@ TEST_CASE("every capability can be enabled and disabled and is read by every que
   }
 }
 
+TEST_CASE("glEnable switches vertex arrays, as in EXT_vertex_array, and a list records it", "[spec][state]") {
+  const Gl& gl = softgl_library();
+  CurrentContext context(gl);
+  for (const StateRow& row : state_rows()) {
+    if (row.kind != 'A') continue;
+    INFO(row.name);
+    gl.Enable(row.token);
+    REQUIRE(gl.IsEnabled(row.token));
+    gl.NewList(1, GL_COMPILE);
+    gl.Disable(row.token);
+    gl.EndList();
+    REQUIRE(gl.IsEnabled(row.token));
+    gl.CallList(1);
+    REQUIRE_FALSE(gl.IsEnabled(row.token));
+    REQUIRE(gl.GetError() == GL_NO_ERROR);
+  }
+}
+
 TEST_CASE("capabilities of texture units belong to the active unit", "[spec][state]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);

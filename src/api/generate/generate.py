@@ -172,7 +172,8 @@ def convert_arguments(row, door, command):
         if last.pointer and last.base() == "GLfloat":
             return "", leading + [last.name]
         helper = "vector_parameters" if last.pointer else "scalar_parameter"
-        check = "" if last.pointer else f"  if (!values.valid) [[unlikely]] return bad_scalar_parameter(c);\n"
+        refuse = "set_error(c, GL_INVALID_ENUM)" if row.where == "in" else "bad_scalar_parameter(c)"
+        check = "" if last.pointer else f"  if (!values.valid) [[unlikely]] return {refuse};\n"
         return f"  const Parameters values = {helper}(kCountOf_{table}, pname, {last.name});\n" + check, \
             leading + ["values.v"]
     by_name = {p.name: p for p in command.parameters}
