@@ -4,25 +4,12 @@
 #include <cstdlib>
 #include <vector>
 
-#include "support/gl.h"
+#include "texture_context.h"
 
 using namespace softgl::test;
 
-namespace {
-
-struct TestContext {
-  const Gl& gl;
-  void* context;
-  std::vector<unsigned char> buffer = std::vector<unsigned char>(16 * 16 * 4);
-  explicit TestContext(const Gl& library) : gl(library), context(library.OSMesaCreateContextExt(kOSMesaRgba, 24, 8, 0, nullptr)) { bind(); }
-  ~TestContext() { gl.OSMesaDestroyContext(context); }
-  void bind() { REQUIRE(gl.OSMesaMakeCurrent(context, buffer.data(), GL_UNSIGNED_BYTE, 16, 16)); }
-};
-
-} // namespace
-
 TEST_CASE("Skipped pixels are skipped when bytes are swapped or colours transferred", "[texture][deviation]") {
-  TestContext c(softgl_library());
+  TextureContext c(softgl_library());
   const unsigned short texels[4] = {0x0100, 0x0200, 0x0304, 0xffff};
   c.gl.PixelStorei(GL_UNPACK_SKIP_PIXELS, 2);
   c.gl.PixelStorei(GL_UNPACK_SWAP_BYTES, GL_TRUE);
@@ -38,7 +25,7 @@ TEST_CASE("Skipped pixels are skipped when bytes are swapped or colours transfer
 }
 
 TEST_CASE("Colours are scaled on their way from the framebuffer into a texture", "[texture][deviation]") {
-  TestContext c(softgl_library());
+  TextureContext c(softgl_library());
   c.gl.Enable(GL_SCISSOR_TEST);
   for (int row = 0; row < 4; ++row) {
     c.gl.Scissor(0, row, 2, 1);
@@ -61,7 +48,7 @@ TEST_CASE("Colours are scaled on their way from the framebuffer into a texture",
 }
 
 TEST_CASE("A full texel reads back as the largest integer", "[texture][deviation]") {
-  TestContext c(softgl_library());
+  TextureContext c(softgl_library());
   const unsigned char white = 255;
   c.gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   c.gl.TexImage2D(GL_TEXTURE_2D, 0, GL_LUMINANCE8, 1, 1, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE, &white);
@@ -71,7 +58,7 @@ TEST_CASE("A full texel reads back as the largest integer", "[texture][deviation
 }
 
 TEST_CASE("Compressed internal formats are stored uncompressed", "[texture][deviation]") {
-  TestContext c(softgl_library());
+  TextureContext c(softgl_library());
   std::vector<unsigned char> texels(16 * 16 * 3), back(texels.size());
   for (size_t i = 0; i < texels.size(); ++i) texels[i] = (unsigned char)(i * 37);
   c.gl.TexImage2D(GL_TEXTURE_2D, 0, GL_COMPRESSED_RGB, 16, 16, 0, GL_RGB, GL_UNSIGNED_BYTE, texels.data());

@@ -7,21 +7,12 @@
 #include <sstream>
 #include <vector>
 
-#include "support/gl.h"
 #include "support/random.h"
+#include "texture_context.h"
 
 using namespace softgl::test;
 
 namespace {
-
-struct TestContext {
-  const Gl& gl;
-  void* context;
-  std::vector<unsigned char> buffer = std::vector<unsigned char>(16 * 16 * 4);
-  explicit TestContext(const Gl& library) : gl(library), context(library.OSMesaCreateContextExt(kOSMesaRgba, 24, 8, 0, nullptr)) { bind(); }
-  ~TestContext() { gl.OSMesaDestroyContext(context); }
-  void bind() { REQUIRE(gl.OSMesaMakeCurrent(context, buffer.data(), GL_UNSIGNED_BYTE, 16, 16)); }
-};
 
 constexpr GLint kInternalFormats[] = {
     1, 2, 3, 4, GL_ALPHA, GL_ALPHA4, GL_ALPHA8, GL_ALPHA12, GL_ALPHA16, GL_LUMINANCE, GL_LUMINANCE4, GL_LUMINANCE8, GL_LUMINANCE12,
@@ -58,7 +49,7 @@ std::vector<unsigned char> random_pixels(Random& r, GLenum type) {
 }
 
 /// What the upload and the queries of a level give, as one string of bytes.
-std::vector<unsigned char> upload(TestContext& c, const Upload& u, GLenum get_format, GLenum get_type, bool mipmap) {
+std::vector<unsigned char> upload(TextureContext& c, const Upload& u, GLenum get_format, GLenum get_type, bool mipmap) {
   c.bind();
   const Gl& gl = c.gl;
   GLuint name;
@@ -100,7 +91,7 @@ std::vector<unsigned char> upload(TestContext& c, const Upload& u, GLenum get_fo
 }
 
 std::string compare_uploads(uint64_t seed, int count, bool mipmap) {
-  TestContext ours(softgl_library()), theirs(osmesa_library());
+  TextureContext ours(softgl_library()), theirs(osmesa_library());
   Random r(seed);
   int failures = 0;
   std::string text;
