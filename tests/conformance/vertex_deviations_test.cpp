@@ -7,7 +7,7 @@ namespace softgl::test {
 namespace {
 
 GLenum mode;         // read by the scenes
-bool in_list, execute;
+bool in_list, execute, behind_another;
 
 void polygon_colors(Stage& s, bool late) {
   static constexpr GLfloat kVertices[8][2] = {{-0.9f, -0.9f}, {0.9f, -0.7f}, {-0.8f, 0.1f}, {0.7f, 0.3f}, {-0.6f, 0.8f}, {0.5f, 0.9f}, {0.1f, 0.2f}, {-0.3f, -0.4f}};
@@ -22,6 +22,11 @@ void polygon_colors(Stage& s, bool late) {
 void draw_late(Stage& s) {
   if (in_list) s.gl.NewList(1, GL_COMPILE);
   else s.gl.Color3f(1, 0, 0);
+  if (behind_another) {
+    s.gl.Begin(GL_POINTS);
+    s.gl.Vertex2f(0.5f, -0.95f);
+    s.gl.End();
+  }
   polygon_colors(s, true);
   if (!in_list) return;
   s.gl.EndList();
@@ -71,14 +76,16 @@ TEST_CASE("a first count of 0 does not stop glMultiDrawArrays", "[conformance][d
 
 TEST_CASE("an attribute may come late in a list", "[conformance][deviation]") {
   const Scene scene{"late", draw_late};
-  for (mode = GL_POINTS; mode <= GL_POLYGON; mode++) {
-    in_list = false;
-    const Picture expected = draw(softgl_library(), scene, 0);
-    in_list = true;
-    const Difference d = compare(draw(softgl_library(), scene, 0), expected);
-    INFO("mode " << mode << ": " << d.text);
-    CHECK_FALSE(d.any());
-  }
+  for (bool behind : {false, true})
+    for (mode = GL_POINTS; mode <= GL_POLYGON; mode++) {
+      behind_another = behind;
+      in_list = false;
+      const Picture expected = draw(softgl_library(), scene, 0);
+      in_list = true;
+      const Difference d = compare(draw(softgl_library(), scene, 0), expected);
+      INFO("mode " << mode << (behind ? " behind a point: " : ": ") << d.text);
+      CHECK_FALSE(d.any());
+    }
 }
 
 TEST_CASE("state after a primitive does not change it while a list is compiled and executed", "[conformance][deviation]") {
