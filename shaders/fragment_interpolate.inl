@@ -35,6 +35,8 @@ SOFTGL_INLINE float* lanes_of(FragmentBlock& block, const Varying& v, int compon
   return reinterpret_cast<float*>(reinterpret_cast<char*>(&block) + v.lanes) + component * kLanes;
 }
 
+template <int n> struct Count { constexpr operator int() const { return n; } };
+
 /// Fills the inputs of lanes [0, block.lanes), which are strips of one primitive; block.x and block.y are set.
 static void interpolate_block(const RasterDraw& draw, const RasterPrimitive& p, FragmentBlock& block) {
   const FragmentProgram& program = *draw.program;
@@ -45,14 +47,21 @@ static void interpolate_block(const RasterDraw& draw, const RasterPrimitive& p, 
     store(x + i, vx), store(y + i, vy);
     store(w + i, p.w_is_one ? splat(1.0f) : splat(1.0f) / at(p.plane[kPlaneW], vx, vy));
   }
-  auto fill = [&](const Plane& plane, float* out, bool constant) {
-    const Plane q = plane;
-    if (constant) for (int i = 0; i < lanes; i += kWidth) store(out + i, splat(q.a));
-    else for (int i = 0; i < lanes; i += kWidth) store(out + i, at(q, load(x + i), load(y + i)) * load(w + i));
+  auto fill = [&](const Plane* plane, float* out, bool constant, auto components) __attribute__((always_inline)) {
+    PlaneV q[components];
+    for (int k = 0; k < components; ++k) q[k] = {splat(plane[k].a), splat(plane[k].gx), splat(plane[k].gy)};
+    for (int i = 0; i < lanes; i += kWidth) {
+      const FloatV vx = load(x + i), vy = load(y + i), vw = load(w + i);
+      for (int k = 0; k < components; ++k) store(out + k * kLanes + i, constant ? q[k].a : value_at(q[k], vx, vy) * vw);
+    }
   };
   for (int i = 0; i < draw.varying_count; ++i) {
     const Varying& v = draw.varying[i];
-    for (int k = 0; k < v.components; ++k) fill(p.plane[v.plane + k], lanes_of(block, v, k), v.flat);
+    const Plane* plane = p.plane + v.plane;
+    float* out = lanes_of(block, v, 0);
+    if (v.components == 4) fill(plane, out, v.flat, Count<4>());
+    else if (v.components == 3) fill(plane, out, v.flat, Count<3>());
+    else for (int k = 0; k < v.components; ++k) fill(plane + k, out + k * kLanes, v.flat, Count<1>());
   }
   if (draw.facing)
     for (int i = 0; i < lanes; i += kWidth) store(block.back + i, splat(-int32_t(p.back)));

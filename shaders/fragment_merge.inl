@@ -1,5 +1,5 @@
-// The end of a fragment: stencil, depth, blending, logic operation, masks. Works on arrays of up to 64 fragments, no two of
-// the same pixel, whose destination pixels have been gathered.
+// The end of a fragment: stencil, depth, blending, logic operation, masks. Works on vectors of fragments, no two of the
+// same pixel, whose destination pixels lie side by side: in the tile, or gathered from it.
 #pragma once
 
 #include "fragment_blend.inl"
@@ -9,7 +9,7 @@
 namespace softgl {
 namespace SOFTGL_ISA {
 
-/// Source fragments and the pixels under them. Colours of Rgba8 and Rgb565 surfaces are RGBA8 words here.
+/// Source fragments and the gathered pixels under them. Colours of Rgba8 and Rgb565 surfaces are RGBA8 words here.
 struct alignas(64) MergeBlock {
   int32_t lanes; // a multiple of 16
   uint32_t live[kLanes];
@@ -48,15 +48,30 @@ SOFTGL_INLINE IntV stencil_result(StencilOperation operation, const FragmentCons
   return choose(where & int32_t(k.stencil_write_mask), n, s);
 }
 
-/// Stencil and depth test with their writes; live lanes are left in m.live.
-static void merge_depth_stencil(const FragmentProgram& program, MergeBlock& m) {
+SOFTGL_INLINE uint32_t word_mask(const FragmentKey& key) {
+  uint32_t mask = 0;
+  for (int c = 0; c < 4; ++c)
+    if (key.color_mask >> c & 1) mask |= 0xffu << (8 * c);
+  return mask;
+}
+
+namespace { // so that no member is visible outside
+
+/// What merging of kWidth fragments at a time needs to know of a program.
+struct Merger {
+  const FragmentProgram& program;
   const FragmentKey& key = program.key;
-  const FragmentConstants& k = *program.constants;
-  const Compare depth_function = Compare(key.depth_function);
-  if (depth_function == Compare::Always && !key.depth_write && !key.stencil) return;
-  for (int i = 0; i < m.lanes; i += kWidth) {
-    IntV words = load(m.depth_stencil + i), live = load(m.live + i);
-    const IntV depth = words & 0xffffff, z = load(m.depth + i);
+  const bool tests = Compare(key.depth_function) != Compare::Always || key.depth_write || key.stencil;
+  const bool over = is_over(key);
+  const IntV mask = splat(int32_t(word_mask(key)));
+
+  /// Stencil and depth test with their writes to `place`; gives the lanes that live on.
+  SOFTGL_MEMBER IntV depth_stencil(IntV live, IntV z, uint32_t* place) const {
+    if (!tests) return live;
+    const FragmentConstants& k = *program.constants;
+    const Compare depth_function = Compare(key.depth_function);
+    IntV words = load(place);
+    const IntV depth = words & 0xffffff;
     if (key.stencil) {
       IntV s = (IntV)((UintV)words >> 24);
       const IntV passes = live & compare_words(Compare(key.stencil_function), splat(int32_t(k.stencil_reference & k.stencil_value_mask)), s & int32_t(k.stencil_value_mask));
@@ -69,34 +84,21 @@ static void merge_depth_stencil(const FragmentProgram& program, MergeBlock& m) {
       live &= compare_words(depth_function, z, depth);
     }
     if (key.depth_write) words = choose(live & 0xffffff, z, words);
-    store(m.depth_stencil + i, words);
-    store(m.live + i, live);
+    store(place, words);
+    return live;
   }
-}
 
-SOFTGL_INLINE uint32_t word_mask(const FragmentKey& key) {
-  uint32_t mask = 0;
-  for (int c = 0; c < 4; ++c)
-    if (key.color_mask >> c & 1) mask |= 0xffu << (8 * c);
-  return mask;
-}
-
-/// Everything for surfaces of 8 bits or less: m.color in, m.target and m.depth_stencil out.
-static void merge_8(const FragmentProgram& program, MergeBlock& m) {
-  const FragmentKey& key = program.key;
-  merge_depth_stencil(program, m);
-  if (key.color_mask == 0) return;
-  const bool over = is_over(key);
-  const IntV mask = splat(int32_t(word_mask(key)));
-  for (int i = 0; i < m.lanes; i += kWidth) {
-    IntV source = load(m.color + i);
-    const IntV target = load(m.target + i);
+  /// RGBA8 words to `place`.
+  SOFTGL_MEMBER void color(IntV live, IntV source, uint32_t* place) const {
+    const IntV target = load(place);
     if (over) source = blend_over(source, target);
     else if (key.logic_op) source = logic_words(unsigned(key.blend_source_rgb), source, target);
     else if (key.blend) source = blend_words(key, *program.constants, source, target);
-    store(m.target + i, choose(load(m.live + i) & mask, source, target));
+    store(place, choose(live & mask, source, target));
   }
-}
+};
+
+} // namespace
 
 /// 5-6-5 to RGBA8 and back: bits are repeated one way and cut the other (OSMesa 22.3.6). Alpha reads as 1.
 SOFTGL_INLINE uint32_t expand_565(uint32_t v) {

@@ -17,6 +17,12 @@ SOFTGL_INLINE FloatV row_number(int i) {
   return kWidth == 16 ? load(row) : splat(float(i * kWidth >> 3));
 }
 
+/// y of the lanes of a vector that begins at row `row` of a block.
+SOFTGL_INLINE FloatV row_coordinates(int32_t block_y, int row) {
+  const FloatV y = splat(float(block_y + row));
+  return kWidth == 16 ? y + row_number(0) : y;
+}
+
 /// Planes of a primitive with the x part at the columns of a block: a + gx * px.
 struct BlockPlane {
   FloatV column[kWidth < 8 ? 2 : 1];

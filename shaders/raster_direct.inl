@@ -51,6 +51,7 @@ static void direct_primitive(const RasterDraw& draw, const TileTarget& tile, con
       // colours of those that live.
       alignas(64) int32_t live_lanes[64];
       uint32_t live_vectors = 0;
+      IntV all = splat(-1); // of the lanes looked at
       const uint64_t box = box_mask(edges, bx, by);
       const IntV columns[2] = {mask_of_bits(uint32_t(box >> (8 * first))), mask_of_bits(uint32_t(box >> (8 * first)) >> (kWidth & 7))};
       auto rows = [&](auto cut) __attribute__((always_inline)) {
@@ -60,8 +61,8 @@ static void direct_primitive(const RasterDraw& draw, const TileTarget& tile, con
         if constexpr (cut)
           for (int i = 0; i < Edges; ++i)
             for (int h = 0; h < kHalves; ++h) v[i][h] = steps.column[i][h] + (e[i] + edges.b[i] * first);
-        for (int row = first; row < last; row += kRows) {
-          const FloatV py = kRows == 2 ? splat(float(y + row)) + row_number(0) : splat(float(y + row));
+        FloatV py = row_coordinates(y, first);
+        for (int row = first; row < last; row += kRows, py += float(kRows)) {
           for (int h = 0; h < kHalves; ++h) {
             const int at = row * 8 + h * kWidth;
             IntV live = kRows == 2 ? mask_of_bits(uint32_t(box >> at)) : columns[h];
@@ -82,6 +83,7 @@ static void direct_primitive(const RasterDraw& draw, const TileTarget& tile, con
             }
             store(live_lanes + at, live);
             live_vectors |= uint32_t(sign_bits(live) != 0) << (row * kHalves / kRows + h);
+            all &= live;
           }
         }
       };
@@ -94,25 +96,33 @@ static void direct_primitive(const RasterDraw& draw, const TileTarget& tile, con
         w = block_plane(p.plane[kPlaneW], x);
         for (int k = 0; k < 4; ++k) c[k] = block_plane(p.plane[kPlaneColor + k], x);
       }
-      do {
-        const int i = __builtin_ctz(live_vectors), at = i * kWidth, h = kWidth < 8 ? i & 1 : 0;
-        live_vectors &= live_vectors - 1;
-        const IntV live = load(live_lanes + at);
+      auto merged = [&](int at, int h, FloatV py) __attribute__((always_inline)) {
         IntV source = constant_color;
         if (!flat) {
-          const FloatV py = kRows == 2 ? splat(float(y + (at >> 3))) + row_number(0) : splat(float(y + (at >> 3)));
           const FloatV r = divide ? splat(1.0f) / (w.gy * py + w.column[h]) : splat(1.0f);
           auto value = [&](int k) { return (c[k].gy * py + c[k].column[h]) * r; };
           const FloatV a[4] = {value(0), value(1), value(2), draw.opaque ? splat(1.0f) : value(3)};
           source = pack_color(a[0], a[1], a[2], a[3]);
         }
-        const IntV target = load(color + at);
-        if constexpr (Color == DirectColor::Over) source = blend_over(source, target);
+        if constexpr (Color == DirectColor::Over) source = blend_over(source, load(color + at));
         if constexpr (Color == DirectColor::Any) {
-          if (key.logic_op) source = logic_words(unsigned(key.blend_source_rgb), source, target);
-          else source = blend_words(key, *draw.program->constants, source, target);
+          if (key.logic_op) source = logic_words(unsigned(key.blend_source_rgb), source, load(color + at));
+          else source = blend_words(key, *draw.program->constants, source, load(color + at));
         }
-        store(color + at, choose(live & color_mask, source, target));
+        return source;
+      };
+      // Most blocks of large primitives are hit or missed as a whole.
+      if (first == 0 && last == 8 && draw.color_mask == ~uint32_t(0) && sign_bits(all) == (uint64_t(1) << kWidth) - 1) {
+        FloatV py = row_coordinates(y, 0);
+        for (int at = 0; at < 64; py += float(kRows))
+          for (int h = 0; h < kHalves; ++h, at += kWidth) store(color + at, merged(at, h, py));
+        continue;
+      }
+      do {
+        const int i = __builtin_ctz(live_vectors), at = i * kWidth, h = kWidth < 8 ? i & 1 : 0;
+        live_vectors &= live_vectors - 1;
+        const IntV live = load(live_lanes + at);
+        store(color + at, choose(live & color_mask, merged(at, h, row_coordinates(y, at >> 3)), load(color + at)));
       } while (live_vectors);
     }
   }

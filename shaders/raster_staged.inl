@@ -15,40 +15,31 @@ struct StripBatch {
 
 /// Merges the strips of `block` whose colours are final.
 static void merge_strips(const RasterDraw& draw, const TileTarget& tile, FragmentBlock& block, const StripBatch& batch) {
-  const FragmentProgram& program = *draw.program;
-  const auto format = ColorFormat(program.key.color_format);
-  MergeBlock m;
-  m.lanes = block.lanes;
-  memcpy(m.live, block.live, sizeof(uint32_t) * size_t(block.lanes));
-  memcpy(m.depth, block.depth, sizeof(uint32_t) * size_t(block.lanes));
-  if (tile.depth_stencil)
-    for (int s = 0; s < batch.strips; ++s)
-      memcpy(m.depth_stencil + s * kStripLanes, tile.depth_stencil + batch.pixel[s], kStripLanes * sizeof(uint32_t));
-  if (format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565) {
-    for (int i = 0; i < block.lanes; i += kWidth)
-      store(m.color + i, pack_color(load(block.color[0] + i), load(block.color[1] + i), load(block.color[2] + i), load(block.color[3] + i)));
-    auto* words = static_cast<uint32_t*>(tile.color);
-    auto* halves = static_cast<uint16_t*>(tile.color);
-    for (int s = 0; s < batch.strips; ++s) {
-      if (format == ColorFormat::Rgba8) memcpy(m.target + s * kStripLanes, words + batch.pixel[s], kStripLanes * sizeof(uint32_t));
-      else for (int i = 0; i < kStripLanes; ++i) m.target[s * kStripLanes + i] = expand_565(halves[batch.pixel[s] + i]);
+  const Merger merger{*draw.program};
+  const auto format = ColorFormat(merger.key.color_format);
+  for (int s = 0; s < batch.strips; ++s) {
+    const int first = s * kStripLanes, pixel = batch.pixel[s];
+    if (tile.depth_stencil)
+      for (int i = first; i < first + kStripLanes; i += kWidth)
+        store(block.live + i, merger.depth_stencil(load(block.live + i), load(block.depth + i), tile.depth_stencil + (pixel + i - first)));
+    if (format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565) {
+      uint32_t expanded[kStripLanes];
+      uint32_t* words = format == ColorFormat::Rgba8 ? static_cast<uint32_t*>(tile.color) + pixel : expanded;
+      uint16_t* halves = static_cast<uint16_t*>(tile.color) + pixel;
+      if (format == ColorFormat::Rgb565)
+        for (int i = 0; i < kStripLanes; ++i) expanded[i] = expand_565(halves[i]);
+      for (int i = first; i < first + kStripLanes; i += kWidth)
+        merger.color(load(block.live + i), pack_color(load(block.color[0] + i), load(block.color[1] + i), load(block.color[2] + i), load(block.color[3] + i)), words + (i - first));
+      if (format == ColorFormat::Rgb565)
+        for (int i = 0; i < kStripLanes; ++i) halves[i] = cut_565(expanded[i]);
+      continue;
     }
-    merge_8(program, m);
-    for (int s = 0; s < batch.strips; ++s) {
-      if (format == ColorFormat::Rgba8) memcpy(words + batch.pixel[s], m.target + s * kStripLanes, kStripLanes * sizeof(uint32_t));
-      else for (int i = 0; i < kStripLanes; ++i) halves[batch.pixel[s] + i] = cut_565(m.target[s * kStripLanes + i]);
-    }
-  } else {
-    merge_depth_stencil(program, m);
-    for (int i = 0; i < block.lanes; ++i) {
-      if (!m.live[i]) continue;
+    for (int i = first; i < first + kStripLanes; ++i) {
+      if (!block.live[i]) continue;
       const float color[4] = {block.color[0][i], block.color[1][i], block.color[2][i], block.color[3][i]};
-      store_wide(program, format, color, tile.color, size_t(batch.pixel[i / kStripLanes] + i % kStripLanes));
+      store_wide(*draw.program, format, color, tile.color, size_t(pixel + i - first));
     }
   }
-  if (tile.depth_stencil && (program.key.depth_write || program.key.stencil))
-    for (int s = 0; s < batch.strips; ++s)
-      memcpy(tile.depth_stencil + batch.pixel[s], m.depth_stencil + s * kStripLanes, kStripLanes * sizeof(uint32_t));
 }
 
 static void run_strips(const RasterDraw& draw, const TileTarget& tile, const RasterPrimitive& p, FragmentBlock& block, StripBatch& batch) {
@@ -70,7 +61,9 @@ static void merge_fragments(const TileTarget& tile, const FragmentProgram& progr
   if (tile.depth_stencil)
     for (int32_t i = 0; i < count; ++i) m.depth_stencil[i] = tile.depth_stencil[pixel[i]];
   for (int32_t i = count; i < m.lanes; ++i) m.live[i] = m.color[i] = m.target[i] = m.depth[i] = m.depth_stencil[i] = 0;
-  merge_8(program, m);
+  const Merger merger{program};
+  for (int i = 0; i < m.lanes; i += kWidth)
+    merger.color(merger.depth_stencil(load(m.live + i), load(m.depth + i), m.depth_stencil + i), load(m.color + i), m.target + i);
   for (int32_t i = 0; i < count; ++i) {
     if (words) color[pixel[i]] = m.target[i];
     else halves[pixel[i]] = cut_565(m.target[i]);

@@ -37,9 +37,11 @@ SOFTGL_INLINE IntV load(const uint32_t* p) { IntV v; memcpy(&v, p, sizeof v); re
 SOFTGL_INLINE void store(float* p, FloatV v) { memcpy(p, &v, sizeof v); }
 SOFTGL_INLINE void store(int32_t* p, IntV v) { memcpy(p, &v, sizeof v); }
 SOFTGL_INLINE void store(uint32_t* p, IntV v) { memcpy(p, &v, sizeof v); }
-SOFTGL_INLINE FloatV splat(float x) { return FloatV{} + x; }
-SOFTGL_INLINE IntV splat(int32_t x) { return IntV{} + x; }
+// x - 0 is x, for all x, so nothing is left of it but the broadcast; 0 + x would be 0 for -0, and an addition.
+SOFTGL_INLINE FloatV splat(float x) { return x - FloatV{}; }
+SOFTGL_INLINE IntV splat(int32_t x) { return x - IntV{}; }
 SOFTGL_INLINE FloatV to_float(IntV v) { return __builtin_convertvector(v, FloatV); }
+SOFTGL_INLINE IntV truncate(FloatV v) { return __builtin_convertvector(v, IntV); }
 
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 SOFTGL_INLINE IntV round_to_int(FloatV v) { return (IntV)_mm512_cvtps_epi32((__m512)v); }
@@ -70,6 +72,8 @@ SOFTGL_INLINE IntV multiply(IntV a, IntV b) { return (IntV)((UintV)a * (UintV)b)
 
 SOFTGL_INLINE IntV choose(IntV mask, IntV a, IntV b) { return (a & mask) | (b & ~mask); }
 SOFTGL_INLINE FloatV choose(IntV mask, FloatV a, FloatV b) { return (FloatV)(((IntV)a & mask) | ((IntV)b & ~mask)); }
+/// True when a bit of any lane is set.
+SOFTGL_INLINE bool any(IntV v) { return sign_bits(v != IntV{}) != 0; }
 /// Into [0,1]; not a number becomes 0.
 SOFTGL_INLINE FloatV unit_range(FloatV v) { return min_(max_(v, FloatV{}), splat(1.0f)); }
 
@@ -111,6 +115,31 @@ SOFTGL_INLINE void load_transposed(const float* const* place, FloatV out[4], ptr
   __m128 a = _mm_loadu_ps(place[0] + offset), b = _mm_loadu_ps(place[1] + offset), c = _mm_loadu_ps(place[2] + offset), d = _mm_loadu_ps(place[3] + offset);
   _MM_TRANSPOSE4_PS(a, b, c, d);
   out[0] = (FloatV)a, out[1] = (FloatV)b, out[2] = (FloatV)c, out[3] = (FloatV)d;
+#endif
+}
+
+/// The words at place(i) and behind it, for lane i.
+template <class Place> SOFTGL_INLINE void load_pairs(Place place, IntV& first, IntV& second) {
+  auto pairs = [&](int i) __attribute__((always_inline)) {
+    const __m128 low = _mm_castsi128_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(place(i))));
+    return _mm_loadh_pi(low, reinterpret_cast<const __m64*>(place(i + 1)));
+  };
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+  auto eight = [&](int i) __attribute__((always_inline)) {
+    __m512 v = _mm512_castps128_ps512(pairs(i));
+    v = _mm512_insertf32x4(v, pairs(i + 4), 1);
+    v = _mm512_insertf32x4(v, pairs(i + 8), 2);
+    return _mm512_insertf32x4(v, pairs(i + 12), 3);
+  };
+  const __m512 a = eight(0), b = eight(2);
+  first = (IntV)_mm512_shuffle_ps(a, b, 0x88), second = (IntV)_mm512_shuffle_ps(a, b, 0xdd);
+#elif defined(__AVX2__)
+  auto four = [&](int i) __attribute__((always_inline)) { return _mm256_insertf128_ps(_mm256_castps128_ps256(pairs(i)), pairs(i + 4), 1); };
+  const __m256 a = four(0), b = four(2);
+  first = (IntV)_mm256_shuffle_ps(a, b, 0x88), second = (IntV)_mm256_shuffle_ps(a, b, 0xdd);
+#else
+  const __m128 a = pairs(0), b = pairs(2);
+  first = (IntV)_mm_shuffle_ps(a, b, 0x88), second = (IntV)_mm_shuffle_ps(a, b, 0xdd);
 #endif
 }
 

@@ -108,37 +108,25 @@ static inline __attribute__((always_inline)) void nearest_axis(const FragmentBlo
 }
 
 typedef uint32_t AliasedWord __attribute__((may_alias, aligned(1)));
-typedef uint64_t AliasedPair __attribute__((may_alias, aligned(1)));
 
 /// The 2x2 footprints at texel numbers `first`, filtered.
 template <class Levels>
 static inline __attribute__((always_inline)) void sample_fixed_square(const FragmentBlock& block, const Levels& levels, const int32_t* first,
                                                                       const uint32_t* wx, const uint32_t* wy, uint32_t* texel) {
-  alignas(64) uint64_t top[kLanes], bottom[kLanes];
-  for (int i = 0; i < block.lanes; ++i) {
-    const unsigned char* p = levels.texels(i) + size_t(uint32_t(first[i])) * 4;
-    top[i] = *reinterpret_cast<const AliasedPair*>(p);
-    bottom[i] = *reinterpret_cast<const AliasedPair*>(p + size_t(uint32_t(levels.row(i))) * 4);
-  }
-  alignas(64) uint32_t corner[4][kLanes];
-  SOFTGL_FOR_LANES(block, i) {
-    corner[0][i] = uint32_t(top[i]), corner[1][i] = uint32_t(top[i] >> 32);
-    corner[2][i] = uint32_t(bottom[i]), corner[3][i] = uint32_t(bottom[i] >> 32);
-  }
-  for (int i = 0; i < block.lanes; i += kWords) {
-    auto words = [&](const uint32_t* p) { return *reinterpret_cast<const Words*>(p + i); };
-    const Words upper = lerp_bytes(words(wx), words(corner[0]), words(corner[1]));
-    const Words lower = lerp_bytes(words(wx), words(corner[2]), words(corner[3]));
-    *reinterpret_cast<Words*>(texel + i) = lerp_bytes(words(wy), upper, lower);
+  for (int i = 0; i < block.lanes; i += kWidth) {
+    auto upper = [&](int k) __attribute__((always_inline)) { return levels.texels(i + k) + size_t(uint32_t(first[i + k])) * 4; };
+    auto lower = [&](int k) __attribute__((always_inline)) { return upper(k) + size_t(uint32_t(levels.row(i + k))) * 4; };
+    IntV corner[4];
+    load_pairs(upper, corner[0], corner[1]);
+    load_pairs(lower, corner[2], corner[3]);
+    const IntV weight = load(wx + i);
+    store(texel + i, lerp_bytes(load(wy + i), lerp_bytes(weight, corner[0], corner[1]), lerp_bytes(weight, corner[2], corner[3])));
   }
 }
 
 /// texel += weight * (next - texel), bytewise.
 static inline __attribute__((always_inline)) void lerp_texels(const FragmentBlock& block, const uint32_t* weight, const uint32_t* next, uint32_t* texel) {
-  for (int i = 0; i < block.lanes; i += kWords) {
-    Words& a = *reinterpret_cast<Words*>(texel + i);
-    a = lerp_bytes(*reinterpret_cast<const Words*>(weight + i), a, *reinterpret_cast<const Words*>(next + i));
-  }
+  for (int i = 0; i < block.lanes; i += kWidth) store(texel + i, lerp_bytes(load(weight + i), load(texel + i), load(next + i)));
 }
 
 template <class Levels>
@@ -200,38 +188,26 @@ static inline void sample_fixed(const FragmentBlock& block, const BlockCoordinat
     return;
   }
   find_levels(block, c, t, lod);
-  // One level for all live lanes is the usual case. Dead lanes may be anywhere: they follow the others. Sixteen partial
-  // results, because GCC does not vectorise several reductions in one loop.
-  alignas(64) uint32_t weight[kLanes], weights_[kStripLanes] = {}, magnified_[kStripLanes] = {}, minified_[kStripLanes] = {}, differs_[kStripLanes] = {};
+  // One level for all live lanes is the usual case. Dead lanes may be anywhere: they follow the others.
+  alignas(64) uint32_t weight[kLanes];
   int first = 0;
   while (first < block.lanes - 1 && block.live[first] == 0) ++first;
-  const uint32_t reference = uint32_t(lod.level[first]);
-  for (int32_t strip = 0; strip < block.lanes; strip += kStripLanes) {
-    for (int32_t j = 0; j < kStripLanes; ++j) {
-      const uint32_t live = block.live[strip + j];
-      const uint32_t w = uint32_t(int32_t(lod.fraction[strip + j] * 256.0f)) & live;
-      weight[strip + j] = w | w << 16;
-      weights_[j] |= w;
-    }
-    for (int32_t j = 0; j < kStripLanes; ++j) {
-      const uint32_t live = block.live[strip + j], large = uint32_t(lod.magnified[strip + j]);
-      magnified_[j] |= large & live;
-      minified_[j] |= ~large & live;
-      differs_[j] |= (uint32_t(lod.level[strip + j]) ^ reference) & live;
-    }
+  const int32_t reference = lod.level[first];
+  IntV weights_ = IntV{}, magnified_ = IntV{}, minified_ = IntV{}, differs_ = IntV{};
+  for (int32_t i = 0; i < block.lanes; i += kWidth) {
+    const IntV live = load(block.live + i), w = truncate(load(lod.fraction + i) * 256.0f) & live, large = load(lod.magnified + i);
+    store(weight + i, w | w << 16);
+    weights_ |= w;
+    magnified_ |= large & live;
+    minified_ |= ~large & live;
+    differs_ |= (load(lod.level + i) ^ splat(reference)) & live;
   }
-  uint32_t magnified = 0, minified = 0, weights = 0, differs = 0;
-  for (int32_t j = 0; j < kStripLanes; ++j) {
-    weights |= weights_[j];
-    magnified |= magnified_[j];
-    minified |= minified_[j];
-    differs |= differs_[j];
-  }
-  const bool one_level = differs == 0 && one_image;
-  lod.level[0] = one_level ? int32_t(reference) : lod.level[0];
-  const bool second = t.mip == TextureMip::Linear && weights != 0;
+  const bool weights = any(weights_), magnified = any(magnified_), minified = any(minified_), differs = any(differs_);
+  const bool one_level = !differs && one_image;
+  lod.level[0] = one_level ? reference : lod.level[0];
+  const bool second = t.mip == TextureMip::Linear && weights;
   const bool mixed = t.min_linear != t.mag_linear;
-  const bool minifies = !mixed || minified != 0;
+  const bool minifies = !mixed || minified;
   if (minifies) {
     sample_fixed_level(block, c, t, lod.level, 0, one_level, t.min_linear, texel);
     if (second) {
@@ -240,7 +216,7 @@ static inline void sample_fixed(const FragmentBlock& block, const BlockCoordinat
       lerp_texels(block, weight, next, texel);
     }
   }
-  if (mixed && magnified != 0) {
+  if (mixed && magnified) {
     alignas(64) uint32_t other[kLanes];
     uint32_t* target = minifies ? other : texel;
     for (int i = 0; i < block.lanes; ++i) lod.level[i] = 0; // a magnified lane is at the base level

@@ -5,6 +5,7 @@
 
 #include "fragment_block.h"
 #include "lane_math.h"
+#include "simd.h"
 
 // Lanes come in strips of 16: a constant inner count lets GCC vectorise without a tail.
 #define SOFTGL_FOR_LANES(block, i)                                                                                      \
@@ -37,26 +38,13 @@ static inline __attribute__((always_inline)) int32_t clamp_int(int32_t a, int32_
   return select(mask_of(a > low), a, low);
 }
 
-// A register of words or halves; unaligned and aliasing, because they view arrays of other types.
-#if defined(__AVX512BW__)
-#define SOFTGL_REGISTER_BYTES 64
-#elif defined(__AVX2__)
-#define SOFTGL_REGISTER_BYTES 32
-#else
-#define SOFTGL_REGISTER_BYTES 16
-#endif
-typedef uint32_t Words __attribute__((vector_size(SOFTGL_REGISTER_BYTES), may_alias, aligned(4)));
-typedef uint16_t Halves __attribute__((vector_size(SOFTGL_REGISTER_BYTES), may_alias, aligned(4)));
-constexpr int kWords = SOFTGL_REGISTER_BYTES / 4;
-
 /// a + ((w * (b - a) + 128) >> 8) for each of four bytes per word; `weight` holds w in both halves of each word. Modulo
 /// 65536 this needs 16 bits only, so every instruction set has it.
-static inline __attribute__((always_inline)) Words lerp_bytes(Words weight, Words a, Words b) {
-  const Words even = Words{} + 0x00ff00ffu;
-  const Halves a0 = (Halves)(a & even), b0 = (Halves)(b & even), a1 = (Halves)((a >> 8) & even), b1 = (Halves)((b >> 8) & even);
-  const Halves w = (Halves)weight;
-  const Halves r0 = ((a0 << 8) + w * (b0 - a0) + 128) >> 8, r1 = ((a1 << 8) + w * (b1 - a1) + 128) >> 8;
-  return (Words)r0 | ((Words)r1 << 8);
+SOFTGL_INLINE IntV lerp_bytes(IntV weight, IntV a, IntV b) {
+  const IntV odd = splat(int32_t(0xff00ff00u)), even = ~odd;
+  const ShortV w = (ShortV)weight, half = ShortV{} + uint16_t(128);
+  const ShortV even_step = w * ((ShortV)(b & even) - (ShortV)(a & even)), odd_step = w * (((ShortV)b >> 8) - ((ShortV)a >> 8));
+  return (IntV)((((ShortV)a << 8) + even_step + half) >> 8) | ((IntV)((ShortV)(a & odd) + odd_step + half) & odd);
 }
 
 } // namespace SOFTGL_ISA
