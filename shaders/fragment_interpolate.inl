@@ -28,8 +28,14 @@ SOFTGL_INLINE void quad_differences(const float* value, float* dx, float* dy) {
   }
 }
 
-/// Coordinates of a unit that are read: s and t, or s, t and r.
-SOFTGL_INLINE int coordinates_read(const FragmentProgram& program, int unit) { return program.r_units >> unit & 1 ? 3 : 2; }
+/// What is read of a unit's coordinates: s and t, or s, t and r; and their differences across 2x2 quads.
+struct CoordinatesRead {
+  int count;
+  bool differences;
+};
+SOFTGL_INLINE CoordinatesRead coordinates_read(const FragmentProgram& program, int unit) {
+  return {program.r_units >> unit & 1 ? 3 : 2, (program.lod_units >> unit & 1) != 0};
+}
 
 SOFTGL_INLINE float* lanes_of(FragmentBlock& block, const Varying& v, int component) {
   return reinterpret_cast<float*>(reinterpret_cast<char*>(&block) + v.lanes) + component * kLanes;
@@ -72,30 +78,32 @@ static void interpolate_block(const RasterDraw& draw, const RasterPrimitive& p, 
     float* value[3] = {t.s, t.t, t.r};
     float* dx[3] = {t.ds_dx, t.dt_dx, t.dr_dx};
     float* dy[3] = {t.ds_dy, t.dt_dy, t.dr_dy};
-    const int coordinates = coordinates_read(program, u);
+    const CoordinatesRead read = coordinates_read(program, u);
     for (int i = 0; i < lanes; i += kWidth) {
       const FloatV vx = load(x + i), vy = load(y + i), vw = load(w + i);
       const FloatV rq = splat(1.0f) / (at(q[3], vx, vy) * vw);
-      for (int k = 0; k < coordinates; ++k) store(value[k] + i, (at(q[k], vx, vy) * vw) * rq);
+      for (int k = 0; k < read.count; ++k) store(value[k] + i, (at(q[k], vx, vy) * vw) * rq);
     }
-    for (int k = 0; k < coordinates; ++k)
+    if (!read.differences) continue;
+    for (int k = 0; k < read.count; ++k)
       for (int i = 0; i < lanes; i += kStripLanes) quad_differences(value[k] + i, dx[k] + i, dy[k] + i);
   }
 }
 
 /// Coordinates of one unit for lanes [lane, lane + kWidth), each with its own planes: at the lane's pixel and at three
 /// corners of its 2x2 quad.
-SOFTGL_INLINE void interpolate_unit(BlockCoordinates& t, int lane, int coordinates, const PlaneV& w, const PlaneV q[4], IntV px, IntV py) {
+SOFTGL_INLINE void interpolate_unit(BlockCoordinates& t, int lane, CoordinatesRead read, const PlaneV& w, const PlaneV q[4], IntV px, IntV py) {
   float* value[3] = {t.s, t.t, t.r};
   float* dx[3] = {t.ds_dx, t.dt_dx, t.dr_dx};
   float* dy[3] = {t.ds_dy, t.dt_dy, t.dr_dy};
-  const FloatV x = to_float(px), y = to_float(py), x0 = to_float(px & ~1), y0 = to_float(py & ~1), x1 = x0 + 1.0f, y1 = y0 + 1.0f;
-  const FloatV one = splat(1.0f);
-  const FloatV w_here = one / value_at(w, x, y), w00 = one / value_at(w, x0, y0), w10 = one / value_at(w, x1, y0), w01 = one / value_at(w, x0, y1);
-  const FloatV q_here = one / (value_at(q[3], x, y) * w_here), q00 = one / (value_at(q[3], x0, y0) * w00);
-  const FloatV q10 = one / (value_at(q[3], x1, y0) * w10), q01 = one / (value_at(q[3], x0, y1) * w01);
-  for (int k = 0; k < coordinates; ++k) {
-    store(value[k] + lane, (value_at(q[k], x, y) * w_here) * q_here);
+  const FloatV x = to_float(px), y = to_float(py), one = splat(1.0f);
+  const FloatV w_here = one / value_at(w, x, y), q_here = one / (value_at(q[3], x, y) * w_here);
+  for (int k = 0; k < read.count; ++k) store(value[k] + lane, (value_at(q[k], x, y) * w_here) * q_here);
+  if (!read.differences) return;
+  const FloatV x0 = to_float(px & ~1), y0 = to_float(py & ~1), x1 = x0 + 1.0f, y1 = y0 + 1.0f;
+  const FloatV w00 = one / value_at(w, x0, y0), w10 = one / value_at(w, x1, y0), w01 = one / value_at(w, x0, y1);
+  const FloatV q00 = one / (value_at(q[3], x0, y0) * w00), q10 = one / (value_at(q[3], x1, y0) * w10), q01 = one / (value_at(q[3], x0, y1) * w01);
+  for (int k = 0; k < read.count; ++k) {
     const FloatV v00 = (value_at(q[k], x0, y0) * w00) * q00;
     store(dx[k] + lane, (value_at(q[k], x1, y0) * w10) * q10 - v00);
     store(dy[k] + lane, (value_at(q[k], x0, y1) * w01) * q01 - v00);
@@ -127,11 +135,11 @@ static void interpolate_lanes(const RasterDraw& draw, const RasterPrimitive* con
       for (int k = 0; k < kWidth; ++k) block.back[i + k] = -int32_t(primitive[i + k]->back);
     for (int u = 0; u < kBlockTextureUnits; ++u) {
       if (draw.unit_plane[u] < 0) continue;
-      const int coordinates = coordinates_read(program, u);
+      const CoordinatesRead read = coordinates_read(program, u);
       PlaneV q[4];
-      for (int k = 0; k < coordinates; ++k) q[k] = plane(draw.unit_plane[u] + k);
+      for (int k = 0; k < read.count; ++k) q[k] = plane(draw.unit_plane[u] + k);
       q[3] = plane(draw.unit_plane[u] + 3);
-      interpolate_unit(block.unit[u], i, coordinates, w, q, px, py);
+      interpolate_unit(block.unit[u], i, read, w, q, px, py);
     }
   }
 }

@@ -133,6 +133,8 @@ bool fixed_point(const TextureUnitConstants& t) {
 
 bool reads_r(const TextureUnitConstants& t) { return t.shape == TextureShape::ThreeD || t.shape == TextureShape::Cube || t.compares; }
 
+bool finds_level(const TextureUnitConstants& t) { return t.shape == TextureShape::Cube || t.mip != TextureMip::None || t.min_linear != t.mag_linear; }
+
 } // namespace
 
 void append_texture_stages(Context& c, Arena& arena, FragmentProgram& program, FragmentConstants& constants) {
@@ -155,6 +157,7 @@ void append_texture_stages(Context& c, Arena& arena, FragmentProgram& program, F
       program.add(kernels.choose_face, u);
     }
     if (reads_r(*units[u])) program.r_units = uint8_t(program.r_units | 1u << u);
+    if (finds_level(*units[u])) program.lod_units = uint8_t(program.lod_units | 1u << u);
     keeps_primary |= reads_source(*units[u], CombineSource::Primary);
     for (int other = 0; other < kMaxTextureUnits; ++other)
       crossbar |= other != u && reads_source(*units[u], CombineSource(int(CombineSource::Texture0) + other));
