@@ -36,6 +36,18 @@ static void choose_size(const Scene& scene, uint64_t seed, int& width, int& heig
   height = scene.random ? kSizes[seed % 8][1] : scene.height;
 }
 
+namespace {
+/// A context that goes before the buffer it draws to, also when a scene throws.
+struct CurrentContext {
+  const Gl& gl;
+  void* context;
+  ~CurrentContext() {
+    gl.OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+    gl.OSMesaDestroyContext(context);
+  }
+};
+} // namespace
+
 Picture draw(const Gl& gl, const Scene& scene, uint64_t seed) {
   Picture p;
   choose_size(scene, seed, p.width, p.height);
@@ -43,10 +55,9 @@ Picture draw(const Gl& gl, const Scene& scene, uint64_t seed) {
   if (!context) throw std::runtime_error(gl.name + ": OSMesaCreateContextExt failed");
   const size_t pixels = size_t(p.width) * p.height;
   p.color.assign(pixels * 4, 0);
-  if (!gl.OSMesaMakeCurrent(context, p.color.data(), GL_UNSIGNED_BYTE, p.width, p.height)) {
-    gl.OSMesaDestroyContext(context);
+  const CurrentContext current{gl, context};
+  if (!gl.OSMesaMakeCurrent(context, p.color.data(), GL_UNSIGNED_BYTE, p.width, p.height))
     throw std::runtime_error(gl.name + ": OSMesaMakeCurrent failed");
-  }
   uint64_t name = 0xcbf29ce484222325u; // every family draws something else for one seed
   for (char c : scene.numbers.empty() ? scene.name : scene.numbers) name = (name ^ uint8_t(c)) * 0x100000001b3u;
   Random random(seed * 1000003u + name);
@@ -66,8 +77,6 @@ Picture draw(const Gl& gl, const Scene& scene, uint64_t seed) {
     p.depth.resize(pixels), p.stencil.resize(pixels);
     for (size_t i = 0; i < pixels; i++) p.depth[i] = raw[i] & 0xffffff, p.stencil[i] = uint8_t(raw[i] >> 24);
   }
-  gl.OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
-  gl.OSMesaDestroyContext(context);
   return p;
 }
 
