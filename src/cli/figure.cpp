@@ -204,7 +204,8 @@ FigureSubject model_subject(std::string name, Mesh mesh, std::vector<Material> m
 }
 
 Picture draw_figure(const FigureSubject& subject, const RenderOptions& options, Warnings& warnings) {
-  return compose_sheet("The Phong illumination model and Phong shading: " + subject.name,
+  const std::string file = subject.name.substr(subject.name.find_last_of('/') + 1);
+  return compose_sheet("The Phong illumination model and Phong shading: " + file,
                        FigureDrawer(subject, options, warnings).rows());
 }
 

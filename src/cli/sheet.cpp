@@ -51,9 +51,19 @@ private:
   std::vector<Vertex> vertices;
 };
 
+// The font has the letters of ASCII; others, letter by letter of UTF-8, become question marks.
+std::string printable(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    const bool ascii = (c >= ' ' && c <= '~') || c == '\n', continued = (static_cast<unsigned char>(c) & 0xc0) == 0x80;
+    if (!continued) out += ascii ? c : '?';
+  }
+  return out;
+}
+
 class SheetComposer {
 public:
-  SheetComposer(const std::string& title, const std::vector<SheetRow>& rows) : title(title), rows(rows) {}
+  SheetComposer(const std::string& title, const std::vector<SheetRow>& rows) : title(printable(title)), rows(rows) {}
 
   Picture compose() {
     measure();
@@ -85,11 +95,21 @@ private:
     label = letter * 2 * kLine + kGap; // two lines
     row_title = 2 * letter * kLine + kGap;
     sheet_title = 3 * letter * kLine + kGap;
-    width = kGap + static_cast<int>(columns) * (part_width + kGap);
+    column_width = part_width;
+    for (const SheetRow& row : rows)
+      for (const SheetEntry& entry : row.entries) {
+        std::string text = entry.label;
+        column_width = std::max(column_width, letter * stb_easy_font_width(text.data()));
+      }
+    width = kGap + static_cast<int>(columns) * (column_width + kGap);
+    // A long title has smaller letters; one that is too long even so, loses its end.
+    const int room = width - 2 * kGap;
+    for (size_t length = title.size(); stb_easy_font_width(title.data()) > room && length > 0; --length) title = title.substr(0, length - 1) + "...";
+    title_letter = std::clamp(room / std::max(1, stb_easy_font_width(title.data())), 1, 3 * letter);
     height = sheet_title + static_cast<int>(rows.size()) * (row_title + part_height + label);
   }
 
-  int left(size_t column) const { return kGap + static_cast<int>(column) * (part_width + kGap); }
+  int left(size_t column) const { return kGap + static_cast<int>(column) * (column_width + kGap); }
   int top(size_t row) const { return sheet_title + static_cast<int>(row) * (row_title + part_height + label); }
 
   void draw_text(GrowingArray<uint8_t>& pixels) const {
@@ -104,7 +124,7 @@ private:
     glMatrixMode(GL_MODELVIEW);
     TextDrawer text;
     glColor3f(0.1f, 0.1f, 0.1f);
-    text.draw(kGap, kGap, 3 * letter, title);
+    text.draw(kGap, kGap, title_letter, title);
     for (size_t row = 0; row < rows.size(); ++row) {
       glColor3f(0.1f, 0.1f, 0.1f);
       text.draw(kGap, top(row) + kGap / 2, 2 * letter, rows[row].title);
@@ -124,10 +144,10 @@ private:
     }
   }
 
-  const std::string& title;
+  std::string title;
   const std::vector<SheetRow>& rows;
-  int part_width = 0, part_height = 0, width = 0, height = 0;
-  int letter = 1;                              // size of the labels' letters; titles are twice and three times as large
+  int part_width = 0, part_height = 0, column_width = 0, width = 0, height = 0;
+  int letter = 1, title_letter = 1;            // size of the labels' letters; titles are twice and three times as large
   int label = 0, row_title = 0, sheet_title = 0; // heights
 };
 

@@ -9,7 +9,7 @@ using namespace softgl::test;
 
 namespace {
 
-constexpr int kPart = 64, kGap = 12, kTop = 48, kRow = 36 + kPart + 36; // of a sheet with letters of size one
+constexpr int kPart = 200, kGap = 12, kTop = 48, kRow = 36 + kPart + 36; // of a sheet with letters of size one
 
 struct Sheet {
   TestPicture picture;
@@ -28,7 +28,7 @@ struct Sheet {
 };
 
 Sheet draw(std::vector<std::string> options) {
-  std::vector<std::string> arguments = {"figure", "-o", "-", "--format", "ppm", "--size", "64x64", "--bg", "black"};
+  std::vector<std::string> arguments = {"figure", "-o", "-", "--format", "ppm", "--size", "200x200", "--bg", "black"};
   arguments.insert(arguments.end(), options.begin(), options.end());
   const ProgramRun run = run_softgl(arguments);
   INFO(run.errors);
@@ -60,11 +60,17 @@ TEST_CASE("figure: the sphere's sheet says what the lecture says", "[models][pro
 }
 
 TEST_CASE("figure: of a model, at the same fineness steps", "[models][program]") {
-  const std::string folder = output_folder("figure");
-  std::ofstream(folder + "wedge.obj") << "v -1 0 0\nv 0 -1 1\nv 1 0 0\nv 0 1 1\nvn -1 0 1\nvn 0 -1 1\nvn 1 0 1\nvn 0 1 1\nf 1//1 2//2 3//3 4//4\n";
-  const Sheet sheet = draw({folder + "wedge.obj", "--ks", "0.9", "--ns", "40", "--view", "front"});
+  const std::string folder = output_folder("figure"), file = folder + "w\xc3\xa9""dge, " + std::string(60, 'w') + ".obj";
+  std::ofstream(file) << "v -1 0 0\nv 0 -1 1\nv 1 0 0\nv 0 1 1\nvn -1 0 1\nvn 0 -1 1\nvn 1 0 1\nvn 0 1 1\nf 1//1 2//2 3//3 4//4\n";
+  const Sheet sheet = draw({file, "--ks", "0.9", "--ns", "40", "--view", "front"});
   REQUIRE(sheet.picture.width == kGap + 5 * (kPart + kGap));
   for (int column = 0; column < 4; ++column) CHECK(sheet.mean(4, column) > sheet.mean(4, column + 1));
+  // The title names the file without its folders, and fits.
+  int ink = 0, beyond = 0;
+  for (int y = 0; y < kTop; ++y)
+    for (int x = 0; x < sheet.picture.width; ++x)
+      if (sheet.picture.at(x, y)[0] < 128) ++ink, beyond += x >= sheet.picture.width - kGap;
+  CHECK((ink > 500 && beyond == 0));
 }
 
 TEST_CASE("figure: wrong usage", "[models][program]") {

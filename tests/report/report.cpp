@@ -47,6 +47,13 @@ std::string number(double value) {
   return text;
 }
 
+// 100 only where all are equal.
+std::string percentage(size_t equal, size_t all) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.7g", std::floor(1e6 * static_cast<double>(equal) / static_cast<double>(all)) / 1e4);
+  return std::string(text) + "&nbsp;%";
+}
+
 struct Tally {
   size_t rows = 0, equal = 0, passed = 0, channels = 0, unequal = 0;
   int largest = 0;
@@ -95,7 +102,7 @@ public:
   }
 
   std::string svg() const {
-    std::string out = "<svg viewBox=\"0 0 " + number(kWidth) + " " + number(kHeight) + "\" width=\"" + number(kWidth) + "\" role=\"img\">";
+    std::string out = "<svg viewBox=\"0 0 " + number(kWidth) + " " + number(kHeight) + "\" role=\"img\">";
     out += "<rect x=\"" + number(kLeft) + "\" y=\"" + number(kTop) + "\" width=\"" + number(kWidth - kLeft - kRight) + "\" height=\"" +
            number(kHeight - kTop - kBottom) + "\" class=\"frame\"/>";
     for (double decade = std::pow(10, std::floor(std::log10(low_y))); decade <= high_y * 1.001; decade *= 10)
@@ -134,7 +141,7 @@ void replace(std::string& page, const std::string& placeholder, const std::strin
 
 bool passes(const ReportRow& row) {
   const Difference d = compare(row.ours, row.theirs);
-  return !d.size && !d.errors && !d.depth_values && d.max_color <= row.allowed;
+  return !d.size && !d.errors && !(d.depth_values && row.same_depths) && d.max_color <= row.allowed;
 }
 
 std::string report_page(const std::string& page, const Report& report) {
@@ -144,7 +151,7 @@ std::string report_page(const std::string& page, const Report& report) {
   for (const auto& [group, t] : tallies)
     summary += "<tr class=\"" + std::string(t.passed == t.rows ? "equal" : "failed") + "\">" +
                cells({escape(group), std::to_string(t.rows), std::to_string(t.equal), std::to_string(t.passed), std::to_string(t.unequal),
-                      number(100.0 * static_cast<double>(t.channels - t.unequal) / static_cast<double>(t.channels)) + " %", std::to_string(t.largest)}) +
+                      percentage(t.channels - t.unequal, t.channels), std::to_string(t.largest)}) +
                "</tr>\n";
   for (const std::string& version : report.versions) versions += "<li>" + escape(version) + "</li>\n";
   std::map<std::string, std::vector<const ReportCurve*>> by_plot;

@@ -65,15 +65,17 @@ frame.addEventListener('load', () => {
 TEST_CASE("report: rows, states and sums", "[report]") {
   Report report;
   report.versions = {"one <1>"};
-  report.rows.push_back({"a & b", "same", "", plain(7), plain(7), 0});
-  report.rows.push_back({"a & b", "near", "", plain(7), plain(8), 1});
-  report.rows.push_back({"c", "far", "", plain(7), plain(9), 1});
+  report.rows.push_back({"a & b", "same", "", plain(7), plain(7), true, 0});
+  report.rows.push_back({"a & b", "near", "", plain(7), plain(8), true, 1});
+  report.rows.push_back({"c", "far", "", plain(7), plain(9), true, 1});
   report.curves.push_back({"errors", "sphere", {{8, 0.5}, {16, 0.1}}});
   CHECK(passes(report.rows[1]));
   CHECK_FALSE(passes(report.rows[2]));
   ReportRow deeper = report.rows[0];
   deeper.ours.depth[3] = 1;
   CHECK_FALSE(passes(deeper)); // colours are not all that counts
+  deeper.same_depths = false;
+  CHECK(passes(deeper));
   const std::string page = report_page(template_page(), report);
   CHECK(count(page, "data-state=\"equal\"") == 1);
   CHECK(count(page, "data-state=\"within\"") == 1);
@@ -81,7 +83,7 @@ TEST_CASE("report: rows, states and sums", "[report]") {
   CHECK(count(page, "src=\"data:image/png;base64,iVBORw0KGgo") == 9);
   CHECK(page.find("one &lt;1&gt;") != std::string::npos);
   CHECK(page.find("24 of 24 colour bytes differ, by at most 2") != std::string::npos);
-  CHECK(page.find("<td>a &amp; b</td><td>2</td><td>1</td><td>2</td><td>24</td><td>50 %</td><td>1</td>") != std::string::npos);
+  CHECK(page.find("<td>a &amp; b</td><td>2</td><td>1</td><td>2</td><td>24</td><td>50&nbsp;%</td><td>1</td>") != std::string::npos);
   CHECK(count(page, "<polyline") == 1);
   CHECK_THROWS(report_page("<html></html>", report));
 }

@@ -26,17 +26,22 @@ constexpr const char* kUsage = "usage: softgl_report [-o REPORT.html] [--seeds N
 
 class ReportMaker {
 public:
-  explicit ReportMaker(uint64_t seeds) : seeds(seeds), shaders(shader_library(Twins::Phong)) {
+  explicit ReportMaker(uint64_t seeds) : seeds(seeds), shaders(shader_library(Twins::PhongAndGouraud)) {
     report.versions = {"softgl: " + library_text(softgl_library()), "OSMesa: " + library_text(osmesa_library()),
-                       "Shading per pixel is compared with shaders/glsl, run by that OSMesa."};
+                       "softgl's extensions (lighting per pixel, reflection vectors, single terms) are compared with shaders/glsl, run by that OSMesa."};
   }
 
   Report make() {
     for (const Scene& scene : named_scenes()) add("fixed function: softgl and OSMesa", scene, 0, osmesa_library(), 0);
-    for (const char* family : {"lit", "lighting"})
+    for (const char* family : {"lit", "materials", "normals", "lighting"})
       for (uint64_t seed = 0; seed < seeds; ++seed) add("lighting per vertex: softgl and OSMesa", *find_scene(family), seed, osmesa_library(), 0);
-    for (uint64_t seed = 0; seed < seeds; ++seed)
-      add("lighting per pixel: softgl and its GLSL twin on OSMesa", *find_scene("phong_twin"), seed, shaders, 1);
+    for (const char* family : {"illumination", "gouraud_twin"})
+      for (uint64_t seed = 0; seed < seeds; ++seed) add("reflection vectors and terms per vertex: softgl and its GLSL twin on OSMesa", *find_scene(family), seed, shaders, 1);
+    constexpr const char* kPixels = "lighting per pixel: softgl and its GLSL twin on OSMesa";
+    for (const Scene& scene : extension_scenes())
+      if (!scene.random) add(kPixels, scene, 0, shaders, 1);
+    for (const char* family : {"phong", "phong_twin"})
+      for (uint64_t seed = 0; seed < seeds; ++seed) add(kPixels, *find_scene(family), seed, shaders, 1);
     for (const bool reflection : {false, true})
       for (const char* shape : {"sphere", "plane", "box"}) add_curves(shape, reflection);
     return std::move(report);
@@ -45,7 +50,7 @@ public:
 private:
   // The mean over all set-ups of lights and material.
   void add_curves(const std::string& shape, bool reflection) {
-    const std::string plot = std::string("Mean difference to the ray-cast picture in 1/255, over slices: ") + (reflection ? "reflection vector" : "half vector");
+    const std::string plot = std::string("Mean difference from ray casting, of 255, by slices: ") + (reflection ? "reflection vector" : "half vector");
     std::map<int, std::pair<double, double>> errors; // Phong's and Gouraud's by slices
     for (const ConvergencePoint& point : compare_with_raycast(shape, reflection, {8, 16, 32, 64, 128})) {
       errors[point.slices].first += point.phong_mean / raycast_setups();
@@ -68,6 +73,7 @@ private:
     row.ours = draw(softgl_library(), scene, seed);
     row.theirs = draw(other, scene, seed);
     row.allowed = allowed;
+    row.same_depths = !(scene.extension && scene.clipped);
     report.rows.push_back(std::move(row));
   }
 

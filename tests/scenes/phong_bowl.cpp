@@ -22,6 +22,6 @@ static void draw_phong_bowl(Stage& s) {
   gl.End();
 }
 
-static SceneRegistration registration{{.name = "phong_bowl", .draw = draw_phong_bowl, .width = 224, .height = 168, .extension = true}};
+static SceneRegistration registration{{.name = "phong_bowl", .draw = draw_phong_bowl, .width = 224, .height = 168, .extension = true, .clipped = true}};
 
 } // namespace softgl::test

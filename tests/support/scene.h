@@ -24,6 +24,7 @@ struct Scene {
   bool random = false;             // the seed decides what is drawn, and the size of the picture
   int width = 160, height = 120;   // of a scene that is not random
   bool extension = false;          // uses an extension that OSMesa does not have
+  bool clipped = false;            // by planes of its own: where shaders draw, OSMesa computes the corners that arise another way
   std::string numbers = {};        // draws the random numbers of this name; empty: of its own
 };
 

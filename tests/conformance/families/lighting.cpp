@@ -118,6 +118,8 @@ static void lit_batch(Stage& s, const LightingOptions& o) {
   } else {
     PrimitiveOptions options;
     options.mode = s.random.chance(10) ? GLenum(s.random.pick({GL_POINTS, GL_LINES, GL_LINE_STRIP})) : random_filled_mode(s);
+    // Vertex by vertex, not in the pairs in which OSMesa cuts strips of quads, now so and now so, where they are folded.
+    if (o.texture && (options.mode == GL_QUADS || options.mode == GL_QUAD_STRIP)) options.mode = GL_TRIANGLE_STRIP;
     options.normals = true;
     options.colors = color_material || s.random.chance(20);
     options.materials = o.materials_inside && s.random.chance(30);
