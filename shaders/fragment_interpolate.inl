@@ -79,8 +79,9 @@ static void interpolate_block(const RasterDraw& draw, const RasterPrimitive& p, 
     float* dx[3] = {t.ds_dx, t.dt_dx, t.dr_dx};
     float* dy[3] = {t.ds_dy, t.dt_dy, t.dr_dy};
     const CoordinatesRead read = coordinates_read(program, u);
+    const bool flat = draw.flat_units >> u & 1;
     for (int i = 0; i < lanes; i += kWidth) {
-      const FloatV vx = load(x + i), vy = load(y + i), vw = load(w + i);
+      const FloatV vx = load(x + i), vy = load(y + i), vw = flat ? splat(1.0f) : load(w + i);
       const FloatV rq = splat(1.0f) / (at(q[3], vx, vy) * vw);
       for (int k = 0; k < read.count; ++k) store(value[k] + i, (at(q[k], vx, vy) * vw) * rq);
     }
@@ -88,6 +89,11 @@ static void interpolate_block(const RasterDraw& draw, const RasterPrimitive& p, 
     for (int k = 0; k < read.count; ++k)
       for (int i = 0; i < lanes; i += kStripLanes) quad_differences(value[k] + i, dx[k] + i, dy[k] + i);
   }
+}
+
+/// 1/w for the coordinates of a unit: 1 where they are not interpolated.
+SOFTGL_INLINE PlaneV plane_of_w(const RasterDraw& draw, int unit, const PlaneV& w) {
+  return draw.flat_units >> unit & 1 ? PlaneV{splat(1.0f), FloatV{}, FloatV{}} : w;
 }
 
 /// Coordinates of one unit for lanes [lane, lane + kWidth), each with its own planes: at the lane's pixel and at three
@@ -139,7 +145,7 @@ static void interpolate_lanes(const RasterDraw& draw, const RasterPrimitive* con
       PlaneV q[4];
       for (int k = 0; k < read.count; ++k) q[k] = plane(draw.unit_plane[u] + k);
       q[3] = plane(draw.unit_plane[u] + 3);
-      interpolate_unit(block.unit[u], i, read, w, q, px, py);
+      interpolate_unit(block.unit[u], i, read, plane_of_w(draw, u, w), q, px, py);
     }
   }
 }

@@ -33,6 +33,7 @@ struct RasterDraw {
   uint8_t plane_count, varying_count;
   Varying varying[kMaxVaryings];
   int8_t unit_plane[kBlockTextureUnits];
+  uint8_t flat_units; // bit u: the coordinates of texture unit u are the same for all vertices, and not interpolated
   bool facing; // the block's `back` is filled
   bool small;  // triangles of few pixels become finished fragments
   bool opaque; // alpha is 1 at all vertices, so it is 1 / w times w everywhere, which rounds to 255
@@ -43,7 +44,7 @@ constexpr int kPlaneZ = 0, kPlaneW = 1, kPlaneColor = 2;
 
 /// The coordinates of a texture unit that is in use; they have no lanes of their own, being divided by q.
 inline Varying coordinates_of_unit(const RasterDraw& draw, int unit) {
-  return {0, draw.layout.texcoord[unit], draw.layout.texcoord[unit], 0, 4, draw.unit_plane[unit], false};
+  return {0, draw.layout.texcoord[unit], draw.layout.texcoord[unit], 0, 4, draw.unit_plane[unit], (draw.flat_units >> unit & 1) != 0};
 }
 // Most planes there are where fragments are lit: normal, eye, materials of both faces (four colours and the exponent),
 // fog, coordinates.

@@ -222,7 +222,7 @@ private:
       const Varying v = coordinates_of_unit(draw_, u);
       planes.select(v);
       const PlaneV q[4] = {planes.plane(v, 0), planes.plane(v, 1), planes.plane(v, 2), planes.plane(v, 3)};
-      interpolate_unit(block_.unit[u], lane, coordinates_read(program_, u), w, q, px, py);
+      interpolate_unit(block_.unit[u], lane, coordinates_read(program_, u), plane_of_w(draw_, u, w), q, px, py);
     }
     store(block_.x + lane, px), store(block_.y + lane, py);
     store(block_.depth + lane, depth);

@@ -26,7 +26,8 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
   d.raster = draw.raster;
   d.layout = draw.layout;
   // OSMesa 22.3.6 hands an unlit colour that no vertex sets straight to the fragments, without interpolating it (which
-  // would disturb its last bits: 0.3 * 255 is a tie).
+  // would disturb its last bits: 0.3 * 255 is a tie). So it does with texture coordinates that nothing changes on the way,
+  // unless GL_POINT_SPRITE is on.
   const bool unlit = draw.vertex && !draw.vertex->lit && !key.lit && draw.call.source;
   auto flat = [&](AttributeSlot slot) { return key.flat || (unlit && !(draw.call.source->present >> slot & 1)); };
   int planes = kPlaneColor;
@@ -49,7 +50,11 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
       vary(offsetof(FragmentBlock, material) + size_t(i) * sizeof(FragmentBlock::material[0]), l.material[i], -1, 0, i / 2 == kMaterialShininess ? 1 : 4, false);
     d.facing = draw.raster->two_sided;
   }
-  for (int u = 0; u < kBlockTextureUnits; ++u) d.unit_plane[u] = key.texture_units >> u & 1 && l.texcoord[u] >= 0 ? take(4) : int8_t(-1);
+  const bool constant = draw.vertex && !key.lit && draw.call.source && !draw.raster->point_sprite;
+  for (int u = 0; u < kBlockTextureUnits; ++u) {
+    d.unit_plane[u] = key.texture_units >> u & 1 && l.texcoord[u] >= 0 ? take(4) : int8_t(-1);
+    if (constant && !(draw.call.source->present >> (kTexCoord0 + u) & 1) && !draw.vertex->coordinates[u]) d.flat_units |= uint8_t(1u << u);
+  }
   d.plane_count = static_cast<uint8_t>(planes);
   const auto format = static_cast<ColorFormat>(key.color_format);
   d.opaque = draw.vertex && is_opaque(*draw.vertex);

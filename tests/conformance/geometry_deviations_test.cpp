@@ -96,6 +96,22 @@ int point_area(const Gl& gl, float at_distance) {
   return int(std::count(p.color.begin(), p.color.end(), 255)) / 4;
 }
 
+bool unused; // there is a vertex out of view that no index names
+
+// A folded quadrilateral of a strip, whose two triangles overlap: the later one is seen.
+void draw_folded_strip(Stage& s) {
+  const Gl& gl = s.gl;
+  const GLfloat v[5][2] = {{-0.8f, -0.8f}, {unused ? 9.0f : 0.0f, 0}, {-0.8f, 0.8f}, {0.8f, 0.8f}, {0.6f, -0.3f}};
+  const GLubyte color[5][3] = {{255, 0, 0}, {0, 0, 0}, {0, 255, 0}, {0, 0, 255}, {255, 255, 255}};
+  const GLubyte index[6] = {0, 2, 3, 4, 3, 4}; // another one without area, for OSMesa to shade all five vertices
+  gl.EnableClientState(GL_VERTEX_ARRAY);
+  gl.EnableClientState(GL_COLOR_ARRAY);
+  gl.VertexPointer(2, GL_FLOAT, 0, v);
+  gl.ColorPointer(3, GL_UNSIGNED_BYTE, 0, color);
+  gl.DrawRangeElements(GL_QUAD_STRIP, 0, 4, 6, GL_UNSIGNED_BYTE, index);
+  gl.Finish();
+}
+
 GLenum type; // of the colours
 GLint value;
 bool in_array; // or by a command
@@ -160,6 +176,18 @@ TEST_CASE("the viewport does not cut points that shrink with distance", "[confor
   CHECK(point_area(softgl_library(), 2) == 10 * 10);
   CHECK(point_area(softgl_library(), 20) == 1);
   CHECK(point_area(osmesa_library(), 1) < 20 * 20);
+}
+
+TEST_CASE("a vertex that no index names does not change the order of a strip's triangles", "[conformance][deviation]") {
+  const Scene scene{"folded_strip", draw_folded_strip};
+  const auto difference = [&](const Gl& gl) {
+    unused = false;
+    const Picture without = draw(gl, scene, 0);
+    unused = true;
+    return compare(draw(gl, scene, 0), without).any();
+  };
+  CHECK_FALSE(difference(softgl_library()));
+  CHECK(difference(osmesa_library()));
 }
 
 TEST_CASE("arrays of signed integers become colours as the arguments of commands do", "[conformance][deviation]") {

@@ -101,7 +101,50 @@ void draw_attenuated(Stage& s) {
   random_primitive(s, options);
 }
 
+/// Coordinates that no vertex sets, often on the edge of a texel: the last bit decides which one it is.
+void draw_constant_coordinates(Stage& s) {
+  random_canvas(s);
+  for (int batch = s.random.integer(1, 3); batch > 0; batch--) {
+    const int units = s.random.integer(1, 2);
+    for (int u = 0; u < units; u++) {
+      s.gl.ActiveTexture(GLenum(GL_TEXTURE0 + u));
+      some_texture(s);
+      for (GLenum g : {GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_GEN_R, GL_TEXTURE_GEN_Q}) s.gl.Disable(g);
+      s.gl.MatrixMode(GL_TEXTURE);
+      s.gl.LoadIdentity();
+      s.gl.MatrixMode(GL_MODELVIEW);
+      if (s.random.chance(20)) random_generation(s);
+      if (s.random.chance(20)) random_texture_matrix(s);
+      const auto coordinate = [&] { return s.random.chance(50) ? float(s.random.integer(-128, 128)) / 128 : s.random.real(-2, 2); };
+      const Float4 c = {coordinate(), coordinate(), coordinate(), s.random.chance(50) ? 1 : s.random.real(0.2f, 3)};
+      s.gl.MultiTexCoord4fv(GLenum(GL_TEXTURE0 + u), c.data());
+    }
+    s.gl.ActiveTexture(GL_TEXTURE0);
+    random_projection(s);
+    random_modelview(s);
+    if (s.random.chance(30)) {
+      s.gl.Enable(GL_LIGHTING);
+      s.gl.Enable(GL_LIGHT0);
+    } else {
+      s.gl.Disable(GL_LIGHTING);
+    }
+    if (s.random.chance(20)) random_fog(s);
+    s.gl.PointSize(s.random.real(1, 20));
+    s.gl.LineWidth(s.random.real(1, 5));
+    if (s.random.chance(20)) s.gl.Enable(GL_POINT_SPRITE);
+    else s.gl.Disable(GL_POINT_SPRITE);
+    PrimitiveOptions options;
+    options.mode = s.random.chance(30) ? GLenum(s.random.pick({GL_POINTS, GL_LINES})) : random_filled_mode(s);
+    if (options.mode == GL_QUADS) options.mode = GL_POLYGON; // a diagonal of OSMesa's own, see random_primitive
+    options.normals = true;
+    options.spread = s.random.chance(70) ? Spread::View : Spread::Any;
+    options.texture_coordinates = units == 2 && s.random.chance(30) ? 2 : 0; // of unit 0 alone
+    random_primitive(s, options);
+  }
+}
+
 SceneRegistration coordinates{{"coordinates", draw_coordinates, true}}, attenuated{{"attenuated", draw_attenuated, true}};
+SceneRegistration constant_coordinates{{"constant_coordinates", draw_constant_coordinates, true}};
 
 } // namespace
 } // namespace softgl::test
