@@ -245,11 +245,13 @@ std::vector<Float4> random_positions(Stage& s, GLenum mode, int count, Spread sp
   return p;
 }
 
-// All colours of a primitive have three components, or all have four: reference/DEVIATIONS.md.
-static void emit_color(Stage& s, bool alpha) {
+// All colours of a primitive have three components, or all have four: reference/DEVIATIONS.md. To OSMesa the integers of
+// glColor3 have four, and a strip of quadrilaterals is cut in two where they come behind others.
+static void emit_color(Stage& s, bool alpha, GLenum mode) {
   const Gl& gl = s.gl;
   const Float4 c = s.random.color();
-  const int form = s.random.integer(0, 9);
+  int form = s.random.integer(0, 9);
+  if (!alpha && mode == GL_QUAD_STRIP && form >= 1 && form <= 3) form = 4;
   if (alpha) {
     switch (form) {
     case 0: gl.Color4d(c[0], c[1], c[2], c[3]); break;
@@ -311,7 +313,7 @@ void random_primitive(Stage& s, const PrimitiveOptions& o) {
   gl.Begin(mode);
   for (int i = 0; i < count; i++) {
     const Float4& v = p[size_t(i)];
-    if (o.colors && i % color_every == 0) emit_color(s, alpha);
+    if (o.colors && i % color_every == 0) emit_color(s, alpha, mode);
     if (o.normals) {
       const Float3 n = s.random.direction();
       gl.Normal3fv(n.data());
