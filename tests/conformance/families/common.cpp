@@ -245,13 +245,13 @@ std::vector<Float4> random_positions(Stage& s, GLenum mode, int count, Spread sp
   return p;
 }
 
-// All colours of a primitive have three components, or all have four: reference/DEVIATIONS.md. To OSMesa the integers of
-// glColor3 have four, and a strip of quadrilaterals is cut in two where they come behind others.
+// All colours of a primitive have three components, or all have four: reference/DEVIATIONS.md. To OSMesa glColor3d and the
+// integers of glColor3 have four, and a strip of quadrilaterals is cut in two where they come behind others.
 static void emit_color(Stage& s, bool alpha, GLenum mode) {
   const Gl& gl = s.gl;
   const Float4 c = s.random.color();
   int form = s.random.integer(0, 9);
-  if (!alpha && mode == GL_QUAD_STRIP && form >= 1 && form <= 3) form = 4;
+  if (!alpha && mode == GL_QUAD_STRIP && form <= 3) form = 4;
   if (alpha) {
     switch (form) {
     case 0: gl.Color4d(c[0], c[1], c[2], c[3]); break;
