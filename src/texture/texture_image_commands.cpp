@@ -68,8 +68,8 @@ void specify_image(Context& c, int dimensions, GLenum target, GLint level, GLint
     if (!fits) return;
     auto image = std::make_shared<TextureImage>();
     image->format = &texel, image->internal_format = internal_format;
-    image->width = width - 2 * border, image->height = dimensions > 1 ? height - 2 * border : 1;
-    image->depth = dimensions > 2 ? depth - 2 * border : 1;
+    image->width = width, image->height = height, image->depth = depth;
+    image->border = border;
     object->image[0][level] = image;
     return;
   }

@@ -18,6 +18,7 @@ struct TextureImage {
   const TexelFormat* format = nullptr;
   GLint internal_format = 1; // as the client named it
   int width = 0, height = 0, depth = 0;
+  int border = 0; // of a proxy's image alone, whose sizes include it: others are kept without their border
   size_t row_bytes = 0, slice_bytes = 0;
   std::vector<unsigned char> texels; // zeros where nothing was stored
 

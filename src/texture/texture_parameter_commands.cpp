@@ -128,7 +128,7 @@ bool get_level_parameter(Context& c, GLenum target, GLint level, GLenum pname, G
   case GL_TEXTURE_WIDTH: value = image ? image->width : 0; return true;
   case GL_TEXTURE_HEIGHT: value = image ? image->height : 0; return true;
   case GL_TEXTURE_DEPTH: value = image ? image->depth : 0; return true;
-  case GL_TEXTURE_BORDER: value = 0; return true; // borders are not kept (as in OSMesa)
+  case GL_TEXTURE_BORDER: value = image ? image->border : 0; return true;
   case GL_TEXTURE_INTERNAL_FORMAT: value = image ? image->internal_format : 1; return true;
   case GL_TEXTURE_RED_SIZE: value = bits(rgb, 0); return true;
   case GL_TEXTURE_GREEN_SIZE: value = bits(rgb, 1); return true;
