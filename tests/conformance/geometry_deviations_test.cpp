@@ -45,6 +45,20 @@ int diagonal(const Gl& gl) {
   return p.depth[size_t(p.height / 2) * p.width + p.width / 2] < 0x800000 ? 0 : 1;
 }
 
+// A folded strip, clipped on the left only, whose first colour is white; the colour of the last two vertices comes late.
+bool early;
+void draw_folded_strip(Stage& s) {
+  const Gl& gl = s.gl;
+  gl.Color4f(1, 1, 1, 1);
+  gl.Begin(GL_QUAD_STRIP);
+  if (early) gl.Color4f(1, 1, 1, 1); // changes nothing
+  gl.Vertex3f(-0.3625f, 0.1823f, -0.6684f), gl.Vertex3f(-1.0044f, -0.4689f, 0.2237f);
+  gl.Vertex3f(-0.5895f, -0.7537f, -0.7480f), gl.Vertex3f(0.7669f, 0.0804f, 0.4659f);
+  gl.Color4f(0, 0.18f, 0, 0.5f);
+  gl.Vertex3f(0.3240f, -0.0947f, -0.0621f), gl.Vertex3f(-0.7276f, -0.2518f, -0.6555f);
+  gl.End();
+}
+
 // A triangle that faces away, each corner with another colour: unlit, or lit by ambient light alone, which gives the same.
 void draw_back_face(Stage& s) {
   const Gl& gl = s.gl;
@@ -144,6 +158,15 @@ int drawn_color(const Gl& gl, GLenum with_type, GLint with_value, bool array) {
 }
 
 } // namespace
+
+TEST_CASE("a strip of quadrilaterals may get a colour late", "[conformance][deviation]") {
+  const Scene strip{"folded_strip", draw_folded_strip};
+  auto drawn = [&](const Gl& gl, bool set_early) { return early = set_early, draw(gl, strip, 0); };
+  const Picture ours = drawn(softgl_library(), true), theirs = drawn(osmesa_library(), true);
+  CHECK_FALSE(compare(ours, theirs).any());
+  CHECK_FALSE(compare(ours, drawn(softgl_library(), false)).any());
+  CHECK(compare(theirs, drawn(osmesa_library(), false)).any());
+}
 
 TEST_CASE("the diagonal of a quadrilateral depends on the shade model only", "[conformance][deviation]") {
   bool osmesa_is_another = false;

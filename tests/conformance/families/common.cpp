@@ -318,7 +318,8 @@ void random_primitive(Stage& s, const PrimitiveOptions& o) {
       const Float3 n = s.random.direction();
       gl.Normal3fv(n.data());
     }
-    if (o.materials && s.random.chance(40)) emit_material(s, o.front_materials);
+    // A strip of quadrilaterals takes no parameter late: reference/DEVIATIONS.md.
+    if (o.materials && (i == 0 || mode != GL_QUAD_STRIP) && s.random.chance(40)) emit_material(s, o.front_materials);
     if (o.secondary_colors) {
       const Float4 c = s.random.color();
       gl.SecondaryColor3fv(c.data());
