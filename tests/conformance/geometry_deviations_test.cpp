@@ -47,7 +47,7 @@ int diagonal(const Gl& gl) {
 
 // A folded strip, clipped on the left only, whose first colour is white; the colour of the last two vertices comes late.
 bool early;
-void draw_folded_strip(Stage& s) {
+void draw_strip_colored_late(Stage& s) {
   const Gl& gl = s.gl;
   gl.Color4f(1, 1, 1, 1);
   gl.Begin(GL_QUAD_STRIP);
@@ -160,7 +160,7 @@ int drawn_color(const Gl& gl, GLenum with_type, GLint with_value, bool array) {
 } // namespace
 
 TEST_CASE("a strip of quadrilaterals may get a colour late", "[conformance][deviation]") {
-  const Scene strip{"folded_strip", draw_folded_strip};
+  const Scene strip{"strip_colored_late", draw_strip_colored_late};
   auto drawn = [&](const Gl& gl, bool set_early) { return early = set_early, draw(gl, strip, 0); };
   const Picture ours = drawn(softgl_library(), true), theirs = drawn(osmesa_library(), true);
   CHECK_FALSE(compare(ours, theirs).any());
