@@ -10,7 +10,7 @@ namespace SOFTGL_ISA {
 
 static void prepare_triangles(const RasterDraw& draw, const TriangleInput& in, TriangleOutput& out, FragmentBlock& scratch) {
   classify_triangles(draw, in, out);
-  out.fragment_count = out.run_count = 0;
+  out.run_count = 0;
   if (!out.small) return;
   if (draw.program->step_count) SmallShader<true>(draw, in, out, scratch).run();
   else SmallShader<false>(draw, in, out, scratch).run();

@@ -66,7 +66,6 @@ public:
     if (out_.cut || covered() >= kDenseBelow * __builtin_popcountll(out_.small)) by_triangle();
     else by_fragment();
     if (Staged) finish_block(end_);
-    out_.fragment_count = end_;
     out_.run[out_.run_count].first = end_;
   }
 

@@ -35,7 +35,7 @@ struct TriangleOutput {
     int32_t first;
     uint8_t triangle; // the first fragment's
   };
-  int32_t fragment_count, run_count;
+  int32_t run_count;
   Run run[kMaxRuns + 1];
   // By fragment; room for a vector behind the last.
   alignas(64) uint16_t pixel[kMaxSmallFragments + 16]; // pixel_in_tile

@@ -47,7 +47,6 @@ struct VertexProgram {
   bool clamp_color;
   bool fog, fog_from_attribute;
   bool point_attenuated;
-  uint8_t generated_units;              // bit u: coordinates[u] is not null
   const TransformConstants* transform;
   const ClipPlaneConstants* clip_planes;          // null: none enabled
   const LightingConstants* lighting;              // null: not lit

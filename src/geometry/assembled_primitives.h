@@ -18,7 +18,6 @@ constexpr int kAssemblyBatch = 64;
 struct AssembledTriangles {
   int32_t count = 0;
   const ShadedVertices::Slot* corner[3][kAssemblyBatch];
-  uint8_t edge_flags[kAssemblyBatch]; // bits 0-2: edge from corner i to i+1 is a boundary edge (for glPolygonMode)
 };
 
 /// Lines from corner 0 to corner 1; corner 1 is the provoking vertex. Already cut by the line stipple.

@@ -101,7 +101,6 @@ private:
     const bool right_first = range_.mode == GL_QUAD_STRIP && !any_clipped(e);
     TriangleIndices index;
     AssembledTriangles batch;
-    for (int i = 0; i < kAssemblyBatch; ++i) batch.edge_flags[i] = 7;
     for (const uint32_t end = step + steps; step < end; step += batch_steps) {
       const uint32_t left = end - step;
       const int n = triangle_indices(range_.mode, draw_.raster->flat, right_first, e, step, left < batch_steps ? left : batch_steps, index);

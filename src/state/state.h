@@ -237,8 +237,6 @@ struct RenderModeState {
   GLenum mode = GL_RENDER;
   GLsizei feedback_size = 0, selection_size = 0;
   GLenum feedback_type = GL_2D;
-  float* feedback_buffer = nullptr;
-  GLuint* selection_buffer = nullptr;
   GLint name_stack_depth = 0;
 };
 
