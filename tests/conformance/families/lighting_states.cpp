@@ -56,8 +56,9 @@ void set_light(Stage& s, Random& shape, GLenum light, const LightingStateOptions
   gl.Lightf(light, GL_SPOT_EXPONENT, s.random.pick({0.0f, 1.0f, 128.0f, s.random.real(0, 2), s.random.real(0, 128)}));
   if (moved) gl.PopMatrix();
   const bool attenuated = shape.chance(45);
-  const float constant = s.random.pick({1.0f, 0.25f, s.random.real(0.1f, 2)}), linear = s.random.pick({0.0f, s.random.real(0, 1)});
-  const float quadratic = s.random.pick({0.0f, s.random.real(0, 1), 0.01f});
+  float constant = s.random.pick({1.0f, 0.25f, 0.0f, s.random.real(0.1f, 2)});
+  const float linear = s.random.pick({0.0f, s.random.real(0, 1)}), quadratic = s.random.pick({0.0f, s.random.real(0, 1), 0.01f});
+  if (options.well_conditioned && linear == 0 && quadratic == 0) constant = 1; // not infinitely bright
   gl.Lightf(light, GL_CONSTANT_ATTENUATION, attenuated ? constant : 1.0f);
   gl.Lightf(light, GL_LINEAR_ATTENUATION, attenuated ? linear : 0.0f);
   gl.Lightf(light, GL_QUADRATIC_ATTENUATION, attenuated ? quadratic : 0.0f);
