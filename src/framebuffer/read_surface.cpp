@@ -54,10 +54,10 @@ void color_row_to_bytes(ColorFormat format, const void* row, int count, uint8_t 
   switch (format) {
     case ColorFormat::Rgba8: std::memcpy(rgba, row, size_t(count) * 4); return;
     case ColorFormat::Rgba16:
-      for (int i = 0; i < count * 4; ++i) rgba[0][i] = uint8_t(convert_unorm(static_cast<const uint16_t*>(row)[i], 16, 8));
+      for (int i = 0; i < count * 4; ++i) rgba[i / 4][i % 4] = uint8_t(convert_unorm(static_cast<const uint16_t*>(row)[i], 16, 8));
       return;
     case ColorFormat::RgbaFloat:
-      for (int i = 0; i < count * 4; ++i) rgba[0][i] = uint8_t(float_to_unorm(static_cast<const float*>(row)[i], 8));
+      for (int i = 0; i < count * 4; ++i) rgba[i / 4][i % 4] = uint8_t(float_to_unorm(static_cast<const float*>(row)[i], 8));
       return;
     case ColorFormat::Rgb565:
       for (int i = 0; i < count; ++i) {
@@ -74,10 +74,10 @@ void color_row_to_bytes(ColorFormat format, const void* row, int count, uint8_t 
 void color_row_to_floats(ColorFormat format, const void* row, int count, float (*rgba)[4]) {
   switch (format) {
     case ColorFormat::Rgba8:
-      for (int i = 0; i < count * 4; ++i) rgba[0][i] = unorm_to_float(static_cast<const uint8_t*>(row)[i], 8);
+      for (int i = 0; i < count * 4; ++i) rgba[i / 4][i % 4] = unorm_to_float(static_cast<const uint8_t*>(row)[i], 8);
       return;
     case ColorFormat::Rgba16:
-      for (int i = 0; i < count * 4; ++i) rgba[0][i] = unorm_to_float(static_cast<const uint16_t*>(row)[i], 16);
+      for (int i = 0; i < count * 4; ++i) rgba[i / 4][i % 4] = unorm_to_float(static_cast<const uint16_t*>(row)[i], 16);
       return;
     case ColorFormat::RgbaFloat: std::memcpy(rgba, row, size_t(count) * 16); return;
     case ColorFormat::Rgb565:
