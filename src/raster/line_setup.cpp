@@ -90,7 +90,7 @@ bool setup_line(const RasterDraw& draw, const ShadedVertices::Slot* corner0, con
   const float length2 = dx * dx + dy * dy;
   if (length2 == 0) return false;
   const float inverse = 1.0f / length2;
-  const int32_t half_width = static_cast<int32_t>(std::max(1.0f, r.line_width) + 0.5f) * 128;
+  const int32_t half_width = static_cast<int32_t>(r.line_width + 0.5f) * 128;
 
   const bool x_major = std::fabs(dx) >= std::fabs(dy);
   const Ends e = x_major ? move_x_major(v1, v2, dx, dy) : move_y_major(v1, v2, dx, dy);

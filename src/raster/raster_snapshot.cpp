@@ -5,6 +5,12 @@
 #include "state/context.h"
 
 namespace softgl {
+namespace {
+
+/// Sizes are clamped to GL_ALIASED_POINT_SIZE_RANGE and GL_ALIASED_LINE_WIDTH_RANGE; what is not a number becomes 1.
+float drawn_size(float size) { return size > 1.0f ? std::min(size, 255.0f) : 1.0f; }
+
+} // namespace
 
 const RasterConstants* make_raster_constants(const Context& context, Arena& arena) {
   const State& s = context.state;
@@ -40,8 +46,8 @@ const RasterConstants* make_raster_constants(const Context& context, Arena& aren
   r.point_sprite = s.point.sprite;
   r.sprite_units = s.point.sprite ? static_cast<uint8_t>(s.point.coord_replace) : 0;
   r.sprite_lower_left = s.point.sprite_origin == GL_LOWER_LEFT;
-  r.line_width = s.line.width;
-  r.point_size = std::clamp(s.point.size, 1.0f, 255.0f);
+  r.line_width = drawn_size(s.line.width);
+  r.point_size = drawn_size(s.point.size);
   return &r;
 }
 
