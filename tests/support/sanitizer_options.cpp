@@ -10,9 +10,9 @@ SOFTGL_SANITIZER_HOOK __lsan_default_suppressions() {
   return "leak:/usr/lib/x86_64-linux-gnu/libOSMesa\n"
          "leak:libLLVM\n";
 }
-// They are not compiled for ThreadSanitizer, which sees their locks and not what the locks protect.
 // A test forks, and its child starts threads.
 SOFTGL_SANITIZER_HOOK __tsan_default_options() { return "second_deadlock_stack=1:die_after_fork=0"; }
+// OSMesa and LLVM are not compiled for ThreadSanitizer, which sees their locks and not what the locks protect.
 SOFTGL_SANITIZER_HOOK __tsan_default_suppressions() {
   return "called_from_lib:/usr/lib/x86_64-linux-gnu/libOSMesa\n"
          "called_from_lib:libLLVM\n"
