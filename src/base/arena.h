@@ -55,13 +55,13 @@ public:
   /// Forgets all allocations and keeps the blocks for the next frame.
   void reset() { used_ = 0; current_ = 0; next_ = end_ = nullptr; }
   size_t used() const { return used_; }
-  /// Begins at once with a large block, if there is none yet. Gives its first huge page, or null.
-  void* prepare() {
-    if (!blocks_.empty()) return nullptr;
+  /// Begins at once with a large block, if there is none yet; gives it, or nothing.
+  Pages prepare() {
+    if (!blocks_.empty()) return {};
     block_bytes_ = 2 * kHugePage;
     grow(1);
     reset();
-    return blocks_[0].memory;
+    return {blocks_[0].memory, blocks_[0].size};
   }
 
 private:

@@ -20,6 +20,12 @@ void* map_pages(size_t bytes) {
   return begin + before;
 }
 
+void prefer_huge_pages(Pages pages) {
+  const auto first = reinterpret_cast<uintptr_t>(pages.memory) & ~uintptr_t(4095);
+  const auto last = (reinterpret_cast<uintptr_t>(pages.memory) + pages.bytes + 4095) & ~uintptr_t(4095);
+  if (last - first >= kHugePage) madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
+}
+
 void populate_pages([[maybe_unused]] Pages pages) {
 #ifdef MADV_POPULATE_WRITE // Linux 5.14; without it pages come when they are written
   const auto first = (reinterpret_cast<uintptr_t>(pages.memory) + 4095) & ~uintptr_t(4095);

@@ -17,6 +17,10 @@ struct Pages {
   size_t bytes;
 };
 
+/// Says to the system that [memory, memory + bytes), which may be the caller's, will all be written, so that huge pages pay
+/// off. A hint: changes no byte.
+void prefer_huge_pages(Pages pages);
+
 /// Has the system bring in the whole pages of [memory, memory + bytes) for writing, in one go: a third cheaper than a page
 /// fault each. Changes no byte; what is not mapped or cannot be written is left alone.
 void populate_pages(Pages pages);

@@ -275,11 +275,14 @@ Frame::~Frame() = default;
 
 void Frame::prepare(std::vector<Pages>& pages) {
   make_workers();
-  auto take = [&](Arena& arena) {
-    if (void* memory = arena.prepare()) pages.push_back({memory, kHugePage});
-  };
-  take(arena_);
-  for (int i = 0; i < ThreadPool::instance().workers(); ++i) take((*workers_)[i].arena);
+  pages.push_back(arena_.prepare());
+  // 70,000 triangles make 7 MB of fragments.
+  const int workers = ThreadPool::instance().workers();
+  const size_t share = std::max(4 * kHugePage / size_t(workers), kHugePage);
+  for (int i = 0; i < std::min(workers, 4); ++i) {
+    const Pages block = (*workers_)[i].arena.prepare();
+    pages.push_back({block.memory, std::min(block.bytes, share)});
+  }
 }
 
 void Frame::make_workers() {

@@ -10,6 +10,7 @@
 #include <condition_variable>
 #include <cstdlib>
 #include <exception>
+#include <memory>
 #include <mutex>
 #include <new>
 #include <thread>
@@ -46,7 +47,9 @@ struct ThreadPool::State {
   std::mutex mutex;
   std::condition_variable wake, done;
   std::atomic<int> workers{default_workers()};
-  int started = 0; // threads besides the caller; guarded by owner
+  std::vector<pthread_t> threads; // besides the caller; guarded by owner
+  int caller_processor = -1;      // where no thread runs; guarded by owner
+  cpu_set_t elsewhere;            // where they may
 
   // The run under way; written under mutex. Workers join while it is open; one that wakes too late is not waited for.
   std::atomic<uint64_t> generation{0};
@@ -74,7 +77,7 @@ struct ThreadPool::State {
     }
   }
 
-  void serve(int worker) {
+  [[noreturn]] void serve(int worker) {
     _mm_setcsr(kPixelFloatEnvironment);
     uint64_t seen = 0;
     for (;;) {
@@ -83,10 +86,13 @@ struct ThreadPool::State {
       {
         std::unique_lock lock(mutex);
         wake.wait(lock, [&] { return generation.load(std::memory_order_relaxed) != seen || !pages.empty(); });
-        if (!pages.empty()) {
+        if (!pages.empty()) { // memory that is used before it has been brought in brings itself in, so a run comes first
           const std::vector<Pages> taken = std::exchange(pages, {});
           lock.unlock();
-          for (const Pages& p : taken) populate_pages(p);
+          for (const Pages& p : taken) {
+            for (size_t done = 0; done < p.bytes && generation.load(std::memory_order_relaxed) == seen; done += kHugePage)
+              populate_pages({static_cast<unsigned char*>(p.memory) + done, std::min(kHugePage, p.bytes - done)});
+          }
           continue;
         }
         seen = generation.load(std::memory_order_relaxed);
@@ -99,23 +105,56 @@ struct ThreadPool::State {
     }
   }
 
-  /// Starts threads until there are `threads`; fewer when the system gives no more.
-  int start(int threads) {
-    if (started == 0 && threads > 0) stay_loaded();
+  /// Keeps the threads off the processor that the caller is on. Left alone, Linux starts a thread there, next to idle
+  /// ones, and moves it when its balancer comes by: of a first frame of 16 ms that was 2 to 4.
+  void leave_callers_processor() {
+    const int processor = sched_getcpu();
+    if (processor == caller_processor) return;
+    caller_processor = processor;
+    if (processor < 0 || processor >= CPU_SETSIZE || sched_getaffinity(0, sizeof elsewhere, &elsewhere) != 0) CPU_ZERO(&elsewhere);
+    else CPU_CLR(processor, &elsewhere);
+    if (CPU_COUNT(&elsewhere) == 0) return;
+    for (pthread_t thread : threads) pthread_setaffinity_np(thread, sizeof elsewhere, &elsewhere);
+  }
+
+  struct Begin {
+    State* state;
+    int worker;
+  };
+
+  bool start_thread() {
+    threads.reserve(threads.size() + 1);
+    auto begin = std::make_unique<Begin>(Begin{this, static_cast<int>(threads.size()) + 1});
+    pthread_attr_t attributes;
+    if (pthread_attr_init(&attributes) != 0) return false;
+    pthread_attr_setdetachstate(&attributes, PTHREAD_CREATE_DETACHED);
+    if (CPU_COUNT(&elsewhere) > 0) pthread_attr_setaffinity_np(&attributes, sizeof elsewhere, &elsewhere);
+    auto main = [](void* argument) -> void* {
+      const std::unique_ptr<Begin> b(static_cast<Begin*>(argument));
+      b->state->serve(b->worker);
+    };
+    pthread_t thread;
+    const bool started = pthread_create(&thread, &attributes, main, begin.get()) == 0;
+    pthread_attr_destroy(&attributes);
+    if (!started) return false;
+    begin.release();
+    threads.push_back(thread);
+    return true;
+  }
+
+  /// Starts threads until there are `wanted_threads`; fewer when the system gives no more.
+  int start(int wanted_threads) {
+    if (threads.empty() && wanted_threads > 0) stay_loaded();
+    leave_callers_processor();
     sigset_t all, old;
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &old); // signals are the application's business
-    while (started < threads) {
-      try {
-        const int worker = started + 1;
-        std::thread([this, worker] { serve(worker); }).detach();
-        ++started;
-      } catch (...) {
-        break;
-      }
+    try {
+      while (static_cast<int>(threads.size()) < wanted_threads && start_thread()) {}
+    } catch (const std::bad_alloc&) {
     }
     pthread_sigmask(SIG_SETMASK, &old, nullptr);
-    return std::min(started, threads);
+    return std::min(static_cast<int>(threads.size()), wanted_threads);
   }
 };
 

@@ -1,6 +1,7 @@
 // glFlush and glFinish (GL 1.5, 5.5), and what they need.
 #include "api/generated/commands.h"
 #include "api/list_interface.h"
+#include "base/early_pages.h"
 #include "base/float_environment.h"
 #include "frame/thread_pool.h"
 #include "state/context.h"
@@ -43,7 +44,7 @@ void prepare_first_frame(Context& c) {
   const Surface& s = c.framebuffer.surface;
   const int64_t pixels = int64_t(s.width) * s.height;
   if (pixels < kLeast || pixels > kMost) return;
-  std::vector<Pages> pages;
+  std::vector<Pages> pages = {open_early_pages()};
   c.frame.prepare(pages);
   c.framebuffer.prepare(pages);
   ThreadPool::instance().prepare(pages);

@@ -1,6 +1,7 @@
 // The pool: every index once, exceptions come back, forks and concurrent callers survive.
 #include <catch2/catch.hpp>
 
+#include <sched.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -79,4 +80,23 @@ TEST_CASE("the child of a fork has a pool that works", "[thread_pool]") {
   CHECK(WIFEXITED(status));
   CHECK(WEXITSTATUS(status) == 0);
   CHECK(runs_all(100));
+}
+
+TEST_CASE("the pool's threads leave the caller's processor to the caller", "[thread_pool]") {
+  cpu_set_t mine, mine_after;
+  REQUIRE(sched_getaffinity(0, sizeof mine, &mine) == 0);
+  if (CPU_COUNT(&mine) < 2) return;
+  Workers restore;
+  ThreadPool::instance().set_workers(2);
+  std::atomic<int> processors{-1};
+  // Until the other thread has taken part.
+  for (int round = 0; round < 10000 && processors < 0; ++round)
+    ThreadPool::instance().run(2, [&](size_t, int worker) {
+      if (worker == 0) return usleep(100), void();
+      cpu_set_t set;
+      if (sched_getaffinity(0, sizeof set, &set) == 0) processors = CPU_COUNT(&set);
+    });
+  CHECK(processors == CPU_COUNT(&mine) - 1);
+  REQUIRE(sched_getaffinity(0, sizeof mine_after, &mine_after) == 0);
+  CHECK(CPU_EQUAL(&mine, &mine_after));
 }
