@@ -24,6 +24,17 @@ inline int pixel_in_tile(int x, int y) {
   return ((y & 56) << 6) | ((x & 56) << 3) | ((y & 7) << 3) | (x & 7);
 }
 
+/// What is known of the words that a plane has in a tile. While it waits, all of them are `word`, and the plane's memory has
+/// still to be told: so a tile that is cleared and never drawn on costs nothing.
+struct TileWords {
+  uint32_t word = 0;
+  uint32_t known = 0; // bits that are those of `word` at all pixels
+  bool waits = false; // known are all bits
+};
+struct TileState {
+  TileWords color, depth_stencil; // color: of Rgba8 only
+};
+
 /// The colour and depth/stencil planes. Tile t = (y / 64) * tiles_x + x / 64 begins at pixel t * kTilePixels.
 struct Surface {
   int32_t width, height;     // pixels
@@ -32,6 +43,7 @@ struct Surface {
   DepthFormat depth_format;
   void* color;               // tiles_x * tiles_y * kTilePixels pixels of color_format
   uint32_t* depth_stencil;   // as many words; null when depth_format is None
+  TileState* tile;           // of each tile
 };
 
 inline size_t pixel_index(const Surface& s, int x, int y) {

@@ -39,7 +39,27 @@ template <class Word> void fill(Word* plane, Word value, Word mask, const Box& b
     }
 }
 
-void clear_color(const ClearRecord& c, const Surface& s, size_t first, const Box& box, bool whole) {
+void write_words(uint32_t* plane, TileWords& words) {
+  if (!words.waits) return;
+  std::fill_n(plane, kTilePixels, words.word);
+  words.waits = false;
+}
+
+/// Replaces the bits of `mask` in the words of the box.
+void clear_words(uint32_t* plane, TileWords& words, uint32_t value, uint32_t mask, const Box& box, bool whole) {
+  if (!whole) {
+    write_words(plane, words);
+    words.known &= ~mask;
+    return fill(plane, value, mask, box, false);
+  }
+  words.word = (words.word & ~mask) | (value & mask);
+  words.known |= mask;
+  words.waits = words.known == ~uint32_t(0);
+  if (!words.waits) fill(plane, value, mask, box, true);
+}
+
+void clear_color(const ClearRecord& c, const Surface& s, uint32_t tile, const Box& box, bool whole) {
+  const size_t first = size_t(tile) * kTilePixels;
   switch (s.color_format) {
   case ColorFormat::Rgba8: {
     uint32_t value = 0, mask = 0;
@@ -47,7 +67,7 @@ void clear_color(const ClearRecord& c, const Surface& s, size_t first, const Box
       value |= uint32_t(c.color_value[i]) << (8 * i);
       if (c.color_mask[i]) mask |= 0xffu << (8 * i); // GCC 12.2 -fsanitize=undefined makes 0 of (c ? 0xffu : 0u) << 8 * i
     }
-    fill(static_cast<uint32_t*>(s.color) + first, value, mask, box, whole);
+    clear_words(static_cast<uint32_t*>(s.color) + first, s.tile[tile].color, value, mask, box, whole);
     break;
   }
   case ColorFormat::Rgb565: {
@@ -80,17 +100,32 @@ void execute_clear(const ClearRecord& c, const Surface& s, uint32_t tile) {
   const Box box = clear_box(c, s, tile);
   if (box.x0 >= box.x1 || box.y0 >= box.y1) return;
   const bool whole = covers_tile(c, s, tile);
-  const size_t first = size_t(tile) * kTilePixels;
-  if (c.color) clear_color(c, s, first, box, whole);
+  if (c.color) clear_color(c, s, tile, box, whole);
   if (!s.depth_stencil || !(c.depth || c.stencil)) return;
   uint32_t value = 0, mask = 0;
   if (c.depth) value |= c.depth_value & 0xffffff, mask |= 0xffffff;
   if (c.stencil && s.depth_format == DepthFormat::Z24S8) value |= c.stencil_value << 24, mask |= c.stencil_write_mask << 24;
   if (s.depth_format == DepthFormat::Z16 && c.depth) mask = ~0u;
-  fill(s.depth_stencil + first, value, mask, box, whole);
+  clear_words(s.depth_stencil + size_t(tile) * kTilePixels, s.tile[tile].depth_stencil, value, mask, box, whole);
+}
+
+/// Makes ready for fragments of a draw: what waits is written, and what they write is no longer known.
+void open_tile(const Surface& s, uint32_t tile, const RasterDraw& draw) {
+  write_tile(s, tile);
+  const FragmentKey& key = draw.program->key;
+  const uint32_t stencil = s.depth_format == DepthFormat::Z24S8 ? 0xff000000u : 0;
+  s.tile[tile].color.known &= ~draw.color_mask;
+  if (key.stencil) s.tile[tile].depth_stencil.known &= ~stencil;
+  if (key.depth_write) s.tile[tile].depth_stencil.known &= stencil;
 }
 
 } // namespace
+
+void write_tile(const Surface& s, uint32_t tile) {
+  const size_t first = size_t(tile) * kTilePixels;
+  if (s.color_format == ColorFormat::Rgba8) write_words(static_cast<uint32_t*>(s.color) + first, s.tile[tile].color);
+  if (s.depth_stencil) write_words(s.depth_stencil + first, s.tile[tile].depth_stencil);
+}
 
 bool clear_hides_all(const ClearRecord& c, const Surface& s, uint32_t tile, bool stencil_drawn) {
   if (!c.color || !(c.color_mask[0] && c.color_mask[1] && c.color_mask[2] && c.color_mask[3])) return false;
@@ -108,6 +143,7 @@ void execute_tile(const Surface& surface, uint32_t tile, const TileChunk* work, 
   target.depth_stencil = surface.depth_stencil ? surface.depth_stencil + first : nullptr;
   for_each_segment(work, [&](const TileSegment& segment) {
     const auto count = static_cast<int32_t>(segment.count);
+    if (segment.kind != TileSegment::Clear) open_tile(surface, tile, *segment.draw);
     switch (segment.kind) {
     case TileSegment::Primitives:
       kernels.tile_primitives(target, *segment.draw, reinterpret_cast<const RasterPrimitive* const*>(segment.entries()), count, scratch);

@@ -15,6 +15,7 @@ void flush_rendering(Context& c, const TileReader* reader) {
   c.frame.flush(c.framebuffer.surface, reader);
   c.dirty = kDirtyAll;
   c.framebuffer.unresolved = !reader;
+  c.framebuffer.unwritten = true;
   ++c.framebuffer.counts.flushes;
 }
 
@@ -23,6 +24,7 @@ void flush_rendering(Context& c, const TileReader* reader) {
 void flush_rendering(Context& c) {
   if (c.guard & kRunPending) close_run(c);
   if (!c.frame.empty()) flush_rendering(c, nullptr);
+  write_tiles(c.framebuffer);
 }
 
 void finish_and_resolve(Context& c) {

@@ -1,6 +1,7 @@
 #include "framebuffer/framebuffer.h"
 
 #include <cstring>
+#include <utility>
 
 #include "base/pages.h"
 
@@ -19,6 +20,7 @@ void Framebuffer::release() {
   unmap_pages(surface.color, color_bytes_);
   unmap_pages(surface.depth_stencil, depth_bytes_);
   surface = Surface{};
+  tiles_.clear();
   color_bytes_ = depth_bytes_ = 0;
 }
 
@@ -34,6 +36,8 @@ bool Framebuffer::allocate(int width, int height, ColorFormat color_format) {
                                                            : DepthFormat::Z24S8;
   size_t color_bytes = 0, depth_bytes = 0;
   if (!plane_bytes(s.tiles_x, s.tiles_y, size_t(bytes_per_pixel(color_format)), color_bytes)) return false;
+  const TileWords color = {has_alpha ? 0 : 0xff000000u, ~0u, color_format == ColorFormat::Rgba8}, zero = {0, ~0u, true};
+  std::vector<TileState> tiles(size_t(s.tiles_x) * size_t(s.tiles_y), TileState{color, zero});
   s.color = map_pages(color_bytes);
   if (!s.color) return false;
   if (s.depth_format != DepthFormat::None) {
@@ -46,15 +50,16 @@ bool Framebuffer::allocate(int width, int height, ColorFormat color_format) {
   }
   if (!has_alpha) {
     const size_t pixels = color_bytes / size_t(bytes_per_pixel(color_format));
-    if (color_format == ColorFormat::Rgba8)
-      for (size_t i = 0; i < pixels; ++i) static_cast<uint32_t*>(s.color)[i] = 0xff000000u;
     if (color_format == ColorFormat::Rgba16)
       for (size_t i = 0; i < pixels; ++i) static_cast<uint16_t*>(s.color)[4 * i + 3] = 0xffff;
     if (color_format == ColorFormat::RgbaFloat)
       for (size_t i = 0; i < pixels; ++i) static_cast<float*>(s.color)[4 * i + 3] = 1.0f;
   }
   release();
+  tiles_ = std::move(tiles);
+  s.tile = tiles_.data();
   surface = s;
+  unwritten = true;
   color_bytes_ = color_bytes;
   depth_bytes_ = depth_bytes;
   return true;

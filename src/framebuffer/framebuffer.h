@@ -28,6 +28,7 @@ struct Framebuffer {
   Surface surface{};           // what is drawn to; empty before the first MakeCurrent
   int depth_bits = 0, stencil_bits = 0, accumulation_bits = 0; // a depth_stencil plane may serve only one of the two
   bool has_alpha = true;       // false for RGB and RGB_565: alpha reads as 1 and is never written
+  bool unwritten = false;      // something may wait to be written to the planes (TileWords)
   bool unresolved = false;     // something was drawn that the caller's buffer does not show
   ClientBuffer client;
   FramebufferCounts counts;
@@ -46,7 +47,11 @@ struct Framebuffer {
 
 private:
   size_t color_bytes_ = 0, depth_bytes_ = 0;
+  std::vector<TileState> tiles_;
 };
+
+/// Tells the planes what waits to be written to them (TileWords); the resolver alone reads a surface without.
+void write_tiles(Framebuffer& framebuffer);
 
 /// Writes tiles of the surface to the caller's buffer.
 class Resolver final : public TileReader {

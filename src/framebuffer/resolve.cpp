@@ -2,9 +2,12 @@
 #include <GL/osmesa.h>
 #include <emmintrin.h>
 
+#include <algorithm>
 #include <cstring>
+#include <iterator>
 
 #include "frame/thread_pool.h"
+#include "frame/tile_worker.h"
 #include "framebuffer/framebuffer.h"
 
 namespace softgl {
@@ -98,12 +101,17 @@ template <class Convert> void resolve_tile(const Surface& s, const ClientBuffer&
   const int x0 = int(tile) % s.tiles_x * kTileSize, y0 = int(tile) / s.tiles_x * kTileSize;
   const int columns = s.width - x0 < kTileSize ? s.width - x0 : kTileSize, rows = s.height - y0 < kTileSize ? s.height - y0 : kTileSize;
   const auto* color = static_cast<const unsigned char*>(s.color) + size_t(tile) * kTilePixels * Convert::kFrom;
+  // Of a tile that waits all rows of blocks are this one.
+  const bool waits = s.tile[tile].color.waits;
+  uint32_t same[kBlock * Convert::kFrom / sizeof(uint32_t)];
+  if (waits) std::fill(std::begin(same), std::end(same), s.tile[tile].color.word);
+  auto pixels = [&](int x, int y) { return waits ? reinterpret_cast<const unsigned char*>(same) : color + size_t(pixel_in_tile(x, y)) * Convert::kFrom; };
   for (int y = 0; y < rows; ++y) {
     unsigned char* out = to.top + ptrdiff_t(y0 + y) * to.row_stride + ptrdiff_t(x0) * ptrdiff_t(Convert::kTo);
     int x = 0;
     for (; x + kBlock <= columns; x += kBlock, out += kBlock * Convert::kTo)
-      Convert::run(color + size_t(pixel_in_tile(x, y)) * Convert::kFrom, out, kBlock);
-    if (x < columns) Convert::run(color + size_t(pixel_in_tile(x, y)) * Convert::kFrom, out, columns - x);
+      Convert::run(pixels(x, y), out, kBlock);
+    if (x < columns) Convert::run(pixels(x, y), out, columns - x);
   }
 }
 
@@ -124,6 +132,15 @@ auto resolver_of(const Surface& s, const ClientBuffer& client) -> decltype(&reso
   return resolve_tile<Copy16>;
 }
 
+/// With all threads; below about a quarter of a megapixel a copy is shorter than waking a thread.
+template <class Visit> void for_each_tile(const Surface& s, Visit&& visit) {
+  const size_t tiles = size_t(s.tiles_x) * size_t(s.tiles_y);
+  if (int64_t(s.width) * s.height < 256 * 1024)
+    for (size_t tile = 0; tile < tiles; ++tile) visit(uint32_t(tile));
+  else
+    ThreadPool::instance().run(tiles, [&](size_t tile, int) { visit(uint32_t(tile)); });
+}
+
 } // namespace
 
 int depth_copy_bytes(const Framebuffer& f) {
@@ -131,7 +148,15 @@ int depth_copy_bytes(const Framebuffer& f) {
   return f.surface.depth_format == DepthFormat::Z16 ? 2 : 4;
 }
 
+void write_tiles(Framebuffer& f) {
+  if (!f.unwritten) return;
+  f.unwritten = false;
+  const Surface& s = f.surface;
+  for_each_tile(s, [&](uint32_t tile) { write_tile(s, tile); });
+}
+
 void copy_depth(Framebuffer& f) {
+  write_tiles(f);
   const Surface& s = f.surface;
   const size_t bytes = size_t(depth_copy_bytes(f));
   f.depth_copy.resize(size_t(s.width) * size_t(s.height) * bytes);
@@ -149,12 +174,7 @@ Resolver::Resolver(const Surface& surface, const ClientBuffer& client)
 
 void resolve(const Surface& s, const ClientBuffer& client) {
   const Resolver resolver(s, client);
-  const size_t tiles = size_t(s.tiles_x) * size_t(s.tiles_y);
-  // Below about a quarter of a megapixel the copy is shorter than waking a thread.
-  if (int64_t(s.width) * s.height < 256 * 1024)
-    for (size_t tile = 0; tile < tiles; ++tile) resolver.read(uint32_t(tile));
-  else
-    ThreadPool::instance().run(tiles, [&](size_t tile, int) { resolver.read(uint32_t(tile)); });
+  for_each_tile(s, [&](uint32_t tile) { resolver.read(tile); });
 }
 
 } // namespace softgl

@@ -18,6 +18,7 @@ using namespace softgl;
 
 struct Canvas {
   std::vector<uint32_t> color, depth;
+  std::vector<TileState> tiles;
   Surface surface{};
   Canvas(int width, int height, ColorFormat format = ColorFormat::Rgba8) {
     surface.width = width, surface.height = height;
@@ -27,6 +28,8 @@ struct Canvas {
     const size_t pixels = size_t(surface.tiles_x) * size_t(surface.tiles_y) * kTilePixels;
     color.assign(pixels * size_t(bytes_per_pixel(format)) / 4, 0x20406080u);
     depth.assign(pixels, 0x00ffffffu);
+    tiles.resize(size_t(surface.tiles_x) * size_t(surface.tiles_y));
+    surface.tile = tiles.data();
     surface.color = color.data();
     surface.depth_stencil = depth.data();
   }
