@@ -181,3 +181,29 @@ TEST_CASE("Polygon offset of filled polygons obeys GL_POLYGON_OFFSET_FILL only",
   CHECK(depth_with(GL_POLYGON_OFFSET_POINT) == plain);
   CHECK(depth_with(GL_POLYGON_OFFSET_FILL) > plain);
 }
+
+TEST_CASE("the colour sum reaches the fog as it is", "[spec][fragments]") {
+  for (const Gl* gl : {&softgl_library(), &osmesa_library()}) {
+    std::vector<unsigned char> color(4 * 4 * 4);
+    void* context = gl->OSMesaCreateContext(GL_RGBA, nullptr);
+    REQUIRE(gl->OSMesaMakeCurrent(context, color.data(), GL_UNSIGNED_BYTE, 4, 4));
+    const float black[4] = {0, 0, 0, 0};
+    gl->Enable(GL_COLOR_SUM);
+    gl->Enable(GL_FOG);
+    gl->Fogi(GL_FOG_MODE, GL_LINEAR);
+    gl->Fogi(GL_FOG_COORDINATE_SOURCE, GL_FOG_COORDINATE);
+    gl->Fogfv(GL_FOG_COLOR, black);
+    gl->Fogf(GL_FOG_END, 1);
+    gl->FogCoordf(0.5f);
+    gl->Color3f(1, 1, 0);
+    gl->SecondaryColor3f(1, 0, 0);
+    gl->Rectf(-1, -1, 1, 1);
+    gl->Finish();
+    INFO(gl->name);
+    CHECK(int(color[0]) == 255); // half of 2, not of 1
+    CHECK(int(color[1]) == 128);
+    CHECK(int(color[2]) == 0);
+    gl->OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
+    gl->OSMesaDestroyContext(context);
+  }
+}
