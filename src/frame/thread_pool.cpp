@@ -49,7 +49,7 @@ struct ThreadPool::State {
   std::atomic<int> workers{default_workers()};
   std::vector<pthread_t> threads; // besides the caller; guarded by owner
   int caller_processor = -1;      // where no thread runs; guarded by owner
-  cpu_set_t elsewhere;            // where they may
+  cpu_set_t elsewhere{};          // where they may; empty: anywhere
 
   // The run under way; written under mutex. Workers join while it is open; one that wakes too late is not waited for.
   std::atomic<uint64_t> generation{0};
@@ -122,13 +122,14 @@ struct ThreadPool::State {
     int worker;
   };
 
-  bool start_thread() {
+  /// `placed`: elsewhere from its first instruction on.
+  bool start_thread(bool placed) {
     threads.reserve(threads.size() + 1);
     auto begin = std::make_unique<Begin>(Begin{this, static_cast<int>(threads.size()) + 1});
     pthread_attr_t attributes;
     if (pthread_attr_init(&attributes) != 0) return false;
     pthread_attr_setdetachstate(&attributes, PTHREAD_CREATE_DETACHED);
-    if (CPU_COUNT(&elsewhere) > 0) pthread_attr_setaffinity_np(&attributes, sizeof elsewhere, &elsewhere);
+    if (placed) pthread_attr_setaffinity_np(&attributes, sizeof elsewhere, &elsewhere);
     auto main = [](void* argument) -> void* {
       const std::unique_ptr<Begin> b(static_cast<Begin*>(argument));
       b->state->serve(b->worker);
@@ -144,13 +145,15 @@ struct ThreadPool::State {
 
   /// Starts threads until there are `wanted_threads`; fewer when the system gives no more.
   int start(int wanted_threads) {
-    if (threads.empty() && wanted_threads > 0) stay_loaded();
     leave_callers_processor();
+    if (static_cast<int>(threads.size()) >= wanted_threads) return wanted_threads;
+    if (threads.empty()) stay_loaded();
     sigset_t all, old;
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &old); // signals are the application's business
     try {
-      while (static_cast<int>(threads.size()) < wanted_threads && start_thread()) {}
+      // A sandbox may forbid to choose processors.
+      while (static_cast<int>(threads.size()) < wanted_threads && ((CPU_COUNT(&elsewhere) > 0 && start_thread(true)) || start_thread(false))) {}
     } catch (const std::bad_alloc&) {
     }
     pthread_sigmask(SIG_SETMASK, &old, nullptr);
