@@ -73,9 +73,9 @@ void obj_reading(benchmark::State& state, bool slashes) {
     cli::RemarkList remarks;
     const cli::ObjModel model = cli::read_obj(text, 1, remarks);
     state.PauseTiming();
-    hash = hash_of(&model.positions[0], model.positions.size() * sizeof(double));
+    hash = hash_of(model.positions.data(), model.positions.size() * sizeof(double));
     for (const cli::ObjChunk& chunk : model.chunks)
-      hash = hash_of(&chunk.corner_vertices.values[0], chunk.corner_vertices.values.size() * 4, hash);
+      hash = hash_of(chunk.corner_vertices.values.data(), chunk.corner_vertices.values.size() * 4, hash);
     state.ResumeTiming();
   }
   state.SetBytesProcessed(int64_t(state.iterations()) * int64_t(text.size()));
