@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <mutex>
 
 namespace softgl {
 
@@ -25,13 +26,12 @@ static_assert(std::atomic<Use>::is_always_lock_free);
 } // namespace
 
 Pages open_early_pages() {
-  static const bool opened = [] {
+  static std::once_flag once;
+  std::call_once(once, [] {
     memory_begin = static_cast<unsigned char*>(map_pages(kBytes));
     if (memory_begin) use = Use{};
-    return true;
-  }();
-  const bool fresh = opened && use.load().units == 0;
-  return {memory_begin, fresh ? kBytes : 0};
+  });
+  return {memory_begin, use.load().units == 0 ? kBytes : 0};
 }
 
 void* take_early_pages(size_t bytes) {

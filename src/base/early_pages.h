@@ -1,4 +1,4 @@
-// A few megabytes of zeroed memory that a thread brings in while the program still prepares its first picture.
+// Two megabytes of zeroed memory that a thread brings in while the program still prepares its first picture.
 #pragma once
 
 #include <cstddef>

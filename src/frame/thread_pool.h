@@ -21,7 +21,7 @@ public:
   void set_workers(int count);
 
   /// Starts the threads, and has one of them bring in memory that will soon be written (populate_pages) while the caller
-  /// goes on. The memory may be gone by then. Does nothing where there is one worker.
+  /// goes on, until a run begins. The memory may be gone by then. Does nothing where there is one worker.
   void prepare(const std::vector<Pages>& pages);
 
   /// Calls fn(i, worker) once for every i in [0, count), each worker (0 <= worker < workers()) on a thread of its own,
