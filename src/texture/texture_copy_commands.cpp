@@ -68,8 +68,10 @@ void copy_image(Context& c, int dimensions, GLenum target, GLint level, GLenum i
   if (!t.valid() || t.proxy) return set_error(c, GL_INVALID_ENUM);
   if (level < 0 || level >= max_texture_levels(t.target) || border < 0 || border > 1 || width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
   // The numbers 1 to 4 are no formats here (3.8.2).
-  const TexelFormat* texel = internal_format <= 4 ? nullptr : choose_texel_format(GLint(internal_format), 0, 0, false);
-  if (!texel) return set_error(c, GL_INVALID_ENUM);
+  const TexelFormat* chosen = internal_format <= 4 ? nullptr : choose_texel_format(GLint(internal_format), 0, 0, false);
+  if (!chosen) return set_error(c, GL_INVALID_ENUM);
+  const auto object = target_object(c, t);
+  const TexelFormat* texel = &level_format(*object, t.face, level, GLint(internal_format), *chosen);
   if (texel->base == GL_DEPTH_COMPONENT && (c.framebuffer.surface.depth_format == DepthFormat::None || t.target == kTextureCube))
     return set_error(c, GL_INVALID_OPERATION);
   if (GLenum error = check_image_size(t, level, width, height, 1, border); error != GL_NO_ERROR) return set_error(c, error);
@@ -77,7 +79,7 @@ void copy_image(Context& c, int dimensions, GLenum target, GLint level, GLenum i
   try {
     auto image = make_image(*texel, GLint(internal_format), width - 2 * border, dimensions > 1 ? height - 2 * border : 1, 1);
     copy_rectangle(c, x + border, dimensions > 1 ? y + border : y, image->width, image->height, *image, 0, 0, 0);
-    const auto object = target_object(c, t);
+    match_formats(*object, *image);
     object->image[t.face][level] = std::move(image);
     image_changed(c, *object, t.face, level);
   } catch (const std::bad_alloc&) {

@@ -56,12 +56,13 @@ void specify_image(Context& c, int dimensions, GLenum target, GLint level, GLint
   if (level < 0 || level >= max_texture_levels(t.target) || border < 0 || border > 1 || width < 0 || height < 0 || depth < 0)
     return set_error(c, GL_INVALID_VALUE);
   if (GLenum error = check_format(internal_format, format, type); error != GL_NO_ERROR) return set_error(c, error);
-  const TexelFormat& texel = *choose_texel_format(internal_format, format, type, c.client.pixel_store.unpack.swap_bytes);
+  const auto object = target_object(c, t);
+  const TexelFormat& texel =
+      level_format(*object, t.face, level, internal_format, *choose_texel_format(internal_format, format, type, c.client.pixel_store.unpack.swap_bytes));
   if (texel.base == GL_DEPTH_COMPONENT && t.target != kTexture1D && t.target != kTexture2D && t.target != kTextureRectangle)
     return set_error(c, GL_INVALID_OPERATION);
   const GLenum size_error = check_image_size(t, level, width, height, depth, border);
   const bool fits = size_error == GL_NO_ERROR && image_bytes(texel, width, height, depth) <= kMaxImageBytes;
-  const auto object = target_object(c, t);
   if (t.proxy) {
     // A proxy's image is only a description; what is impossible leaves it empty, without an error (3.8.11).
     object->image[0][level] = nullptr;
@@ -76,23 +77,23 @@ void specify_image(Context& c, int dimensions, GLenum target, GLint level, GLint
   if (size_error != GL_NO_ERROR) return set_error(c, size_error);
   if (!fits) return set_error(c, GL_OUT_OF_MEMORY);
   const int b = border;
-  std::shared_ptr<TextureImage> image;
   try {
-    image = make_image(texel, internal_format, width - 2 * b, dimensions > 1 ? height - 2 * b : 1, dimensions > 2 ? depth - 2 * b : 1);
+    auto image = make_image(texel, internal_format, width - 2 * b, dimensions > 1 ? height - 2 * b : 1, dimensions > 2 ? depth - 2 * b : 1);
+    match_formats(*object, *image);
+    if (pixels && !image->empty()) {
+      // The border is dropped, as OSMesa drops it: only the pixels inside are read.
+      const PixelFormat f = describe_pixel_format(format, type);
+      const ImageLayout layout = layout_image(c.client.pixel_store.unpack, dimensions, width, height, f);
+      auto p = static_cast<const unsigned char*>(pixels) + layout.offset + size_t(b) * f.bytes;
+      if (dimensions > 1) p += size_t(b) * layout.row_stride;
+      if (dimensions > 2) p += size_t(b) * layout.image_stride;
+      store_box(c, *image, 0, 0, 0, image->width, image->height, image->depth, f, layout, p);
+    }
+    object->image[t.face][level] = std::move(image);
+    image_changed(c, *object, t.face, level);
   } catch (const std::bad_alloc&) {
-    return set_error(c, GL_OUT_OF_MEMORY);
+    set_error(c, GL_OUT_OF_MEMORY);
   }
-  if (pixels && !image->empty()) {
-    // The border is dropped, as OSMesa drops it: only the pixels inside are read.
-    const PixelFormat f = describe_pixel_format(format, type);
-    const ImageLayout layout = layout_image(c.client.pixel_store.unpack, dimensions, width, height, f);
-    auto p = static_cast<const unsigned char*>(pixels) + layout.offset + size_t(b) * f.bytes;
-    if (dimensions > 1) p += size_t(b) * layout.row_stride;
-    if (dimensions > 2) p += size_t(b) * layout.image_stride;
-    store_box(c, *image, 0, 0, 0, image->width, image->height, image->depth, f, layout, p);
-  }
-  object->image[t.face][level] = std::move(image);
-  image_changed(c, *object, t.face, level);
 }
 
 void change_image(Context& c, int dimensions, GLenum target, GLint level, GLint x, GLint y, GLint z, GLsizei width, GLsizei height,

@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "state/context.h"
+#include "texture/pixel_formats.h"
 
 namespace softgl {
 
@@ -58,6 +59,30 @@ std::shared_ptr<TextureObject> bound_texture(const Context& c, int unit, Texture
   if (const GLuint name = c.state.texture.unit[unit].bound[target])
     if (auto object = c.shared->textures.find(name); object && object->target == target) return object;
   return default_texture(c, target);
+}
+
+const TexelFormat& level_format(const TextureObject& object, int face, int level, GLint internal_format, const TexelFormat& chosen) {
+  const TextureImage* before = level > 0 ? object.image[face][level - 1].get() : nullptr;
+  return before && before->width > 0 && before->internal_format == internal_format ? *before->format : chosen;
+}
+
+void match_formats(TextureObject& object, const TextureImage& image) {
+  const bool depth = image.format->layout == TexelLayout::Depth;
+  const PixelFormat client = describe_pixel_format(depth ? GL_DEPTH_COMPONENT : GL_RGBA, depth ? GL_UNSIGNED_INT : GL_FLOAT);
+  std::vector<unsigned char> row;
+  for (auto& face : object.image)
+    for (auto& other : face) {
+      if (!other || other->internal_format != image.internal_format || other->format == image.format) continue;
+      auto converted = make_image(*image.format, other->internal_format, other->width, other->height, other->depth);
+      row.resize(size_t(other->width) * size_t(client.bytes));
+      for (int z = 0; !other->empty() && z < other->depth; ++z)
+        for (int y = 0; y < other->height; ++y) {
+          load_texels(*other->format, other->at(0, y, z), client, row.data(), other->width, false);
+          store_texels(*image.format, converted->at(0, y, z), client, row.data(), other->width, false, PixelModeState{});
+        }
+      converted->repeat_edges();
+      other = std::move(converted);
+    }
 }
 
 bool uses_mipmaps(GLenum min_filter) { return min_filter != GL_NEAREST && min_filter != GL_LINEAR; }

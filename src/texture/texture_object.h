@@ -68,6 +68,13 @@ std::shared_ptr<TextureObject> bound_texture(const Context& c, int unit, Texture
 std::shared_ptr<TextureObject> default_texture(const Context& c, TextureTarget target);
 std::shared_ptr<TextureObject> proxy_texture(Context& c, TextureTarget target);
 
+/// The storage for a new image: that of the level before it if both have one internal format, so that the levels of a
+/// texture fit together whatever form each one's pixels have; else `chosen`, which suits the pixels best.
+const TexelFormat& level_format(const TextureObject& object, int face, int level, GLint internal_format, const TexelFormat& chosen);
+/// Stores all other images of the same internal format as this one is stored: 3.8.10 asks for nothing more of a complete
+/// texture, and the sampling kernels read one format. Throws std::bad_alloc.
+void match_formats(TextureObject& object, const TextureImage& image);
+
 /// Sets all levels behind the base level from it (3.8.8, automatic mipmap generation).
 void generate_mipmaps(TextureObject& object, int face);
 

@@ -68,3 +68,39 @@ TEST_CASE("Compressed internal formats are stored uncompressed", "[texture][devi
   c.gl.GetTexImage(GL_TEXTURE_2D, 0, GL_RGB, GL_UNSIGNED_BYTE, back.data());
   CHECK(back == texels);
 }
+
+// Three levels of one internal format, each with pixels of another form; gives the colour that each level is drawn with.
+static std::vector<GLuint> draw_levels(const Gl& gl, bool smallest_first) {
+  TextureContext c(gl);
+  const GLubyte bytes[4] = {51, 102, 204, 255};
+  const GLushort shorts[4] = {0x1111, 0x2222, 0x8888, 0xffff};
+  const GLfloat floats[4] = {0.6f, 0.2f, 0.8f, 1};
+  for (int i = 0; i < 3; ++i) {
+    const int level = smallest_first ? 2 - i : i, size = 4 >> level;
+    std::vector<GLubyte> image;
+    const auto fill = [&](const auto& texel) {
+      for (int k = 0; k < size * size; ++k) image.insert(image.end(), reinterpret_cast<const GLubyte*>(texel), reinterpret_cast<const GLubyte*>(texel) + sizeof texel);
+    };
+    level == 0 ? fill(shorts) : level == 1 ? fill(bytes) : fill(floats);
+    gl.TexImage2D(GL_TEXTURE_2D, level, GL_RGBA, size, size, 0, GL_RGBA, level == 0 ? GL_UNSIGNED_SHORT : level == 1 ? GL_UNSIGNED_BYTE : GL_FLOAT, image.data());
+  }
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+  gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+  gl.Enable(GL_TEXTURE_2D);
+  std::vector<GLuint> colors;
+  for (int level = 0; level < 3; ++level) {
+    gl.TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MIN_LOD, GLfloat(level));
+    gl.TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_LOD, GLfloat(level));
+    gl.Rectf(-1, -1, 1, 1);
+    gl.ReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &colors.emplace_back());
+  }
+  return colors;
+}
+
+TEST_CASE("Levels of one internal format fit together, whatever form their pixels have and whichever comes first", "[texture][deviation]") {
+  const std::vector<GLuint> colors = {0xff882211, 0xffcc6633, 0xffcc3399};
+  CHECK(draw_levels(softgl_library(), false) == colors);
+  CHECK(draw_levels(softgl_library(), true) == colors);
+  CHECK(draw_levels(osmesa_library(), false) == colors);
+  CHECK(draw_levels(osmesa_library(), true) != colors);
+}
