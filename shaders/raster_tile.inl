@@ -30,14 +30,12 @@ static void tile_fragments(const TileTarget& tile, const RasterDraw& draw, const
     auto* color = static_cast<uint32_t*>(tile.color);
     uint32_t* depth = tile.depth_stencil;
     const uint32_t mask = draw.color_mask;
-    uint32_t nowhere = 0;
     for (int32_t i = 0; i < count; ++i) {
-      // Without a branch: which fragments pass is hard to predict.
       const uint32_t pixel = fragments.pixel[i], z = fragments.depth[i], stored = depth[pixel];
-      const bool passes = z < (stored & 0xffffff);
-      uint32_t* where = passes ? color + pixel : &nowhere;
-      depth[pixel] = passes ? (stored & 0xff000000) | z : stored;
-      *where = mask == ~uint32_t(0) ? fragments.color[i] : (*where & ~mask) | (fragments.color[i] & mask);
+      // Neighbours mostly fare alike: without a branch, by masks, all of mesh70k takes 5 % longer.
+      if (z >= (stored & 0xffffff)) continue;
+      depth[pixel] = (stored & 0xff000000) | z;
+      color[pixel] = mask == ~uint32_t(0) ? fragments.color[i] : (color[pixel] & ~mask) | (fragments.color[i] & mask);
     }
     return;
   }

@@ -31,11 +31,15 @@ struct TileWords {
   uint32_t known = 0; // bits that are those of `word` at all pixels
   bool waits = false; // known are all bits
 };
+/// Tile t = (y / 64) * tiles_x + x / 64 has the pixels from place * kTilePixels on in both planes.
 struct TileState {
+  uint32_t place;                 // kNoPlace: both planes wait
   TileWords color, depth_stencil; // color: of Rgba8 only
 };
+constexpr uint32_t kNoPlace = ~uint32_t(0);
 
-/// The colour and depth/stencil planes. Tile t = (y / 64) * tiles_x + x / 64 begins at pixel t * kTilePixels.
+/// The colour and depth/stencil planes. Tiles get their places in them when they are first written to, so that those of a
+/// picture that fills half the window lie close together and the rest of the planes is never brought into memory.
 struct Surface {
   int32_t width, height;     // pixels
   int32_t tiles_x, tiles_y;
@@ -44,10 +48,11 @@ struct Surface {
   void* color;               // tiles_x * tiles_y * kTilePixels pixels of color_format
   uint32_t* depth_stencil;   // as many words; null when depth_format is None
   TileState* tile;           // of each tile
+  uint32_t* next_place;      // places before it are taken
 };
 
 inline size_t pixel_index(const Surface& s, int x, int y) {
-  return (size_t(y >> 6) * size_t(s.tiles_x) + size_t(x >> 6)) * kTilePixels + size_t(pixel_in_tile(x, y));
+  return s.tile[(y >> 6) * s.tiles_x + (x >> 6)].place * size_t(kTilePixels) + size_t(pixel_in_tile(x, y));
 }
 
 } // namespace softgl

@@ -19,7 +19,9 @@ namespace {
 constexpr uint32_t kUnitSteps = 2048;         // assembly steps (or vertices) of a unit
 constexpr uint32_t kShadeChunk = 2048;        // vertices shaded at a time; a multiple of 64
 constexpr uint32_t kSmallDraw = 1024;         // draws of up to so many steps and vertices are shaded inside their unit
-constexpr uint32_t kRoundSteps = 1u << 19;    // steps whose bins are in memory at the same time
+// Steps whose bins are in memory at the same time. The first frames have little memory, which takes longer to come than
+// the waits for each other at the end of a round; later ones have it.
+constexpr uint32_t kFirstRoundSteps = 1u << 14, kRoundSteps = 1u << 19;
 
 /// A part of a draw: steps of one primitive, or the whole draw when it is small.
 struct Piece {
@@ -148,7 +150,7 @@ private:
     open_steps_ += steps;
     round_steps_ += steps;
     if (open_steps_ >= kUnitSteps) close_unit();
-    if (round_steps_ >= kRoundSteps) finish_round();
+    if (round_steps_ >= frame_.most_round_steps_) finish_round();
   }
 
   /// Does everything planned so far and forgets it.
@@ -270,7 +272,7 @@ private:
   bool stencil_drawn_ = false;
 };
 
-Frame::Frame() = default;
+Frame::Frame() : most_round_steps_(kFirstRoundSteps) {}
 Frame::~Frame() = default;
 
 void Frame::prepare(std::vector<Pages>& pages) {
@@ -279,10 +281,11 @@ void Frame::prepare(std::vector<Pages>& pages) {
     const Pages block = arena.prepare();
     pages.push_back({block.memory, std::min(block.bytes, most)});
   };
-  // 70,000 triangles of a mesh make 1.2 MB of vertices and 8.7 MB of fragments in lists. More would be made zero for nothing.
+  // 70,000 triangles of a mesh make 1.2 MB of vertices, and in each of the first frame's rounds 2 MB of fragments in lists.
+  // More would be made zero for nothing.
   take(arena_, kHugePage);
   const int workers = ThreadPool::instance().workers();
-  for (int i = 0; i < std::min(workers, 4); ++i) take((*workers_)[i].arena, std::max(4 * kHugePage / size_t(workers), kHugePage));
+  for (int i = 0; i < std::min(workers, 4); ++i) take((*workers_)[i].arena, kHugePage);
 }
 
 void Frame::make_workers() {
@@ -295,6 +298,7 @@ void Frame::flush(const Surface& surface, const TileReader* reader) {
     const FloatEnvironment environment;
     make_workers();
     FrameWork(*this, surface, reader).run();
+    most_round_steps_ = std::min(2 * most_round_steps_, kRoundSteps);
   }
   items_.clear();
   retained_.clear();

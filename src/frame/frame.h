@@ -67,6 +67,7 @@ private:
   /// The bytes of objects that only this frame still holds: textures and buffers that were deleted or specified anew.
   size_t abandoned_bytes();
   std::vector<Item> items_;
+  uint32_t most_round_steps_;
   void make_workers();
   struct Workers; // memory of the workers, kept from flush to flush
   std::unique_ptr<Workers> workers_;

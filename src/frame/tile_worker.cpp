@@ -1,6 +1,7 @@
 #include "frame/tile_worker.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
 
 #include "frame/frame.h"
@@ -45,10 +46,15 @@ void write_words(uint32_t* plane, TileWords& words) {
   words.waits = false;
 }
 
-/// Replaces the bits of `mask` in the words of the box.
+/// Of a tile that waits without a place nothing is read or written there.
+size_t first_pixel(const Surface& s, uint32_t tile) {
+  const uint32_t place = s.tile[tile].place;
+  return place == kNoPlace ? 0 : place * size_t(kTilePixels);
+}
+
+/// Replaces the bits of `mask` in the words of the box. What waits has been written, unless the box is the whole tile.
 void clear_words(uint32_t* plane, TileWords& words, uint32_t value, uint32_t mask, const Box& box, bool whole) {
   if (!whole) {
-    write_words(plane, words);
     words.known &= ~mask;
     return fill(plane, value, mask, box, false);
   }
@@ -59,7 +65,7 @@ void clear_words(uint32_t* plane, TileWords& words, uint32_t value, uint32_t mas
 }
 
 void clear_color(const ClearRecord& c, const Surface& s, uint32_t tile, const Box& box, bool whole) {
-  const size_t first = size_t(tile) * kTilePixels;
+  const size_t first = first_pixel(s, tile);
   switch (s.color_format) {
   case ColorFormat::Rgba8: {
     uint32_t value = 0, mask = 0;
@@ -100,13 +106,14 @@ void execute_clear(const ClearRecord& c, const Surface& s, uint32_t tile) {
   const Box box = clear_box(c, s, tile);
   if (box.x0 >= box.x1 || box.y0 >= box.y1) return;
   const bool whole = covers_tile(c, s, tile);
+  if (!whole) write_tile(s, tile);
   if (c.color) clear_color(c, s, tile, box, whole);
   if (!s.depth_stencil || !(c.depth || c.stencil)) return;
   uint32_t value = 0, mask = 0;
   if (c.depth) value |= c.depth_value & 0xffffff, mask |= 0xffffff;
   if (c.stencil && s.depth_format == DepthFormat::Z24S8) value |= c.stencil_value << 24, mask |= c.stencil_write_mask << 24;
   if (s.depth_format == DepthFormat::Z16 && c.depth) mask = ~0u;
-  clear_words(s.depth_stencil + size_t(tile) * kTilePixels, s.tile[tile].depth_stencil, value, mask, box, whole);
+  clear_words(s.depth_stencil + first_pixel(s, tile), s.tile[tile].depth_stencil, value, mask, box, whole);
 }
 
 /// Makes ready for fragments of a draw: what waits is written, and what they write is no longer known.
@@ -122,9 +129,11 @@ void open_tile(const Surface& s, uint32_t tile, const RasterDraw& draw) {
 } // namespace
 
 void write_tile(const Surface& s, uint32_t tile) {
-  const size_t first = size_t(tile) * kTilePixels;
-  if (s.color_format == ColorFormat::Rgba8) write_words(static_cast<uint32_t*>(s.color) + first, s.tile[tile].color);
-  if (s.depth_stencil) write_words(s.depth_stencil + first, s.tile[tile].depth_stencil);
+  TileState& state = s.tile[tile];
+  if (state.place == kNoPlace) state.place = std::atomic_ref(*s.next_place).fetch_add(1, std::memory_order_relaxed);
+  const size_t first = first_pixel(s, tile);
+  if (s.color_format == ColorFormat::Rgba8) write_words(static_cast<uint32_t*>(s.color) + first, state.color);
+  if (s.depth_stencil) write_words(s.depth_stencil + first, state.depth_stencil);
 }
 
 bool clear_hides_all(const ClearRecord& c, const Surface& s, uint32_t tile, bool stencil_drawn) {
@@ -135,15 +144,17 @@ bool clear_hides_all(const ClearRecord& c, const Surface& s, uint32_t tile, bool
 }
 
 void execute_tile(const Surface& surface, uint32_t tile, const TileChunk* work, const RasterKernels& kernels, FragmentBlock& scratch) {
-  const size_t first = size_t(tile) * kTilePixels;
   TileTarget target;
   target.x = static_cast<int32_t>(tile % uint32_t(surface.tiles_x)) * kTileSize;
   target.y = static_cast<int32_t>(tile / uint32_t(surface.tiles_x)) * kTileSize;
-  target.color = static_cast<uint8_t*>(surface.color) + first * size_t(bytes_per_pixel(surface.color_format));
-  target.depth_stencil = surface.depth_stencil ? surface.depth_stencil + first : nullptr;
   for_each_segment(work, [&](const TileSegment& segment) {
     const auto count = static_cast<int32_t>(segment.count);
-    if (segment.kind != TileSegment::Clear) open_tile(surface, tile, *segment.draw);
+    if (segment.kind != TileSegment::Clear) {
+      open_tile(surface, tile, *segment.draw);
+      const size_t first = first_pixel(surface, tile);
+      target.color = static_cast<uint8_t*>(surface.color) + first * size_t(bytes_per_pixel(surface.color_format));
+      target.depth_stencil = surface.depth_stencil ? surface.depth_stencil + first : nullptr;
+    }
     switch (segment.kind) {
     case TileSegment::Primitives:
       kernels.tile_primitives(target, *segment.draw, reinterpret_cast<const RasterPrimitive* const*>(segment.entries()), count, scratch);

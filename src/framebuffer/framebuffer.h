@@ -48,6 +48,7 @@ struct Framebuffer {
 private:
   size_t color_bytes_ = 0, depth_bytes_ = 0;
   std::vector<TileState> tiles_;
+  uint32_t next_place_ = 0;
 };
 
 /// Tells the planes what waits to be written to them (TileWords); the resolver alone reads a surface without.

@@ -100,9 +100,9 @@ template <class Convert> void resolve_tile(const Surface& s, const ClientBuffer&
   const Destination to = destination_of(s, client, Convert::kTo);
   const int x0 = int(tile) % s.tiles_x * kTileSize, y0 = int(tile) / s.tiles_x * kTileSize;
   const int columns = s.width - x0 < kTileSize ? s.width - x0 : kTileSize, rows = s.height - y0 < kTileSize ? s.height - y0 : kTileSize;
-  const auto* color = static_cast<const unsigned char*>(s.color) + size_t(tile) * kTilePixels * Convert::kFrom;
   // Of a tile that waits all rows of blocks are this one.
   const bool waits = s.tile[tile].color.waits;
+  const auto* color = static_cast<const unsigned char*>(s.color) + (waits ? 0 : s.tile[tile].place * size_t(kTilePixels) * Convert::kFrom);
   uint32_t same[kBlock * Convert::kFrom / sizeof(uint32_t)];
   if (waits) std::fill(std::begin(same), std::end(same), s.tile[tile].color.word);
   auto pixels = [&](int x, int y) { return waits ? reinterpret_cast<const unsigned char*>(same) : color + size_t(pixel_in_tile(x, y)) * Convert::kFrom; };

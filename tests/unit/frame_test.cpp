@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "framebuffer/framebuffer.h"
+
 using softgl::Frame;
 
 namespace {
@@ -39,4 +41,38 @@ TEST_CASE("an object that is abandoned after it was retained counts, too", "[fra
   objects.clear();
   for (int i = 0; i < 300; i++) frame.retain(std::make_shared<int>(i), kMebibyte);
   CHECK(frame.over_budget());
+}
+
+TEST_CASE("tiles take memory of the planes when they are written to, not when they are cleared", "[frame]") {
+  using namespace softgl;
+  Framebuffer framebuffer;
+  framebuffer.depth_bits = 24;
+  REQUIRE(framebuffer.allocate(256, 192, ColorFormat::Rgba8));
+  const Surface& s = framebuffer.surface;
+  Frame frame;
+  const auto clear = [&](int32_t x0, int32_t y0, int32_t x1, int32_t y1, float red) {
+    frame.append(frame.arena().make<ClearRecord>(
+        ClearRecord{true, true, false, {true, true, true, true}, {red, 0, 0, 0}, uint32_t(red), 0, 0, x0, y0, x1, y1}));
+    frame.flush(s);
+  };
+  clear(0, 0, 256, 192, 1);
+  CHECK(*s.next_place == 0);
+  clear(100, 70, 140, 80, 2); // two tiles
+  CHECK(*s.next_place == 2);
+  clear(192, 128, 200, 192, 3);
+  CHECK(*s.next_place == 3);
+  clear(64, 64, 128, 128, 4); // keeps its place
+  CHECK(*s.next_place == 3);
+  write_tiles(framebuffer);
+  CHECK(*s.next_place == 12);
+  const auto* color = static_cast<const uint32_t*>(s.color);
+  for (int y = 0; y < 192; y++)
+    for (int x = 0; x < 256; x++) {
+      uint32_t red = 1;
+      if (x >= 100 && x < 140 && y >= 70 && y < 80) red = 2;
+      if (x >= 192 && x < 200 && y >= 128) red = 3;
+      if (x >= 64 && x < 128 && y >= 64 && y < 128) red = 4;
+      const size_t i = pixel_index(s, x, y);
+      REQUIRE((color[i] == red && (s.depth_stencil[i] & 0xffffff) == red));
+    }
 }

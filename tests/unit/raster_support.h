@@ -29,6 +29,7 @@ struct Canvas {
     color.assign(pixels * size_t(bytes_per_pixel(format)) / 4, 0x20406080u);
     depth.assign(pixels, 0x00ffffffu);
     tiles.resize(size_t(surface.tiles_x) * size_t(surface.tiles_y));
+    for (size_t i = 0; i < tiles.size(); ++i) tiles[i].place = uint32_t(i);
     surface.tile = tiles.data();
     surface.color = color.data();
     surface.depth_stencil = depth.data();
