@@ -38,16 +38,17 @@ static constexpr BitPlaces make_bit_places() {
 }
 static constexpr BitPlaces kBitPlaces = make_bit_places();
 
-/// The numbers of the set bits to `place`, which has room for 8 more; gives how many there are. All rows are looked at:
-/// how many a triangle has is hard to predict.
-SOFTGL_INLINE int places_of(uint64_t mask, uint8_t* place) {
+/// Where the set bits of an 8x8 block are to `place`, which has room for 8 more: `first` + 16 * row + column. Gives how many
+/// there are. All rows are looked at: how many a triangle has is hard to predict.
+SOFTGL_INLINE int places_of(uint64_t mask, uint32_t first, uint8_t* place) {
   int n = 0;
+  const uint64_t firsts = first * 0x0101010101010101u;
 #pragma GCC unroll 8
-  for (uint64_t row = 0; row < 64; row += 8) {
-    const uint64_t byte = mask >> row & 255;
+  for (uint64_t row = 0; row < 8; ++row) {
+    const uint64_t byte = mask >> (8 * row) & 255;
     uint64_t columns;
     memcpy(&columns, kBitPlaces.place[byte], 8);
-    columns += row * 0x0101010101010101u;
+    columns += firsts + row * 0x1010101010101010u;
     memcpy(place + n, &columns, 8);
     n += kBitPlaces.count[byte];
   }
@@ -93,14 +94,16 @@ private:
   /// Calls visit(pixels) for the pixels of a box of triangle t in each tile, with their run begun.
   template <class Visit> SOFTGL_MEMBER void each_tile(int t, uint32_t position, uint32_t tile, uint64_t pixels, Visit&& visit) {
     const uint32_t x = position & 63, y = position >> 16 & 63;
-    if (x <= 64 - kBlockBox && y <= 64 - kBlockBox) {
+    uint64_t left = ~uint64_t(0), upper = left;
+    if (x > 64 - kBlockBox) left = (0xffu >> (x - 56)) * 0x0101010101010101u;
+    if (y > 64 - kBlockBox) upper >>= 8 * (y - 56);
+    if (!(pixels & ~(left & upper))) {
       begin_run(tile, t);
       return visit(pixels);
     }
-    const uint64_t left = x <= 56 ? ~uint64_t(0) : (0xffu >> (x - 56)) * 0x0101010101010101u;
-    const uint64_t upper = y <= 56 ? ~uint64_t(0) : ~uint64_t(0) >> (8 * (y - 56));
     const uint64_t part[4] = {pixels & left & upper, pixels & ~left & upper, pixels & left & ~upper, pixels & ~left & ~upper};
     const uint32_t next_row = tile + uint32_t(in_.tiles_x), number[4] = {tile, tile + 1, next_row, next_row + 1};
+#pragma GCC unroll 1
     for (int k = 0; k < 4; ++k) {
       if (!part[k]) continue;
       begin_run(number[k], t);
@@ -110,6 +113,7 @@ private:
 
   /// Fragments of one triangle in all lanes.
   void by_triangle() {
+    const Target target = this->target();
     for (uint64_t left = out_.small; left;) {
       uint8_t triangle[kWidth];
       int lanes = 0;
@@ -122,27 +126,33 @@ private:
       for (int i = 0; i < lanes; ++i) {
         TrianglePlanes planes{stored, i};
         const int t = triangle[i];
-        if (out_.cut >> t & 1) cut_box(planes, t);
-        else shade_box(planes, t, out_.position[t], out_.tile[t], pixels_of(t));
+        // Fragments of all its blocks and tiles share vectors.
+        uint8_t place[kSmallBox * kSmallBox + 64];
+        const int32_t first = end_;
+        if (out_.cut >> t & 1) list_cut_box(t, place);
+        else list_block(t, out_.position[t], out_.tile[t], 0, pixels_of(t), place);
+        const IntV x = splat(int32_t(out_.position[t] & 0xffff)), y = splat(int32_t(out_.position[t] >> 16));
+        const int32_t end = end_;
+        for (int32_t f = first; f < end; f += kWidth) {
+          const IntV p = load_bytes(place + (f - first));
+          shade(target, planes, f, x + (p & 15), y + (p >> 4));
+        }
       }
     }
   }
 
-  SOFTGL_MEMBER void shade_box(TrianglePlanes& planes, int t, uint32_t position, uint32_t tile, uint64_t pixels) {
-    const IntV x = splat(int32_t(position & 0xffff)), y = splat(int32_t(position >> 16));
+  /// Lists fragments of a block: `from` is its first place.
+  SOFTGL_MEMBER uint8_t* list_block(int t, uint32_t position, uint32_t tile, uint32_t from, uint64_t pixels, uint8_t* place) {
     each_tile(t, position, tile, pixels, [&](uint64_t part) __attribute__((always_inline)) {
-      uint8_t place[64 + 16];
-      const int n = places_of(part, place);
-      for (int k = 0; k < n; k += kWidth) {
-        const IntV p = load_bytes(place + k);
-        shade(planes, end_ + k, x + (p & 7), y + (p >> 3));
-      }
+      const int n = places_of(part, from, place);
+      place += n;
       end_ += n;
     });
+    return place;
   }
 
   /// A box of more than 8 by 8 pixels, block by block.
-  void cut_box(TrianglePlanes& planes, int t) {
+  void list_cut_box(int t, uint8_t* place) {
     TileEdges edges;
     edges.x0 = edges.y0 = 0, edges.x1 = out_.last_column[t] + 1, edges.y1 = out_.last_row[t] + 1;
     edges.inside = false;
@@ -154,12 +164,13 @@ private:
         const uint64_t pixels = block_coverage<3>(edges, steps, x, y);
         if (!pixels) continue;
         const uint32_t position = out_.position[t] + uint32_t(x + (y << 16));
-        shade_box(planes, t, position, (position >> 22) * uint32_t(in_.tiles_x) + (position >> 6 & 1023), pixels);
+        place = list_block(t, position, (position >> 22) * uint32_t(in_.tiles_x) + (position >> 6 & 1023), uint32_t(x + 16 * y), pixels, place);
       }
   }
 
   /// Fragments as they come, each lane of a triangle of its own.
   void by_fragment() {
+    const Target target = this->target();
     constexpr int kMost = kDenseBelow * kSetupBatch + kWidth;
     alignas(64) uint32_t place[kMost]; // y in the upper half
     uint8_t triangle[kMost];
@@ -185,16 +196,27 @@ private:
       find_corners(draw_, in_, out_, triangle + f, corners);
       CornerPlanes planes(corners);
       const IntV p = load(place + f);
-      shade(planes, f, p & 0xffff, p >> 16);
+      shade(target, planes, f, p & 0xffff, p >> 16);
     }
   }
 
+  /// What every vector of fragments needs, to be kept in a local variable: of members GCC believes that each store may
+  /// change them (20 of 106 instructions).
+  struct Target {
+    uint16_t* pixel;
+    uint32_t *depth, *color;
+    float scale;
+    Varying varying; // without stages: the colour
+    bool opaque;
+  };
+  SOFTGL_MEMBER Target target() const { return {out_.pixel, out_.depth, out_.color, scale_, draw_.varying[0], draw_.opaque}; }
+
   /// Fragments [f, f + kWidth) at px, py.
-  template <class Planes> SOFTGL_MEMBER void shade(Planes& planes, int32_t f, IntV px, IntV py) {
+  template <class Planes> SOFTGL_MEMBER void shade(const Target& target, Planes& planes, int32_t f, IntV px, IntV py) {
     const FloatV x = to_float(px), y = to_float(py);
-    store_halves(out_.pixel + f, ((py & 56) << 6) | ((px & 56) << 3) | ((py & 7) << 3) | (px & 7));
-    const IntV depth = depth_bits(value_at(planes.z(), x, y) + planes.offset(*draw_.raster), scale_);
-    store(out_.depth + f, depth);
+    store_halves(target.pixel + f, ((py & 56) << 6) | ((px & 56) << 3) | ((py & 7) << 3) | (px & 7));
+    const IntV depth = depth_bits(value_at(planes.z(), x, y) + planes.offset(*draw_.raster), target.scale);
+    store(target.depth + f, depth);
     const PlaneV w = planes.w();
     const FloatV rw = splat(1.0f) / value_at(w, x, y);
     auto value = [&](const Varying& v, int k) __attribute__((always_inline)) {
@@ -202,10 +224,10 @@ private:
       return v.flat ? p.a : value_at(p, x, y) * rw;
     };
     if constexpr (!Staged) {
-      Varying color = draw_.varying[0];
+      Varying color = target.varying;
       color.first = 0; // says to the compiler what it is
       planes.select(color);
-      store(out_.color + f, pack_color(value(color, 0), value(color, 1), value(color, 2), draw_.opaque ? splat(1.0f) : value(color, 3)));
+      store(target.color + f, pack_color(value(color, 0), value(color, 1), value(color, 2), target.opaque ? splat(1.0f) : value(color, 3)));
       return;
     }
     if (f + kWidth > block_first_ + kLanes) finish_block(f);

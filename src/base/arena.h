@@ -19,7 +19,7 @@ public:
   explicit Arena(size_t block_bytes = 256 * 1024) : block_bytes_(block_bytes) {}
   Arena(const Arena&) = delete;
   Arena& operator=(const Arena&) = delete;
-  ~Arena() { for (auto& b : blocks_) unmap_pages(b.memory, b.size); }
+  ~Arena() { for (auto& b : blocks_) if (b.owned) unmap_pages(b.memory, b.size); }
 
   /// `bytes` of uninitialised memory, aligned to 64 bytes. Throws std::bad_alloc.
   void* allocate(size_t bytes) {
@@ -55,6 +55,11 @@ public:
   /// Forgets all allocations and keeps the blocks for the next frame.
   void reset() { used_ = 0; current_ = 0; next_ = end_ = nullptr; }
   size_t used() const { return used_; }
+  /// Gets a first block that belongs to somebody else, who keeps it as long; all others will be large.
+  void begin_with(Pages block) {
+    blocks_.insert(blocks_.begin(), {static_cast<std::byte*>(block.memory), block.bytes, false});
+    block_bytes_ = 2 * kHugePage;
+  }
   /// Begins at once with a large block, if there is none yet; gives it, or nothing.
   Pages prepare() {
     if (!blocks_.empty()) return {};
@@ -65,7 +70,7 @@ public:
   }
 
 private:
-  struct Block { std::byte* memory; size_t size; };
+  struct Block { std::byte* memory; size_t size; bool owned; };
   void grow(size_t bytes) {
     while (current_ < blocks_.size() && blocks_[current_].size < bytes) ++current_;
     if (current_ == blocks_.size()) {
@@ -76,7 +81,7 @@ private:
       blocks_.reserve(blocks_.size() + 1);
       auto* memory = static_cast<std::byte*>(map_pages(size));
       if (!memory) throw std::bad_alloc();
-      blocks_.push_back({memory, size});
+      blocks_.push_back({memory, size, true});
     }
     next_ = blocks_[current_].memory;
     end_ = next_ + blocks_[current_].size;

@@ -68,18 +68,29 @@ ShadedVertices* allocate_vertices(const DrawRecord& draw, uint32_t first, uint32
 } // namespace
 
 struct Frame::Workers {
-  struct Worker {
-    Arena arena;
-    Arena vertices; // of one piece
-    TileLists lists;
+  /// Zeros at first, which the blocks rely on: fresh pages are, and nothing is written here before a worker needs it, for
+  /// the thread that brings them in is another one.
+  struct Scratch {
     BinnerScratch binner;
-    FragmentBlock block{};
+    FragmentBlock block;
+  };
+  struct Worker {
+    Pages pages; // the scratch memory and the arena's first block
+    Scratch* scratch;
+    Arena arena;
+    Arena vertices{}; // of one piece
+    TileLists lists{};
+    explicit Worker(size_t bytes) : pages{map_pages(bytes), bytes} {
+      if (!pages.memory) throw std::bad_alloc();
+      static_assert(std::is_trivially_default_constructible_v<Scratch>);
+      scratch = new (pages.memory) Scratch;
+      if (bytes > sizeof(Scratch)) arena.begin_with({scratch + 1, bytes - sizeof(Scratch)});
+    }
+    Worker(const Worker&) = delete;
+    ~Worker() { unmap_pages(pages.memory, pages.bytes); }
   };
   std::unique_ptr<Worker> worker[kMaxWorkers];
-  Worker& operator[](int i) {
-    if (!worker[i]) worker[i].reset(new Worker); // make_unique would zero 300 KB that are written before they are read
-    return *worker[i];
-  }
+  Worker& operator[](int i) { return *worker[i]; }
 };
 
 /// One flush.
@@ -167,7 +178,7 @@ private:
     join();
     auto execute = [this](uint32_t tile, int worker) {
       if (!head_[tile]) return;
-      execute_tile(surface_, tile, head_[tile], *kernels().raster, (*frame_.workers_)[worker].block);
+      execute_tile(surface_, tile, head_[tile], *kernels().raster, (*frame_.workers_)[worker].scratch->block);
       head_[tile] = nullptr;
     };
     if (!reader) pool.run(busy_.size(), [&](size_t i, int worker) { execute(busy_[i], worker); });
@@ -200,7 +211,7 @@ private:
   void bin(Unit& unit, Frame::Workers::Worker& worker) {
     if (unit.clear) return;
     worker.lists.begin(tiles_, worker.arena);
-    TileBinner binner(surface_, worker.lists, worker.arena, worker.binner);
+    TileBinner binner(surface_, worker.lists, worker.arena, worker.scratch->binner);
     for (uint32_t i = 0; i < unit.piece_count; ++i) {
       const Piece& piece = pieces_[unit.first_piece + i];
       binner.set_draw(piece.raster);
@@ -276,27 +287,26 @@ Frame::Frame() : most_round_steps_(kFirstRoundSteps) {}
 Frame::~Frame() = default;
 
 void Frame::prepare(std::vector<Pages>& pages) {
-  make_workers();
-  auto take = [&](Arena& arena, size_t most) {
-    const Pages block = arena.prepare();
-    pages.push_back({block.memory, std::min(block.bytes, most)});
-  };
   // 70,000 triangles of a mesh make 1.2 MB of vertices, and in each of the first frame's rounds 2 MB of fragments in lists.
   // More would be made zero for nothing.
-  take(arena_, kHugePage);
-  const int workers = ThreadPool::instance().workers();
-  for (int i = 0; i < std::min(workers, 4); ++i) take((*workers_)[i].arena, kHugePage);
+  make_workers(kHugePage);
+  for (int i = 0; i < std::min(ThreadPool::instance().workers(), 4); ++i) pages.push_back((*workers_)[i].pages);
+  const Pages block = arena_.prepare();
+  pages.push_back({block.memory, std::min(block.bytes, kHugePage)});
 }
 
-void Frame::make_workers() {
+void Frame::make_workers(size_t bytes) {
+  static_assert(sizeof(Workers::Scratch) < kHugePage / 2);
   if (!workers_) workers_ = std::make_unique<Workers>();
-  for (int i = 0; i < ThreadPool::instance().workers(); ++i) (*workers_)[i]; // no allocation inside the workers
+  // No allocation inside the workers.
+  for (int i = 0; i < ThreadPool::instance().workers(); ++i)
+    if (!workers_->worker[i]) workers_->worker[i] = std::make_unique<Workers::Worker>(std::max(bytes, sizeof(Workers::Scratch)));
 }
 
 void Frame::flush(const Surface& surface, const TileReader* reader) {
   if (!items_.empty() && surface.tiles_x > 0 && surface.tiles_y > 0) {
     const FloatEnvironment environment;
-    make_workers();
+    make_workers(0);
     FrameWork(*this, surface, reader).run();
     most_round_steps_ = std::min(2 * most_round_steps_, kRoundSteps);
   }

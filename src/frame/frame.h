@@ -68,7 +68,7 @@ private:
   size_t abandoned_bytes();
   std::vector<Item> items_;
   uint32_t most_round_steps_;
-  void make_workers();
+  void make_workers(size_t bytes); // of scratch memory for each new one, at least
   struct Workers; // memory of the workers, kept from flush to flush
   std::unique_ptr<Workers> workers_;
 };

@@ -9,10 +9,10 @@
 
 namespace softgl {
 
-/// Memory that a binner works in; one per worker.
+/// Memory that a binner works in; one per worker. All of it is zero at first.
 struct BinnerScratch {
   TriangleOutput output;
-  FragmentBlock block{};
+  FragmentBlock block;
 };
 
 class TileBinner final : public PrimitiveSink {
