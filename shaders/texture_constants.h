@@ -36,6 +36,7 @@ struct TextureUnitConstants {
   TextureShape shape;
   TextureTexel texel;
   TextureWrap wrap[3];
+  bool counts_texels;     // coordinates are not fractions of the size (GL_ARB_texture_rectangle)
   bool min_linear, mag_linear;
   TextureMip mip;
   // Level of detail. adjusts_lod: bias or limits are in force, which selects another formula (see texture_lod.inl).

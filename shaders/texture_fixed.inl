@@ -46,8 +46,9 @@ template <> struct FixedLevels<false> {
 
 /// Texel number and weight (in both halves of a word) along one axis.
 template <class Size>
-static inline __attribute__((always_inline)) void linear_axis(const FragmentBlock& block, TextureWrap wrap, const float* coordinate, Size size,
-                                                              int32_t* texel, uint32_t* weight) {
+static inline __attribute__((always_inline)) void linear_axis(const FragmentBlock& block, const TextureUnitConstants& t, int axis, const float* coordinate,
+                                                              Size size, int32_t* texel, uint32_t* weight) {
+  const TextureWrap wrap = t.wrap[axis];
   alignas(64) float scaled[kLanes];
   alignas(64) int32_t u[kLanes];
   if (wrap == TextureWrap::Repeat) {
@@ -55,6 +56,8 @@ static inline __attribute__((always_inline)) void linear_axis(const FragmentBloc
       const float s = coordinate[i];
       scaled[i] = ((s - floor_of(s)) * float(size(i))) * 256.0f;
     }
+  } else if (t.counts_texels) {
+    SOFTGL_FOR_LANES(block, i) scaled[i] = coordinate[i] * 256.0f;
   } else {
     SOFTGL_FOR_LANES(block, i) scaled[i] = coordinate[i] * float(size(i) << 8);
   }
@@ -89,9 +92,9 @@ static inline __attribute__((always_inline)) void linear_axis(const FragmentBloc
 }
 
 template <class Size>
-static inline __attribute__((always_inline)) void nearest_axis(const FragmentBlock& block, TextureWrap wrap, const float* coordinate, Size size,
-                                                               int32_t* texel) {
-  switch (wrap) {
+static inline __attribute__((always_inline)) void nearest_axis(const FragmentBlock& block, const TextureUnitConstants& t, int axis, const float* coordinate,
+                                                               Size size, int32_t* texel) {
+  switch (t.wrap[axis]) {
   case TextureWrap::RepeatPowerOfTwo:
     SOFTGL_FOR_LANES(block, i) texel[i] = floor_to_int(coordinate[i] * float(size(i))) & (size(i) - 1);
     break;
@@ -103,6 +106,10 @@ static inline __attribute__((always_inline)) void nearest_axis(const FragmentBlo
     }
     break;
   default:
+    if (t.counts_texels) {
+      SOFTGL_FOR_LANES(block, i) texel[i] = clamp_int(floor_to_int(coordinate[i]), 0, size(i) - 1);
+      break;
+    }
     SOFTGL_FOR_LANES(block, i) texel[i] = clamp_int(floor_to_int(coordinate[i] * float(size(i))), 0, size(i) - 1);
   }
 }
@@ -134,8 +141,8 @@ static inline void sample_fixed_linear(const FragmentBlock& block, const BlockCo
                                        uint32_t* texel) {
   alignas(64) int32_t x[kLanes], y[kLanes];
   alignas(64) uint32_t wx[kLanes], wy[kLanes];
-  linear_axis(block, t.wrap[0], c.s, [&](int i) { return levels.width(i); }, x, wx);
-  linear_axis(block, t.wrap[1], c.t, [&](int i) { return levels.height(i); }, y, wy);
+  linear_axis(block, t, 0, c.s, [&](int i) { return levels.width(i); }, x, wx);
+  linear_axis(block, t, 1, c.t, [&](int i) { return levels.height(i); }, y, wy);
   SOFTGL_FOR_LANES(block, i) x[i] += y[i] * levels.row(i);
   if (t.shape != TextureShape::ThreeD) {
     sample_fixed_square(block, levels, x, wx, wy, texel);
@@ -143,7 +150,7 @@ static inline void sample_fixed_linear(const FragmentBlock& block, const BlockCo
   }
   alignas(64) int32_t z[kLanes], first[kLanes];
   alignas(64) uint32_t wz[kLanes], next[kLanes];
-  linear_axis(block, t.wrap[2], c.r, [&](int i) { return levels.depth(i); }, z, wz);
+  linear_axis(block, t, 2, c.r, [&](int i) { return levels.depth(i); }, z, wz);
   SOFTGL_FOR_LANES(block, i) first[i] = x[i] + z[i] * levels.slice(i);
   sample_fixed_square(block, levels, first, wx, wy, texel);
   SOFTGL_FOR_LANES(block, i) first[i] = x[i] + ((z[i] + 1) & mask_of(z[i] + 1 < levels.depth(i))) * levels.slice(i);
@@ -155,11 +162,11 @@ template <class Levels>
 static inline void sample_fixed_nearest(const FragmentBlock& block, const BlockCoordinates& c, const TextureUnitConstants& t, const Levels& levels,
                                         uint32_t* texel) {
   alignas(64) int32_t x[kLanes], y[kLanes];
-  nearest_axis(block, t.wrap[0], c.s, [&](int i) { return levels.width(i); }, x);
-  nearest_axis(block, t.wrap[1], c.t, [&](int i) { return levels.height(i); }, y);
+  nearest_axis(block, t, 0, c.s, [&](int i) { return levels.width(i); }, x);
+  nearest_axis(block, t, 1, c.t, [&](int i) { return levels.height(i); }, y);
   SOFTGL_FOR_LANES(block, i) x[i] += y[i] * levels.row(i);
   if (t.shape == TextureShape::ThreeD) {
-    nearest_axis(block, t.wrap[2], c.r, [&](int i) { return levels.depth(i); }, y);
+    nearest_axis(block, t, 2, c.r, [&](int i) { return levels.depth(i); }, y);
     SOFTGL_FOR_LANES(block, i) x[i] += y[i] * levels.slice(i);
   }
   for (int i = 0; i < block.lanes; ++i)

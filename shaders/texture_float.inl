@@ -21,10 +21,12 @@ static inline __attribute__((always_inline)) float mirror(float s) {
   return absolute(d + d);
 }
 
-static inline void float_linear_axis(const FragmentBlock& block, TextureWrap wrap, const float* coordinate, const int32_t* sizes, FloatAxis& out) {
+static inline void float_linear_axis(const FragmentBlock& block, const TextureUnitConstants& t, int axis, const float* coordinate, const int32_t* sizes,
+                                     FloatAxis& out) {
+  const TextureWrap wrap = t.wrap[axis];
   for (int i = 0; i < block.lanes; ++i) {
     const int32_t n = sizes[i];
-    const float size = float(n), s = coordinate[i];
+    const float size = float(n), scale = t.counts_texels ? 1.0f : size, s = coordinate[i];
     float u;
     int32_t x, next;
     switch (wrap) {
@@ -44,7 +46,7 @@ static inline void float_linear_axis(const FragmentBlock& block, TextureWrap wra
       out.second[i] = x == n - 1 ? 0 : x + 1;
       continue;
     case TextureWrap::ClampToEdge:
-      u = s * size;
+      u = s * scale;
       u = u < size ? u : size;
       u = u - 0.5f;
       u = u > 0.0f ? u : 0.0f;
@@ -54,12 +56,12 @@ static inline void float_linear_axis(const FragmentBlock& block, TextureWrap wra
       out.second[i] = clamp_int(x + 1, 0, n - 1);
       continue;
     case TextureWrap::Clamp:
-      u = s * size;
+      u = s * scale;
       u = u < size ? u : size;
       u = u > 0.0f ? u : 0.0f;
       u = u - 0.5f;
       break;
-    case TextureWrap::ClampToBorder: u = s * size - 0.5f; break;
+    case TextureWrap::ClampToBorder: u = s * scale - 0.5f; break;
     default: // MirroredRepeat
       u = mirror(s);
       u = (u > 0.0f ? u : 0.0f) * size - 0.5f;
@@ -77,11 +79,13 @@ static inline void float_linear_axis(const FragmentBlock& block, TextureWrap wra
   }
 }
 
-static inline void float_nearest_axis(const FragmentBlock& block, TextureWrap wrap, const float* coordinate, const int32_t* sizes, int32_t* out) {
+static inline void float_nearest_axis(const FragmentBlock& block, const TextureUnitConstants& t, int axis, const float* coordinate, const int32_t* sizes,
+                                      int32_t* out) {
+  const TextureWrap wrap = t.wrap[axis];
   const float below_one = 0.999999940395355224609375f;
   for (int i = 0; i < block.lanes; ++i) {
     const int32_t n = sizes[i];
-    const float size = float(n), s = coordinate[i];
+    const float size = float(n), scale = t.counts_texels ? 1.0f : size, s = coordinate[i];
     switch (wrap) {
     case TextureWrap::RepeatPowerOfTwo: out[i] = floor_to_int(s * size) & (n - 1); break;
     case TextureWrap::Repeat: {
@@ -89,8 +93,8 @@ static inline void float_nearest_axis(const FragmentBlock& block, TextureWrap wr
       out[i] = clamp_int(int32_t((f < below_one ? f : below_one) * size), 0, n - 1);
       break;
     }
-    case TextureWrap::ClampToEdge: case TextureWrap::Clamp: out[i] = clamp_int(int32_t(s * size), 0, n - 1); break;
-    case TextureWrap::ClampToBorder: out[i] = floor_to_int(s * size); break;
+    case TextureWrap::ClampToEdge: case TextureWrap::Clamp: out[i] = clamp_int(int32_t(s * scale), 0, n - 1); break;
+    case TextureWrap::ClampToBorder: out[i] = floor_to_int(s * scale); break;
     default: {
       const float m = mirror(s);
       out[i] = clamp_int(int32_t((m > 0.0f ? m : 0.0f) * size), 0, n - 1);
@@ -154,9 +158,9 @@ static inline void sample_float_level(const FragmentBlock& block, const BlockCoo
   const bool two = t.shape != TextureShape::OneD, three = t.shape == TextureShape::ThreeD, cube = t.shape == TextureShape::Cube;
   if (!linear) {
     alignas(64) int32_t x[kLanes], y[kLanes], z[kLanes];
-    float_nearest_axis(block, t.wrap[0], c.s, width, x);
-    if (two) float_nearest_axis(block, t.wrap[1], c.t, height, y);
-    if (three) float_nearest_axis(block, t.wrap[2], c.r, depth, z);
+    float_nearest_axis(block, t, 0, c.s, width, x);
+    if (two) float_nearest_axis(block, t, 1, c.t, height, y);
+    if (three) float_nearest_axis(block, t, 2, c.r, depth, z);
     for (int i = 0; i < block.lanes; ++i) {
       float v[4];
       fetch_float(t, *level[i], cube ? face_of(c, i) : 0, x[i], two ? y[i] : 0, three ? z[i] : 0, v);
@@ -166,9 +170,9 @@ static inline void sample_float_level(const FragmentBlock& block, const BlockCoo
     return;
   }
   FloatAxis x, y, z;
-  float_linear_axis(block, t.wrap[0], c.s, width, x);
-  if (two) float_linear_axis(block, t.wrap[1], c.t, height, y);
-  if (three) float_linear_axis(block, t.wrap[2], c.r, depth, z);
+  float_linear_axis(block, t, 0, c.s, width, x);
+  if (two) float_linear_axis(block, t, 1, c.t, height, y);
+  if (three) float_linear_axis(block, t, 2, c.r, depth, z);
   for (int i = 0; nearest && i < block.lanes; ++i)
     if (nearest[i]) x.weight[i] = x.weight[i] > 0.5f, y.weight[i] = y.weight[i] > 0.5f;
   for (int i = 0; i < block.lanes; ++i) {

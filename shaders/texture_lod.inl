@@ -23,7 +23,8 @@ struct LaneLevels {
 };
 
 static inline void squared_rho(const FragmentBlock& block, const BlockCoordinates& c, const TextureUnitConstants& t, float* rho) {
-  const float w = float(t.level[0].width), h = float(t.level[0].height), d = float(t.level[0].depth);
+  const TextureLevel& base = t.level[0];
+  const float w = t.counts_texels ? 1.0f : float(base.width), h = t.counts_texels ? 1.0f : float(base.height), d = float(base.depth);
   if (t.shape == TextureShape::ThreeD) {
     SOFTGL_FOR_LANES(block, i) {
       const float sx = c.ds_dx[i] * w, tx = c.dt_dx[i] * h, rx = c.dr_dx[i] * d;

@@ -57,8 +57,7 @@ void TexParameter(Context& c, GLenum target, GLenum pname, const GLfloat* params
   case GL_TEXTURE_MAX_LOD: p.max_lod = value; break;
   case GL_TEXTURE_LOD_BIAS: p.lod_bias = value; break;
   case GL_TEXTURE_BASE_LEVEL:
-    if (value < 0) return set_error(c, GL_INVALID_VALUE);
-    if (t == kTextureRectangle && to_int(value) != 0) return set_error(c, GL_INVALID_OPERATION);
+    if (value < 0 || (t == kTextureRectangle && to_int(value) != 0)) return set_error(c, GL_INVALID_VALUE);
     p.base_level = to_int(value);
     break;
   case GL_TEXTURE_MAX_LEVEL:

@@ -102,6 +102,7 @@ TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum&
   const TextureParameters& p = object->parameters;
   const TextureImage& image = *object->image[0][levels.first];
   t->shape = target == kTexture1D ? TextureShape::OneD : target == kTexture3D ? TextureShape::ThreeD : target == kTextureCube ? TextureShape::Cube : TextureShape::TwoD;
+  t->counts_texels = target == kTextureRectangle;
   set_levels(*object, levels, *t);
   set_texel(*image.format, *t);
   // OSMesa 22.3.6 clamps to the edges of a cube map's face, whatever the wrap modes say.

@@ -104,3 +104,38 @@ TEST_CASE("Levels of one internal format fit together, whatever form their pixel
   CHECK(draw_levels(osmesa_library(), false) == colors);
   CHECK(draw_levels(osmesa_library(), true) != colors);
 }
+
+// A rectangle of black and white texels, one drawn as four pixels or four as one: the number of greys.
+static int greys_of_rectangle(const Gl& gl, GLenum minify, GLenum magnify, float texels) {
+  TextureContext c(gl);
+  std::vector<GLubyte> image(64 * 64);
+  for (size_t i = 0; i < image.size(); ++i) image[i] = (i ^ i / 64) & 1 ? 255 : 0;
+  gl.TexImage2D(GL_TEXTURE_RECTANGLE, 0, GL_LUMINANCE8, 64, 64, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE, image.data());
+  gl.TexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MIN_FILTER, GLint(minify));
+  gl.TexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MAG_FILTER, GLint(magnify));
+  gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+  gl.Enable(GL_TEXTURE_RECTANGLE);
+  gl.Begin(GL_QUADS);
+  for (int k = 0; k < 4; ++k) {
+    const bool right = k == 1 || k == 2, upper = k > 1;
+    gl.TexCoord2f(right ? texels : 0, upper ? texels : 0);
+    gl.Vertex2f(right ? 1.0f : -1.0f, upper ? 1.0f : -1.0f);
+  }
+  gl.End();
+  GLubyte pixels[16][16];
+  gl.ReadPixels(0, 0, 16, 16, GL_RED, GL_UNSIGNED_BYTE, pixels);
+  int greys = 0;
+  for (const auto& row : pixels)
+    for (const GLubyte v : row) greys += v != 0 && v != 255;
+  return greys;
+}
+
+TEST_CASE("Rectangles are magnified when a texel covers more than a pixel", "[texture][deviation]") {
+  for (const bool magnified : {false, true}) {
+    const float texels = magnified ? 4 : 56;
+    CHECK(greys_of_rectangle(softgl_library(), GL_NEAREST, GL_LINEAR, texels) == (magnified ? greys_of_rectangle(softgl_library(), GL_LINEAR, GL_LINEAR, texels) : 0));
+    CHECK(greys_of_rectangle(softgl_library(), GL_LINEAR, GL_NEAREST, texels) == (magnified ? 0 : greys_of_rectangle(softgl_library(), GL_LINEAR, GL_LINEAR, texels)));
+    CHECK(greys_of_rectangle(softgl_library(), GL_LINEAR, GL_LINEAR, texels) > 0);
+  }
+  CHECK(greys_of_rectangle(osmesa_library(), GL_NEAREST, GL_LINEAR, 4) == 0); // as if minified
+}

@@ -7,9 +7,10 @@ namespace softgl::test {
 
 struct TextureOptions {
   bool mipmaps = true, odd_sizes = true, any_wrap = true, any_format = true;
+  GLenum target = GL_TEXTURE_2D; // or GL_TEXTURE_RECTANGLE
 };
 
-static void upload(Stage& s, GLint internal_format, int level, int w, int h) {
+static void upload(Stage& s, GLenum target, GLint internal_format, int level, int w, int h) {
   const Gl& gl = s.gl;
   Random& r = s.random;
   static constexpr GLenum kFormats[] = {GL_RGBA, GL_RGBA, GL_RGBA, GL_RGB, GL_BGRA, GL_BGR, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_ALPHA, GL_RED};
@@ -32,10 +33,10 @@ static void upload(Stage& s, GLint internal_format, int level, int w, int h) {
     for (size_t i = 0; i < pixels.size(); i++)
       pixels[i] = blocks ? uint8_t(corner[(i / 7) & 3][i & 3] * 255) : uint8_t(r.bits() >> 32);
   }
-  gl.TexImage2D(GL_TEXTURE_2D, level, internal_format, w, h, 0, format, type, pixels.data());
+  gl.TexImage2D(target, level, internal_format, w, h, 0, format, type, pixels.data());
   if (r.chance(20) && w > 2 && h > 2) {
     const int x = r.integer(0, w - 2), y = r.integer(0, h - 2), sw = r.integer(1, w - x), sh = r.integer(1, h - y);
-    gl.TexSubImage2D(GL_TEXTURE_2D, level, x, y, sw, sh, format, type, pixels.data());
+    gl.TexSubImage2D(target, level, x, y, sw, sh, format, type, pixels.data());
   }
   gl.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
@@ -54,39 +55,42 @@ static void random_texture(Stage& s, const TextureOptions& o) {
   Random& r = s.random;
   GLuint name = 0;
   gl.GenTextures(1, &name);
-  gl.BindTexture(GL_TEXTURE_2D, name);
+  gl.BindTexture(o.target, name);
   const bool odd = o.odd_sizes && r.chance(30);
   int w = odd ? r.integer(1, 70) : 1 << r.integer(0, 6), h = odd ? r.integer(1, 70) : 1 << r.integer(0, 6);
   const GLint format = o.any_format ? random_internal_format(s) : r.pick({GL_RGBA8, GL_RGB8});
   GLint minify = r.pick({GL_NEAREST, GL_LINEAR}), magnify = r.pick({GL_NEAREST, GL_LINEAR});
   const bool mipmaps = o.mipmaps && r.chance(60);
   if (mipmaps) minify = r.pick({GL_NEAREST_MIPMAP_NEAREST, GL_LINEAR_MIPMAP_NEAREST, GL_NEAREST_MIPMAP_LINEAR, GL_LINEAR_MIPMAP_LINEAR});
+  const bool rectangle = o.target == GL_TEXTURE_RECTANGLE;
+  if (rectangle) minify = magnify; // how large it is drawn: reference/DEVIATIONS.md
   // GL_CLAMP with one linear and one nearest filter: see reference/DEVIATIONS.md.
   const bool linear = minify == GL_LINEAR || minify == GL_LINEAR_MIPMAP_NEAREST || minify == GL_LINEAR_MIPMAP_LINEAR;
   const bool mixed = linear != (magnify == GL_LINEAR);
   for (GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
     GLint wrap = o.any_wrap ? r.pick({GL_REPEAT, GL_REPEAT, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE, GL_CLAMP, GL_CLAMP_TO_BORDER, GL_MIRRORED_REPEAT}) : r.pick({GL_REPEAT, GL_CLAMP_TO_EDGE});
     if (wrap == GL_CLAMP && mixed) wrap = GL_REPEAT;
-    gl.TexParameteri(GL_TEXTURE_2D, axis, wrap);
+    if (rectangle && (wrap == GL_REPEAT || wrap == GL_MIRRORED_REPEAT)) wrap = GL_CLAMP_TO_EDGE;
+    gl.TexParameteri(o.target, axis, wrap);
   }
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, minify);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, magnify);
+  gl.TexParameteri(o.target, GL_TEXTURE_MIN_FILTER, minify);
+  gl.TexParameteri(o.target, GL_TEXTURE_MAG_FILTER, magnify);
   const Float4 border = r.color();
-  gl.TexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, border.data());
+  gl.TexParameterfv(o.target, GL_TEXTURE_BORDER_COLOR, border.data());
   const bool generate = r.chance(40) && mipmaps;
-  gl.TexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, generate);
-  upload(s, format, 0, w, h);
+  if (!rectangle) gl.TexParameteri(o.target, GL_GENERATE_MIPMAP, generate);
+  upload(s, o.target, format, 0, w, h);
   if (mipmaps && !generate)
     for (int level = 1; w > 1 || h > 1; level++) {
       w = w > 1 ? w / 2 : 1, h = h > 1 ? h / 2 : 1;
-      upload(s, format, level, w, h);
+      upload(s, o.target, format, level, w, h);
     }
-  if (mipmaps && r.chance(20)) gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, r.integer(0, 4));
-  if (mipmaps && r.chance(10)) gl.TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MIN_LOD, r.real(-1, 3));
-  if (mipmaps && r.chance(10)) gl.TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_LOD, r.real(0, 4));
-  if (r.chance(20)) gl.TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_LOD_BIAS, r.real(-2, 2));
+  if (mipmaps && r.chance(20)) gl.TexParameteri(o.target, GL_TEXTURE_MAX_LEVEL, r.integer(0, 4));
+  if (mipmaps && r.chance(10)) gl.TexParameterf(o.target, GL_TEXTURE_MIN_LOD, r.real(-1, 3));
+  if (mipmaps && r.chance(10)) gl.TexParameterf(o.target, GL_TEXTURE_MAX_LOD, r.real(0, 4));
+  if (r.chance(20)) gl.TexParameterf(o.target, GL_TEXTURE_LOD_BIAS, r.real(-2, 2));
   gl.TexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, r.chance(15) ? r.real(-2, 2) : 0.0f);
-  gl.Enable(GL_TEXTURE_2D);
+  gl.Enable(o.target);
 }
 
 static void random_environment(Stage& s, bool combine) {
@@ -122,6 +126,7 @@ static void textured_batch(Stage& s, const TextureOptions& o, bool combine) {
   options.mode = s.random.chance(8) ? GLenum(s.random.pick({GL_POINTS, GL_LINES})) : random_filled_mode(s);
   options.texture_coordinates = s.random.chance(70) ? 2 : s.random.integer(1, 4);
   options.texture_scale = s.random.pick({0.6f, 1.0f, 2.0f, 8.0f, 40.0f});
+  if (o.target == GL_TEXTURE_RECTANGLE) options.texture_scale *= 20;
   options.spread = s.random.chance(65) ? Spread::View : Spread::Any;
   options.primitives = s.random.integer(2, 12);
   s.gl.PointSize(9);
@@ -158,6 +163,14 @@ static void draw_formats(Stage& s) {
   for (int batch = s.random.integer(1, 2); batch > 0; batch--) textured_batch(s, o, s.random.chance(15));
 }
 
+static void draw_rectangles(Stage& s) {
+  random_canvas(s);
+  TextureOptions o;
+  o.target = GL_TEXTURE_RECTANGLE;
+  o.mipmaps = false;
+  for (int batch = s.random.integer(1, 2); batch > 0; batch--) textured_batch(s, o, s.random.chance(15));
+}
+
 static void draw_combine(Stage& s) {
   random_canvas(s);
   TextureOptions o;
@@ -174,6 +187,7 @@ static void draw_combine(Stage& s) {
 }
 
 static SceneRegistration texture{{"texture", draw_texture, true}}, wraps{{"wraps", draw_wraps, true}}, mipmaps{{"mipmaps", draw_mipmaps, true}},
-    formats{{"formats", draw_formats, true}}, combine{{"combine", draw_combine, true}};
+    formats{{"formats", draw_formats, true}}, combine{{"combine", draw_combine, true}},
+    rectangles{{"rectangles", draw_rectangles, true}};
 
 } // namespace softgl::test
