@@ -19,8 +19,9 @@ static inline void eye_depth(const VertexBlock& b, const VertexProgram& p, bool 
   SOFTGL_FOR_LANES(i, n) out[i] = absolute(out[i]);
 }
 
-/// r = u - 2 (n.u) n with u the normalized eye position; out[3] = rz + 1 in the order to which llvmpipe's compiler brings it.
-static inline void reflection(const VertexBlock& b, float (*out)[kLanes], int n) {
+/// r = u - 2 (n.u) n with u the normalized eye position; out[3] = rz + 1. Where rz is of no other use (`z_is_read`: it is, in
+/// any unit), OSMesa's compiler adds the 1 first.
+static inline void reflection(const VertexBlock& b, bool z_is_read, float (*out)[kLanes], int n) {
   const float (*u)[kLanes] = b.lighting.eye_unit;
   const float (*normal)[kLanes] = b.lighting.normal;
   SOFTGL_FOR_LANES(i, n) {
@@ -29,11 +30,11 @@ static inline void reflection(const VertexBlock& b, float (*out)[kLanes], int n)
     out[0][i] = -d2 * normal[0][i] + u[0][i];
     out[1][i] = -d2 * normal[1][i] + u[1][i];
     out[2][i] = -d2 * normal[2][i] + u[2][i];
-    out[3][i] = (-d2 * normal[2][i] + 1.0f) + u[2][i];
+    out[3][i] = z_is_read ? out[2][i] + 1.0f : (-d2 * normal[2][i] + 1.0f) + u[2][i];
   }
 }
 
-static inline void generate_coordinates(VertexBlock& b, const CoordinateConstants& k, float (*coordinate)[kLanes], int n) {
+static inline void generate_coordinates(VertexBlock& b, const CoordinateConstants& k, bool reflection_z, float (*coordinate)[kLanes], int n) {
   alignas(64) float r[4][kLanes];
   bool have_reflection = false;
   for (int c = 0; c < 4; ++c) {
@@ -48,7 +49,7 @@ static inline void generate_coordinates(VertexBlock& b, const CoordinateConstant
       break;
     case TexGen::SphereMap:
     case TexGen::ReflectionMap:
-      if (!have_reflection) reflection(b, r, n);
+      if (!have_reflection) reflection(b, reflection_z, r, n);
       have_reflection = true;
       if (k.mode[c] == TexGen::ReflectionMap) {
         if (c < 3) memcpy(out, r[c], sizeof(float) * size_t(n));

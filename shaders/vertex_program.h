@@ -51,6 +51,7 @@ struct VertexProgram {
   const ClipPlaneConstants* clip_planes;          // null: none enabled
   const LightingConstants* lighting;              // null: not lit
   const CoordinateConstants* coordinates[8];      // null: passed through
+  bool reflection_z;                    // r of some unit is that of the reflection vector
   PointConstants point;
   bool line_stipple;                    // cut lines by the pattern while assembling
   uint16_t stipple_pattern, stipple_factor;

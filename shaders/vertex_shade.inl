@@ -132,7 +132,7 @@ static inline void shade_block(VertexBlock& b, const VertexJob& job, uint32_t fi
     if (slot < 0) continue;
     float (*coordinate)[kLanes] = b.texcoord[unit];
     fetch_attribute(job, kTexCoord0 + unit, first, count, n, 4, coordinate);
-    if (p.coordinates[unit]) generate_coordinates(b, *p.coordinates[unit], coordinate, n);
+    if (p.coordinates[unit]) generate_coordinates(b, *p.coordinates[unit], p.reflection_z, coordinate, n);
     store_slot(coordinate[0], coordinate[1], coordinate[2], coordinate[3], out + slot, slots, count);
   }
 

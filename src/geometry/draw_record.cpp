@@ -82,6 +82,7 @@ const VertexProgram* make_vertex_program(const Context& c, const SnapshotCache& 
   for (int u = 0; u < kMaxTextureUnits; ++u) {
     p->coordinates[u] = cache.coordinates[u];
     if (!cache.coordinates[u]) continue;
+    p->reflection_z |= cache.coordinates[u]->mode[2] == TexGen::ReflectionMap;
     for (TexGen mode : cache.coordinates[u]->mode) {
       const bool reflects = mode == TexGen::SphereMap || mode == TexGen::ReflectionMap;
       p->normal |= reflects || mode == TexGen::NormalMap;

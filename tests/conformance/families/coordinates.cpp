@@ -143,8 +143,50 @@ void draw_constant_coordinates(Stage& s) {
   }
 }
 
+/// Generated coordinates of several units, so large that their last bits choose the texel: what OSMesa's compiler makes of
+/// them depends on what else is generated.
+void draw_generated_coordinates(Stage& s) {
+  random_canvas(s);
+  for (int batch = s.random.integer(1, 2); batch > 0; batch--) {
+    const int units = s.random.integer(1, 3);
+    for (int u = 0; u < 3; u++) {
+      s.gl.ActiveTexture(GLenum(GL_TEXTURE0 + u));
+      GLuint name = 0;
+      s.gl.GenTextures(1, &name);
+      s.gl.BindTexture(GL_TEXTURE_2D, name);
+      some_texture(s);
+      s.gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, u ? GL_ADD : GL_REPLACE);
+      if (u >= units) s.gl.Disable(GL_TEXTURE_2D);
+      random_generation(s);
+      s.gl.MatrixMode(GL_TEXTURE);
+      s.gl.LoadIdentity();
+      if (const int bits = s.random.integer(0, 14); bits > 4) s.gl.Scalef(float(1 << bits), float(1 << bits), 1);
+      s.gl.MatrixMode(GL_MODELVIEW);
+    }
+    s.gl.ActiveTexture(GL_TEXTURE0);
+    random_projection(s);
+    random_modelview(s);
+    s.random.chance(50) ? s.gl.Enable(GL_NORMALIZE) : s.gl.Disable(GL_NORMALIZE);
+    if (s.random.chance(30)) {
+      s.gl.Enable(GL_LIGHTING);
+      s.gl.Enable(GL_LIGHT0);
+    } else {
+      s.gl.Disable(GL_LIGHTING);
+    }
+    if (s.random.chance(20)) random_fog(s);
+    PrimitiveOptions options;
+    options.mode = GL_TRIANGLES;
+    options.primitives = s.random.integer(5, 30);
+    options.normals = true;
+    options.texture_coordinates = s.random.integer(1, 4);
+    options.spread = Spread::View;
+    random_primitive(s, options);
+  }
+}
+
 SceneRegistration coordinates{{"coordinates", draw_coordinates, true}}, attenuated{{"attenuated", draw_attenuated, true}};
 SceneRegistration constant_coordinates{{"constant_coordinates", draw_constant_coordinates, true}};
+SceneRegistration generated_coordinates{{"generated_coordinates", draw_generated_coordinates, true}};
 
 } // namespace
 } // namespace softgl::test
