@@ -15,14 +15,14 @@ namespace {
 /// Two texels and the weight of the second, in 1/256 or as a fraction.
 struct Footprint { int first, second, weight; float fraction; };
 
-/// Where the texels of a level lie in the one before: a coordinate from `low` to 1 that OSMesa interpolates over two
-/// triangles, which has rounding errors. Across it starts at the right end; down, at the bottom in the lower left triangle
-/// and at the top in the upper right one.
+/// Where the texels of a level lie in the one before: a coordinate from 0 to 1 that OSMesa interpolates over two triangles,
+/// which has rounding errors. Across it starts at the right end; down, at the bottom in the lower left triangle and at the
+/// top in the upper right one. Faces of cube maps are drawn as the layers of a two-dimensional texture.
 struct Interpolation {
   float gradient, start;
-  Interpolation(int to, int other, float low, bool from_low) {
-    gradient = (1.0f - low) * (float(other) * (1.0f / (float(to) * float(other))));
-    start = from_low ? low - gradient * -0.5f : 1.0f - gradient * (float(to) - 0.5f);
+  Interpolation(int to, int other, bool from_low) {
+    gradient = float(other) * (1.0f / (float(to) * float(other)));
+    start = from_low ? gradient * 0.5f : 1.0f - gradient * (float(to) - 0.5f);
   }
   float operator()(int i) const { return gradient * float(i) + start; }
 };
@@ -51,11 +51,9 @@ template <class Coordinate> std::vector<Footprint> footprints(int from, int to, 
 struct Footprints {
   std::vector<Footprint> x, z, lower_y, upper_y;
   int width, height;
-  Footprints(const TextureImage& from, const TextureImage& to, bool fixed, bool cube) : width(to.width), height(to.height) {
+  Footprints(const TextureImage& from, const TextureImage& to, bool fixed) : width(to.width), height(to.height) {
     auto edge = [&](int from_size, int to_size, int other, bool from_low) {
-      // A cube map's coordinates go from -1 to 1, and are halved when the face is found.
-      const Interpolation s(to_size, other, cube ? -1.0f : 0.0f, from_low);
-      return footprints(from_size, to_size, fixed, [&](int i) { return cube ? s(i) * 0.5f + 0.5f : s(i); });
+      return footprints(from_size, to_size, fixed, Interpolation(to_size, other, from_low));
     };
     x = edge(from.width, to.width, to.height, false);
     lower_y = edge(from.height, to.height, to.width, false);
@@ -136,7 +134,7 @@ void generate_mipmaps(TextureObject& object, int face) {
   for (int level = p.base_level + 1; level < kMaxTextureLevels && level <= p.max_level; ++level) {
     if (from->width == 1 && from->height == 1 && from->depth == 1) break;
     auto to = make_image(*from->format, from->internal_format, std::max(1, from->width / 2), std::max(1, from->height / 2), std::max(1, from->depth / 2));
-    const Footprints footprints(*from, *to, from->format->layout == TexelLayout::Rgba8, object.target == kTextureCube);
+    const Footprints footprints(*from, *to, from->format->layout == TexelLayout::Rgba8);
     switch (from->format->layout) {
     case TexelLayout::Rgba8: reduce_rgba8(*from, footprints, *to); break;
     case TexelLayout::Rgba16: reduce_wide<uint16_t>(*from, footprints, *to, 4); break;
