@@ -28,10 +28,10 @@ static inline __attribute__((always_inline)) float maximum(float a, float b) { r
 static inline __attribute__((always_inline)) float minimum(float a, float b) { return select(mask_of(a < b), a, b); }
 /// Clamp to [0,1]; not a number gives 0.
 static inline __attribute__((always_inline)) float saturate(float a) { return minimum(maximum(a, 0.0f), 1.0f); }
-/// Floor of |a| < 2^31.
+/// Floor; from 2^23 on all numbers are integers (and those beyond int32_t would be converted as the compiler likes).
 static inline __attribute__((always_inline)) float floor_of(float a) {
   const float t = float(int32_t(a));
-  return t - keep(mask_of(t > a), 1.0f);
+  return select(mask_of(absolute(a) < 8388608.0f), t - keep(mask_of(t > a), 1.0f), a);
 }
 static inline __attribute__((always_inline)) float reciprocal_root(float a) { return 1.0f / __builtin_sqrtf(a); }
 

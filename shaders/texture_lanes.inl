@@ -28,10 +28,10 @@ static inline void round_lanes(const FragmentBlock& block, const float* from, in
   }
 }
 
-/// Floor as an integer.
+/// Floor as an integer; what does not fit an int32_t becomes INT32_MIN, whatever the compiler makes of float(int32_t(a)).
 static inline __attribute__((always_inline)) int32_t floor_to_int(float a) {
   const int32_t t = int32_t(a);
-  return int32_t(uint32_t(t) + uint32_t(mask_of(float(t) > a)));
+  return int32_t(uint32_t(t) + uint32_t(mask_of(float(t) > a) & mask_of(t != INT32_MIN)));
 }
 static inline __attribute__((always_inline)) int32_t clamp_int(int32_t a, int32_t low, int32_t high) {
   a = select(mask_of(a < high), a, high);

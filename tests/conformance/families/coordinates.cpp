@@ -158,7 +158,6 @@ void draw_generated_coordinates(Stage& s) {
       s.gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, u ? GL_ADD : GL_REPLACE);
       if (u >= units) s.gl.Disable(GL_TEXTURE_2D);
       random_generation(s);
-      s.gl.Disable(GL_TEXTURE_GEN_Q); // near q = 0 there are coordinates beyond all integers
       s.gl.MatrixMode(GL_TEXTURE);
       s.gl.LoadIdentity();
       if (const int bits = s.random.integer(0, 14); bits > 4) s.gl.Scalef(float(1 << bits), float(1 << bits), 1);
@@ -179,7 +178,7 @@ void draw_generated_coordinates(Stage& s) {
     options.mode = GL_TRIANGLES;
     options.primitives = s.random.integer(5, 30);
     options.normals = true;
-    options.texture_coordinates = s.random.integer(1, 3);
+    options.texture_coordinates = s.random.integer(1, 4);
     options.spread = Spread::View;
     random_primitive(s, options);
   }
