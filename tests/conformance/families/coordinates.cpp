@@ -50,6 +50,15 @@ void random_texture_matrix(Stage& s) {
   s.gl.MatrixMode(GL_MODELVIEW);
 }
 
+void perhaps_lit(Stage& s) {
+  if (s.random.chance(30)) {
+    s.gl.Enable(GL_LIGHTING);
+    s.gl.Enable(GL_LIGHT0);
+  } else {
+    s.gl.Disable(GL_LIGHTING);
+  }
+}
+
 void draw_coordinates(Stage& s) {
   random_canvas(s);
   some_texture(s);
@@ -60,12 +69,7 @@ void draw_coordinates(Stage& s) {
     random_texture_matrix(s);
     if (s.random.chance(50)) s.gl.Enable(GL_NORMALIZE);
     else s.gl.Disable(GL_NORMALIZE);
-    if (s.random.chance(30)) {
-      s.gl.Enable(GL_LIGHTING);
-      s.gl.Enable(GL_LIGHT0);
-    } else {
-      s.gl.Disable(GL_LIGHTING);
-    }
+    perhaps_lit(s);
     if (s.random.chance(30)) random_fog(s);
     if (s.random.chance(40)) {
       const float radius = s.random.real(0.5f, 1);
@@ -122,12 +126,7 @@ void draw_constant_coordinates(Stage& s) {
     s.gl.ActiveTexture(GL_TEXTURE0);
     random_projection(s);
     random_modelview(s);
-    if (s.random.chance(30)) {
-      s.gl.Enable(GL_LIGHTING);
-      s.gl.Enable(GL_LIGHT0);
-    } else {
-      s.gl.Disable(GL_LIGHTING);
-    }
+    perhaps_lit(s);
     if (s.random.chance(20)) random_fog(s);
     s.gl.PointSize(s.random.real(1, 20));
     s.gl.LineWidth(s.random.real(1, 5));
@@ -167,12 +166,7 @@ void draw_generated_coordinates(Stage& s) {
     random_projection(s);
     random_modelview(s);
     s.random.chance(50) ? s.gl.Enable(GL_NORMALIZE) : s.gl.Disable(GL_NORMALIZE);
-    if (s.random.chance(30)) {
-      s.gl.Enable(GL_LIGHTING);
-      s.gl.Enable(GL_LIGHT0);
-    } else {
-      s.gl.Disable(GL_LIGHTING);
-    }
+    perhaps_lit(s);
     if (s.random.chance(20)) random_fog(s);
     PrimitiveOptions options;
     options.mode = GL_TRIANGLES;
