@@ -13,6 +13,7 @@ namespace softgl {
 struct RasterDraw;      // raster_draw.h
 struct RasterPrimitive;
 struct SmallFragments;
+struct SmallTriangle;
 struct TileTarget;
 struct TriangleInput;   // raster_triangles.h
 struct TriangleOutput;
@@ -27,13 +28,15 @@ struct VertexKernels {
 /// Window space to pixels (raster_kernels.cpp).
 struct RasterKernels {
   const char* isa;
-  /// Culls and classifies a batch and shades the fragments of its small triangles.
+  /// Culls and classifies a batch and shades its fragments if it is tiny.
   void (*prepare_triangles)(const RasterDraw& draw, const TriangleInput& in, TriangleOutput& out, FragmentBlock& scratch);
   /// Sets up the large triangles of a prepared batch into *record[i].
   void (*setup_triangles)(const RasterDraw& draw, const TriangleInput& in, const TriangleOutput& batch, RasterPrimitive* const* record);
-  /// Draws primitives, or merges finished fragments, into one tile in order.
+  /// Draws primitives or small triangles, or merges finished fragments, into one tile in order.
   void (*tile_primitives)(const TileTarget& tile, const RasterDraw& draw, const RasterPrimitive* const* primitive,
                           int32_t count, FragmentBlock& scratch);
+  void (*tile_triangles)(const TileTarget& tile, const RasterDraw& draw, const SmallTriangle* triangle, int32_t count,
+                         FragmentBlock& scratch);
   void (*tile_fragments)(const TileTarget& tile, const RasterDraw& draw, const SmallFragments& fragments, int32_t count);
   // Stages of fragment programs.
   FragmentStage light;        // colours from normals, eye positions and materials

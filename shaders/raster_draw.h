@@ -35,7 +35,7 @@ struct RasterDraw {
   int8_t unit_plane[kBlockTextureUnits];
   uint8_t flat_units; // bit u: the coordinates of texture unit u are the same for all vertices, and not interpolated
   bool facing; // the block's `back` is filled
-  bool small;  // triangles of few pixels become finished fragments
+  bool small;  // triangles of few pixels are shaded with lane = fragment
   bool opaque; // alpha is 1 at all vertices, so it is 1 / w times w everywhere, which rounds to 255
   bool direct; // no stage runs, RGBA8, no stencil: blocks of pixels bypass the FragmentBlock
   uint32_t color_mask; // of an RGBA8 word
@@ -64,7 +64,13 @@ struct alignas(16) RasterPrimitive {
   Plane plane[];         // plane_count of them
 };
 
-/// Finished fragments of small triangles.
+/// A small triangle on its way to a tile that its box touches.
+struct SmallTriangle {
+  const ShadedVertices::Slot* corner[3]; // in the order of set-up: 0 and 1 exchanged where the area was negative
+  bool back;                             // back-facing
+};
+
+/// Finished fragments of tiny triangles.
 struct SmallFragments {
   uint16_t* pixel; // pixel_in_tile
   uint32_t* depth; // in the depth buffer's integers
@@ -76,6 +82,8 @@ struct TileTarget {
   int32_t x, y; // window position of its first pixel
   void* color;
   uint32_t* depth_stencil;
+  bool one_stencil;       // all its words have the same bits above depth:
+  uint32_t stencil_bits;
 };
 
 } // namespace softgl

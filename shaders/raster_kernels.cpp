@@ -2,19 +2,11 @@
 #include "fragment_light.inl"
 #include "isa.h"
 #include "kernels.h"
-#include "raster_small.inl"
 #include "raster_tile.inl"
+#include "raster_tiny.inl"
 
 namespace softgl {
 namespace SOFTGL_ISA {
-
-static void prepare_triangles(const RasterDraw& draw, const TriangleInput& in, TriangleOutput& out, FragmentBlock& scratch) {
-  classify_triangles(draw, in, out);
-  out.run_count = 0;
-  if (!out.small) return;
-  if (draw.program->step_count) SmallShader<true>(draw, in, out, scratch).run();
-  else SmallShader<false>(draw, in, out, scratch).run();
-}
 
 extern const RasterKernels raster_kernels;
 const RasterKernels raster_kernels = {
@@ -22,6 +14,7 @@ const RasterKernels raster_kernels = {
     .prepare_triangles = prepare_triangles,
     .setup_triangles = setup_triangles,
     .tile_primitives = tile_primitives,
+    .tile_triangles = tile_triangles,
     .tile_fragments = tile_fragments,
     .light = stage_light,
     .keep_primary = stage_keep_primary,

@@ -140,8 +140,7 @@ struct StoredPlanes {
   }
 };
 
-static void store_planes(const RasterDraw& draw, const CornerPlaces& corners, StoredPlanes& out) {
-  CornerPlanes p(corners);
+static void store_planes(const RasterDraw& draw, CornerPlanes& p, StoredPlanes& out) {
   store(out.offset, p.offset(*draw.raster));
   store(out.back, p.back());
   out.put(kPlaneZ, p.z());

@@ -1,8 +1,8 @@
 // Set-up of triangles that are drawn tile by tile.
 #pragma once
 
-#include "raster_classify.inl"
 #include "raster_planes.inl"
+#include "raster_snap.inl"
 
 namespace softgl {
 namespace SOFTGL_ISA {
@@ -19,13 +19,12 @@ static void setup_triangles(const RasterDraw& draw, const TriangleInput& in, con
     for (int i = lanes; i < kWidth; ++i) numbers[i] = numbers[0];
     CornerPlaces c;
     find_corners(draw, in, batch, numbers, c);
+    CornerPlanes made(c);
     for (int k = 0; k < 3; ++k) {
-      FloatV p[4];
-      load_transposed(c.p[k], p);
-      store(x[k], round_to_int(snap_scaled(p[0])));
-      store(y[k], round_to_int(snap_scaled(p[1])));
+      store(x[k], round_to_int(snap_scaled(made.position[k][0])));
+      store(y[k], round_to_int(snap_scaled(made.position[k][1])));
     }
-    store_planes(draw, c, planes);
+    store_planes(draw, made, planes);
     for (int i = 0; i < lanes; ++i) {
       RasterPrimitive& q = **record++;
       for (int k = 0; k < draw.plane_count; ++k) q.plane[k] = {planes.plane[k][0][i], planes.plane[k][1][i], planes.plane[k][2][i]};

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "raster_direct.inl"
+#include "raster_small.inl"
+#include "raster_spans.inl"
 #include "raster_staged.inl"
 
 namespace softgl {
@@ -25,18 +27,26 @@ static void tile_primitives(const TileTarget& tile, const RasterDraw& draw, cons
 static void tile_fragments(const TileTarget& tile, const RasterDraw& draw, const SmallFragments& fragments, int32_t count) {
   const FragmentProgram& program = *draw.program;
   const FragmentKey& key = program.key;
-  // Whatever stages there were have run: what is left is the depth test.
-  if (ColorFormat(key.color_format) == ColorFormat::Rgba8 && !key.stencil && !key.blend && !key.logic_op && Compare(key.depth_function) == Compare::Less && key.depth_write) {
+  // Whatever stages there were have run: often what is left is a depth test that can be told from whole words.
+  const Compare function = Compare(key.depth_function);
+  const bool less = function == Compare::Less && key.depth_write, less_equal = function == Compare::LessEqual && key.depth_write;
+  if (ColorFormat(key.color_format) == ColorFormat::Rgba8 && !key.stencil && !key.blend && !key.logic_op && draw.color_mask == ~uint32_t(0) &&
+      tile.depth_stencil && tile.one_stencil && (less || less_equal)) {
     auto* color = static_cast<uint32_t*>(tile.color);
-    uint32_t* depth = tile.depth_stencil;
-    const uint32_t mask = draw.color_mask;
-    for (int32_t i = 0; i < count; ++i) {
-      const uint32_t pixel = fragments.pixel[i], z = fragments.depth[i], stored = depth[pixel];
-      // Neighbours mostly fare alike: without a branch, by masks, all of mesh70k takes 5 % longer.
-      if (z >= (stored & 0xffffff)) continue;
-      depth[pixel] = (stored & 0xff000000) | z;
-      color[pixel] = mask == ~uint32_t(0) ? fragments.color[i] : (color[pixel] & ~mask) | (fragments.color[i] & mask);
-    }
+    uint32_t* words = tile.depth_stencil;
+    const SmallFragments f = fragments;
+    const uint32_t stencil = tile.stencil_bits;
+    auto merge = [&](auto fails) __attribute__((always_inline)) {
+      for (int32_t i = 0; i < count; ++i) {
+        const uint32_t pixel = f.pixel[i], word = f.depth[i] | stencil;
+        // Neighbours mostly fare alike: without a branch, by masks, all of mesh70k takes 5 % longer.
+        if (fails(word, words[pixel])) continue;
+        words[pixel] = word;
+        color[pixel] = f.color[i];
+      }
+    };
+    if (less) merge([](uint32_t word, uint32_t stored) { return word >= stored; });
+    else merge([](uint32_t word, uint32_t stored) { return word > stored; });
     return;
   }
   uint64_t used[kTilePixels / 64] = {}; // pixels of the batch being gathered
@@ -57,6 +67,59 @@ static void tile_fragments(const TileTarget& tile, const RasterDraw& draw, const
     ++n;
   }
   if (n) finish();
+}
+
+/// Shades small triangles and merges their fragments, in order.
+template <bool Staged>
+static void shade_triangles(const TileTarget& tile, const RasterDraw& draw, const SmallTriangle* triangle, int32_t count, FragmentBlock& block) {
+  SmallPixels pixels;
+  alignas(64) uint16_t pixel[SmallPixels::kMost + kWidth];
+  alignas(64) uint32_t depth[SmallPixels::kMost + kWidth], color[SmallPixels::kMost + kWidth], live[SmallPixels::kMost + kWidth];
+  const FragmentWords words(draw, pixel, depth, color, live);
+  const bool killing = Staged && draw.program->key.alpha_function != uint64_t(Compare::Always);
+  for (; count > 0; triangle += kWidth, count -= kWidth) {
+    const int lanes = count < kWidth ? count : kWidth;
+    CornerPlaces corners;
+    for (int i = 0; i < kWidth; ++i) {
+      const SmallTriangle& t = triangle[i < lanes ? i : 0];
+      for (int k = 0; k < 3; ++k) corners.p[k][i] = t.corner[k]->v;
+      corners.back[i] = t.back;
+    }
+    StoredPlanes stored;
+    CornerPlanes planes(corners);
+    list_pixels(*draw.raster, tile, planes.position, lanes, pixels);
+    int32_t end = pixels.end[lanes - 1];
+    if (end == 0) continue;
+    store_planes(draw, planes, stored);
+    SmallShader<Staged> shader(draw, block);
+    auto shade = [&](int32_t f, auto&& chosen) __attribute__((always_inline)) {
+      const IntV p = load_halves(pixels.place + f);
+      store_halves(pixel + f, (p & 0xe07) | ((p >> 3) & 0x38) | ((p << 3) & 0x1c0)); // pixel_in_tile
+      shader.shade(words, chosen, f, (p & 63) + tile.x, ((p >> 6) & 63) + tile.y);
+    };
+    for (int i = 0; i < kWidth; ++i) pixels.place[end + i] = pixels.place[0];
+    if constexpr (kWidth > 4) {
+      for (int32_t f = 0; f < end; f += kWidth) shade(f, ChosenPlanes{stored, load_halves(pixels.place + f) >> 12});
+    } else {
+      for (int i = 0, f = 0; i < lanes; f = pixels.end[i++])
+        for (; f < pixels.end[i]; f += kWidth) shade(f, OnePlanes{stored, i});
+    }
+    shader.finish(words, end);
+    if (killing) {
+      int32_t living = 0;
+      for (int32_t i = 0; i < end; ++i) {
+        pixel[living] = pixel[i], depth[living] = depth[i], color[living] = color[i];
+        living += live[i] != 0;
+      }
+      end = living;
+    }
+    tile_fragments(tile, draw, {pixel, depth, color}, end);
+  }
+}
+
+static void tile_triangles(const TileTarget& tile, const RasterDraw& draw, const SmallTriangle* triangle, int32_t count, FragmentBlock& block) {
+  if (draw.program->step_count) shade_triangles<true>(tile, draw, triangle, count, block);
+  else shade_triangles<false>(tile, draw, triangle, count, block);
 }
 
 } // namespace SOFTGL_ISA

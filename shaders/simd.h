@@ -163,6 +163,24 @@ SOFTGL_INLINE IntV load_bytes(const uint8_t* p) {
 SOFTGL_INLINE void store_halves(uint16_t* p, IntV v) { _mm_storel_epi64((__m128i*)p, _mm_packs_epi32((__m128i)v, (__m128i)v)); }
 #endif
 
+/// Lane index[i] of v in lane i.
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+SOFTGL_INLINE FloatV permute(FloatV v, IntV index) { return (FloatV)_mm512_permutexvar_ps((__m512i)index, (__m512)v); }
+SOFTGL_INLINE IntV load_halves(const uint16_t* p) { return (IntV)_mm512_cvtepu16_epi32(_mm256_loadu_si256((const __m256i*)p)); }
+#elif defined(__AVX2__)
+SOFTGL_INLINE FloatV permute(FloatV v, IntV index) { return (FloatV)_mm256_permutevar8x32_ps((__m256)v, (__m256i)index); }
+SOFTGL_INLINE IntV load_halves(const uint16_t* p) { return (IntV)_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i*)p)); }
+#else
+SOFTGL_INLINE FloatV permute(FloatV v, IntV index) {
+  FloatV r;
+  for (int i = 0; i < kWidth; ++i) r[i] = v[index[i]];
+  return r;
+}
+SOFTGL_INLINE IntV load_halves(const uint16_t* p) {
+  return (IntV)_mm_unpacklo_epi16(_mm_loadl_epi64((const __m128i*)p), _mm_setzero_si128());
+}
+#endif
+
 /// Every even lane twice, every odd lane twice.
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 SOFTGL_INLINE FloatV even_lanes(FloatV v) { return (FloatV)_mm512_moveldup_ps((__m512)v); }

@@ -54,6 +54,13 @@ public:
   }
   /// Forgets all allocations and keeps the blocks for the next frame.
   void reset() { used_ = 0; current_ = 0; next_ = end_ = nullptr; }
+  /// Where allocation stands, and back there: forgets what was allocated since.
+  struct Mark {
+    size_t current, used;
+    std::byte *next, *end;
+  };
+  Mark mark() const { return {current_, used_, next_, end_}; }
+  void rewind(const Mark& m) { current_ = m.current, used_ = m.used, next_ = m.next, end_ = m.end; }
   size_t used() const { return used_; }
   /// Gets a first block that belongs to somebody else, who keeps it as long; all others will be large.
   void begin_with(Pages block) {

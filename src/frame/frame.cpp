@@ -27,7 +27,7 @@ constexpr uint32_t kFirstRoundSteps = 1u << 14, kRoundSteps = 1u << 19;
 struct Piece {
   const DrawRecord* draw;
   const RasterDraw* raster;
-  const ShadedVertices* vertices; // null: they are shaded with the piece, in memory that stays in the cache
+  const ShadedVertices* vertices; // null: they are shaded with the piece
   uint32_t primitive, first, count; // count 0: the whole draw
 };
 
@@ -78,7 +78,7 @@ struct Frame::Workers {
     Pages pages; // the scratch memory and the arena's first block
     Scratch* scratch;
     Arena arena;
-    Arena vertices{}; // of one piece
+    Arena vertices{}; // of pieces
     TileLists lists{};
     explicit Worker(size_t bytes) : pages{map_pages(bytes), bytes} {
       if (!pages.memory) throw std::bad_alloc();
@@ -169,7 +169,10 @@ private:
     close_unit();
     if (units_.empty() && !reader) return;
     ThreadPool& pool = ThreadPool::instance();
-    for (int i = 0; i < pool.workers(); ++i) (*frame_.workers_)[i].arena.reset();
+    for (int i = 0; i < pool.workers(); ++i) {
+      (*frame_.workers_)[i].arena.reset();
+      (*frame_.workers_)[i].vertices.reset();
+    }
     pool.run(shade_.size(), [this](size_t i, int) {
       const ShadeChunk& c = shade_[i];
       shade_vertices(*c.draw, c.first, c.count, *c.vertices);
@@ -202,7 +205,6 @@ private:
       const ElementRange elements = elements_of_steps(range, piece.first, piece.count);
       first = range.first + elements.first, count = elements.count;
     }
-    arena.reset();
     const ShadedVertices* vertices = allocate_vertices(*piece.draw, first, count, arena);
     shade_vertices(*piece.draw, first, count, *vertices);
     return vertices;
@@ -214,15 +216,17 @@ private:
     TileBinner binner(surface_, worker.lists, worker.arena, worker.scratch->binner);
     for (uint32_t i = 0; i < unit.piece_count; ++i) {
       const Piece& piece = pieces_[unit.first_piece + i];
-      binner.set_draw(piece.raster);
+      binner.set_draw(piece.raster, !piece.vertices);
       const DrawCall& call = piece.draw->call;
+      const Arena::Mark mark = worker.vertices.mark();
       const ShadedVertices* vertices = piece.vertices ? piece.vertices : shade_piece(piece, worker.vertices);
       if (piece.count) {
         assemble(*piece.draw, *vertices, call.primitives[piece.primitive], piece.first, piece.count, worker.arena, binner);
-        continue;
+      } else {
+        for (uint32_t k = 0; k < call.primitive_count; ++k)
+          assemble(*piece.draw, *vertices, call.primitives[k], 0, assembly_steps(call.primitives[k]), worker.arena, binner);
       }
-      for (uint32_t k = 0; k < call.primitive_count; ++k)
-        assemble(*piece.draw, *vertices, call.primitives[k], 0, assembly_steps(call.primitives[k]), worker.arena, binner);
+      if (!binner.keeps_vertices()) worker.vertices.rewind(mark); // the next piece's stay in the cache
     }
     const auto& touched = worker.lists.finish();
     auto* copy = worker.arena.allocate_array<TileLists::Touched>(touched.size());

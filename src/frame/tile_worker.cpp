@@ -154,10 +154,16 @@ void execute_tile(const Surface& surface, uint32_t tile, const TileChunk* work, 
       const size_t first = first_pixel(surface, tile);
       target.color = static_cast<uint8_t*>(surface.color) + first * size_t(bytes_per_pixel(surface.color_format));
       target.depth_stencil = surface.depth_stencil ? surface.depth_stencil + first : nullptr;
+      const TileWords& words = surface.tile[tile].depth_stencil;
+      target.one_stencil = surface.depth_format != DepthFormat::Z24S8 || words.known >> 24 == 255;
+      target.stencil_bits = surface.depth_format == DepthFormat::Z24S8 ? words.word & 0xff000000u : 0;
     }
     switch (segment.kind) {
     case TileSegment::Primitives:
       kernels.tile_primitives(target, *segment.draw, reinterpret_cast<const RasterPrimitive* const*>(segment.entries()), count, scratch);
+      break;
+    case TileSegment::Triangles:
+      kernels.tile_triangles(target, *segment.draw, reinterpret_cast<const SmallTriangle*>(segment.entries()), count, scratch);
       break;
     case TileSegment::Fragments: kernels.tile_fragments(target, *segment.draw, segment.fragments(), count); break;
     case TileSegment::Clear: execute_clear(*segment.clear, surface, tile); break;

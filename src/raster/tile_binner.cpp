@@ -78,9 +78,25 @@ void TileBinner::append_living(const TriangleOutput& out, uint32_t tile, int32_t
   }
 }
 
+void TileBinner::bin_small(const AssembledTriangles& batch, const TriangleOutput& out, int i) {
+  const bool negative = out.negative >> i & 1, back = draw_->raster->back != negative;
+  const ShadedVertices::Slot *a = batch.corner[negative][i], *b = batch.corner[!negative][i], *c = batch.corner[2][i];
+  auto append = [&](uint32_t tile) {
+    SmallTriangle& t = lists_.append_triangle(tile, draw_);
+    t.corner[0] = a, t.corner[1] = b, t.corner[2] = c, t.back = back;
+  };
+  const uint32_t tile = out.tile[i], further = out.further[i];
+  append(tile);
+  if (!further) return;
+  const uint32_t next_row = tile + static_cast<uint32_t>(tiles_x_);
+  if (further & 1) append(tile + 1);
+  if (further & 2) append(next_row);
+  if (further == 3) append(next_row + 1);
+}
+
 void TileBinner::triangles(const DrawRecord&, const AssembledTriangles& batch) {
   if (draw_->raster->cull == 3) return;
-  const TriangleInput in = {batch.count, tiles_x_, {batch.corner[0], batch.corner[1], batch.corner[2]}};
+  const TriangleInput in = {batch.count, tiles_x_, tiny_pixels_, {batch.corner[0], batch.corner[1], batch.corner[2]}};
   TriangleOutput& out = scratch_.output;
   kernels_.raster->prepare_triangles(*draw_, in, out, scratch_.block);
   RasterPrimitive* record[kSetupBatch];
@@ -88,16 +104,28 @@ void TileBinner::triangles(const DrawRecord&, const AssembledTriangles& batch) {
   for (int i = 0; i < large_count; ++i) record[i] = new_primitive();
   if (large_count) kernels_.raster->setup_triangles(*draw_, in, out, record);
   // Small and large triangles enter the lists in the order of their numbers.
-  const bool killing = draw_->program->key.alpha_function != static_cast<uint64_t>(Compare::Always);
   uint64_t large = out.large;
   RasterPrimitive** next = record;
-  for (int32_t i = 0; i < out.run_count; ++i) {
-    const TriangleOutput::Run& run = out.run[i];
-    for (; large && std::countr_zero(large) < run.triangle; large &= large - 1) bin(**next++);
-    if (killing) append_living(out, run.tile, run.first, out.run[i + 1].first);
-    else append_run(out, run.tile, run.first, out.run[i + 1].first);
+  auto bin_large_before = [&](int triangle) {
+    for (; large && std::countr_zero(large) < triangle; large &= large - 1) bin(**next++);
+  };
+  if (out.tiny) {
+    const bool killing = draw_->program->key.alpha_function != static_cast<uint64_t>(Compare::Always);
+    for (int32_t i = 0; i < out.run_count; ++i) {
+      const TriangleOutput::Run& run = out.run[i];
+      bin_large_before(run.triangle);
+      if (killing) append_living(out, run.tile, run.first, out.run[i + 1].first);
+      else append_run(out, run.tile, run.first, out.run[i + 1].first);
+    }
+  } else {
+    for (uint64_t small = out.small; small; small &= small - 1) {
+      const int i = std::countr_zero(small);
+      bin_large_before(i);
+      bin_small(batch, out, i);
+    }
+    keeps_vertices_ = keeps_vertices_ || out.small;
   }
-  for (; large; large &= large - 1) bin(**next++);
+  bin_large_before(kSetupBatch);
 }
 
 void TileBinner::lines(const DrawRecord&, const AssembledLines& batch) {

@@ -20,8 +20,14 @@ public:
   TileBinner(const Surface& surface, TileLists& lists, Arena& arena, BinnerScratch& scratch, const Kernels& kernels = softgl::kernels())
       : tiles_x_(surface.tiles_x), lists_(lists), arena_(arena), scratch_(scratch), kernels_(kernels) {}
 
-  /// The draw that the next batches belong to.
-  void set_draw(const RasterDraw* draw) { draw_ = draw; }
+  /// The draw that the next batches belong to. Their vertices should not be kept when they are read `in_order`.
+  void set_draw(const RasterDraw* draw, bool in_order = false) {
+    draw_ = draw;
+    tiny_pixels_ = in_order ? kTinyPixelsInOrder : kTinyPixels;
+    keeps_vertices_ = false;
+  }
+  /// True when lists point to vertices of the batches since set_draw().
+  bool keeps_vertices() const { return keeps_vertices_; }
 
   void triangles(const DrawRecord& draw, const AssembledTriangles& batch) override;
   void lines(const DrawRecord& draw, const AssembledLines& batch) override;
@@ -30,6 +36,7 @@ public:
 private:
   RasterPrimitive* new_primitive();
   void bin(const RasterPrimitive& primitive);
+  void bin_small(const AssembledTriangles& batch, const TriangleOutput& out, int i);
   void append_run(const TriangleOutput& out, uint32_t tile, int32_t first, int32_t last);
   void append_living(const TriangleOutput& out, uint32_t tile, int32_t first, int32_t last);
 
@@ -39,6 +46,8 @@ private:
   BinnerScratch& scratch_;
   const Kernels& kernels_;
   const RasterDraw* draw_ = nullptr;
+  int32_t tiny_pixels_ = kTinyPixels;
+  bool keeps_vertices_ = false;
   uint8_t *next_ = nullptr, *end_ = nullptr; // memory for primitives
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <new>
 #include <vector>
 
 #include "base/arena.h"
@@ -17,10 +18,10 @@ struct TileChunk {
   uint32_t size;
 };
 
-/// A run of entries of one kind and draw. Followed by pointers to primitives, or by `capacity` depths, colours and pixels
-/// of fragments, of which `count` are set.
+/// A run of entries of one kind and draw. Followed by pointers to primitives, by small triangles, or by `capacity` depths,
+/// colours and pixels of fragments, of which `count` are set.
 struct TileSegment {
-  enum Kind : uint16_t { Primitives, Fragments, Clear };
+  enum Kind : uint16_t { Primitives, Triangles, Fragments, Clear };
   Kind kind;
   uint16_t capacity;
   uint32_t count;
@@ -32,7 +33,9 @@ struct TileSegment {
   static constexpr size_t kFragmentBytes = sizeof(uint32_t) + sizeof(uint32_t) + sizeof(uint16_t);
   uint8_t* entries() { return reinterpret_cast<uint8_t*>(this + 1); }
   const uint8_t* entries() const { return reinterpret_cast<const uint8_t*>(this + 1); }
-  size_t entry_bytes() const { return kind == Fragments ? kFragmentBytes * capacity : sizeof(void*) * count; }
+  size_t entry_bytes() const {
+    return kind == Fragments ? kFragmentBytes * capacity : kind == Triangles ? sizeof(SmallTriangle) * count : sizeof(void*) * count;
+  }
   SmallFragments fragments() const {
     auto* depth = reinterpret_cast<uint32_t*>(const_cast<uint8_t*>(entries()));
     return {reinterpret_cast<uint16_t*>(depth + 2 * capacity), depth, depth + capacity};
@@ -66,12 +69,10 @@ public:
   }
 
   void append_primitive(uint32_t tile, const RasterDraw* draw, const RasterPrimitive* primitive) {
-    List& l = list(tile);
-    if (!l.open || l.open->kind != TileSegment::Primitives || l.open->draw != draw || l.end - l.next < 8) open(l, TileSegment::Primitives, draw, 8);
-    memcpy(l.next, &primitive, 8);
-    l.next += 8;
-    ++l.open->count;
+    append<const RasterPrimitive*>(tile, TileSegment::Primitives, draw) = primitive;
   }
+  /// The caller fills it.
+  SmallTriangle& append_triangle(uint32_t tile, const RasterDraw* draw) { return append<SmallTriangle>(tile, TileSegment::Triangles, draw); }
 
   /// Room for at least one and at most `wanted` fragments of a tile; `given` says how many. The caller fills them.
   SmallFragments append_fragments(uint32_t tile, const RasterDraw* draw, uint32_t wanted, uint32_t& given) {
@@ -104,6 +105,15 @@ public:
 
 private:
   static constexpr uint32_t kFirstChunk = 512, kChunk = 4096, kMaxFragments = 128;
+
+  template <class Entry> Entry& append(uint32_t tile, TileSegment::Kind kind, const RasterDraw* draw) {
+    List& l = list(tile);
+    if (!l.open || l.open->kind != kind || l.open->draw != draw || static_cast<size_t>(l.end - l.next) < sizeof(Entry)) open(l, kind, draw, sizeof(Entry));
+    auto* entry = new (l.next) Entry;
+    l.next += sizeof(Entry);
+    ++l.open->count;
+    return *entry;
+  }
 
   List& list(uint32_t tile) {
     List& l = lists_[tile];
