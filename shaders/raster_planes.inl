@@ -56,22 +56,19 @@ SOFTGL_INLINE float depth_scale(const FragmentKey& key) {
 }
 SOFTGL_INLINE IntV depth_bits(FloatV z, float scale) { return round_to_int(unit_range(z) * scale); }
 SOFTGL_INLINE IntV color_byte(FloatV c) { return round_to_int(unit_range(c) * 255.0f); }
-#if defined(__AVX2__) && !defined(__AVX512F__)
-/// Saturating packs clamp below: not a number and everything too negative become the most negative integer, then 0.
-SOFTGL_INLINE IntV pack_color(FloatV r, FloatV g, FloatV b, FloatV a) {
+/// An RGBA8 word; `a` is a byte in each lane.
+SOFTGL_INLINE IntV pack_bytes(FloatV r, FloatV g, FloatV b, IntV a) {
+#if defined(__AVX2__)
+  // Saturating packs clamp below: not a number and everything too negative become the most negative integer, then 0.
   const FloatV one = splat(1.0f);
-  const IntV ri = round_to_int(min_(one, r) * 255.0f), gi = round_to_int(min_(one, g) * 255.0f);
-  const IntV bi = round_to_int(min_(one, b) * 255.0f), ai = round_to_int(min_(one, a) * 255.0f);
-  const __m256i rg = _mm256_packs_epi32((__m256i)ri, (__m256i)gi), ba = _mm256_packs_epi32((__m256i)bi, (__m256i)ai);
-  const __m256i planes = _mm256_packus_epi16(rg, ba); // r0-3 g0-3 b0-3 a0-3, then the same of lanes 4-7
-  const __m256i order = _mm256_set_epi8(15, 11, 7, 3, 14, 10, 6, 2, 13, 9, 5, 1, 12, 8, 4, 0, 15, 11, 7, 3, 14, 10, 6, 2, 13, 9, 5, 1, 12, 8, 4, 0);
-  return (IntV)_mm256_shuffle_epi8(planes, order);
-}
+  const IntV ri = round_to_int(min_(one, r) * 255.0f), gi = round_to_int(min_(one, g) * 255.0f), bi = round_to_int(min_(one, b) * 255.0f);
+  return interleave_bytes(ri, gi, bi, a);
 #else
-SOFTGL_INLINE IntV pack_color(FloatV r, FloatV g, FloatV b, FloatV a) {
-  return color_byte(r) | (color_byte(g) << 8) | (color_byte(b) << 16) | (color_byte(a) << 24);
-}
+  return color_byte(r) | (color_byte(g) << 8) | (color_byte(b) << 16) | (a << 24);
 #endif
+}
+SOFTGL_INLINE IntV pack_color(FloatV r, FloatV g, FloatV b, FloatV a) { return pack_bytes(r, g, b, color_byte(a)); }
+SOFTGL_INLINE IntV pack_opaque(FloatV r, FloatV g, FloatV b) { return pack_bytes(r, g, b, splat(255)); }
 
 /// Pointers to the corners of kWidth triangles.
 struct CornerPlaces {

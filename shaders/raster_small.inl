@@ -76,7 +76,8 @@ public:
       Varying color = words.varying;
       color.first = 0; // says to the compiler what it is
       planes.select(color);
-      store(words.color + f, pack_color(value(color, 0), value(color, 1), value(color, 2), words.opaque ? splat(1.0f) : value(color, 3)));
+      const FloatV r = value(color, 0), g = value(color, 1), b = value(color, 2);
+      store(words.color + f, words.opaque ? pack_opaque(r, g, b) : pack_color(r, g, b, value(color, 3)));
       return;
     }
     if (f + kWidth > first_ + kLanes) finish(words, f);

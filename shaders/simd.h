@@ -163,6 +163,20 @@ SOFTGL_INLINE IntV load_bytes(const uint8_t* p) {
 SOFTGL_INLINE void store_halves(uint16_t* p, IntV v) { _mm_storel_epi64((__m128i*)p, _mm_packs_epi32((__m128i)v, (__m128i)v)); }
 #endif
 
+#if defined(__AVX2__)
+/// Lanes from -32768 to 32767, clamped to bytes: those of a in bits 0-7, b's in 8-15 and so on.
+SOFTGL_INLINE IntV interleave_bytes(IntV a, IntV b, IntV c, IntV d) {
+  const __m128i order = _mm_set_epi8(15, 11, 7, 3, 14, 10, 6, 2, 13, 9, 5, 1, 12, 8, 4, 0);
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+  const __m512i bytes = _mm512_packus_epi16(_mm512_packs_epi32((__m512i)a, (__m512i)b), _mm512_packs_epi32((__m512i)c, (__m512i)d));
+  return (IntV)_mm512_shuffle_epi8(bytes, _mm512_broadcast_i32x4(order));
+#else
+  const __m256i bytes = _mm256_packus_epi16(_mm256_packs_epi32((__m256i)a, (__m256i)b), _mm256_packs_epi32((__m256i)c, (__m256i)d));
+  return (IntV)_mm256_shuffle_epi8(bytes, _mm256_broadcastsi128_si256(order)); // of each half: a0-3 b0-3 c0-3 d0-3
+#endif
+}
+#endif
+
 /// Lane index[i] of v in lane i.
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 SOFTGL_INLINE FloatV permute(FloatV v, IntV index) { return (FloatV)_mm512_permutexvar_ps((__m512i)index, (__m512)v); }

@@ -102,6 +102,42 @@ TEST_CASE("triangles equal the plain scalar rasterizer", "[raster]") {
     }
 }
 
+TEST_CASE("triangles reach up to 64 pixels out of a small scissor box", "[raster]") {
+  for (int round = 0; round < 20; ++round) {
+    INFO("round " << round);
+    const int x = 7 * round % 140, y = 11 * round % 110, side = 1 + round % 16; // on borders of tiles, too
+    Vertices v;
+    std::mt19937 random{uint32_t(round)};
+    auto uniform = [&](float lo, float hi) { return lo + (hi - lo) * float(random() >> 8) * (1.0f / 16777216.0f); };
+    for (int i = 0; i < 400; ++i) {
+      const float extent = round % 2 ? 63.9f : 31.0f, px = uniform(float(x) - extent, float(x + side)), py = uniform(float(y) - extent, float(y + side));
+      for (int k = 0; k < 3; ++k) {
+        float cx = px + uniform(0, extent);
+        float cy = py + uniform(0, extent);
+        if (i % 3 == 0) cx = std::floor(cx) + 0.5f, cy = std::floor(cy) + 0.5f; // edges through pixel centres
+        v.push_back({{cx, cy, uniform(0, 1), 1}});
+        v.push_back({{uniform(0, 1), uniform(0, 1), uniform(0, 1), 1}});
+      }
+    }
+    Canvas expected(157, 131);
+    Draw draw(expected.surface);
+    draw.raster.x0 = x, draw.raster.y0 = y, draw.raster.x1 = std::min(x + side, 157), draw.raster.y1 = std::min(y + side, 131);
+    draw.derive();
+    {
+      const FloatEnvironment environment;
+      for (size_t i = 0; i < v.size(); i += 6) reference_triangle(expected, draw.raster, &v[i]);
+    }
+    for (int isa = 0; isa <= int(detect_isa()); ++isa) {
+      const Kernels* k = find_kernels(Isa(isa));
+      if (!k) continue;
+      INFO("instruction set " << isa_name(Isa(isa)));
+      Canvas got(157, 131);
+      draw_triangles(got, draw, v, *k);
+      CHECK(got == expected);
+    }
+  }
+}
+
 TEST_CASE("small triangles, blocks, units and instruction sets draw the same", "[raster]") {
   for (int category = 0; category < kCategories; ++category) {
     INFO("category " << category);
