@@ -85,6 +85,9 @@ static void shade_triangles(const TileTarget& tile, const RasterDraw& draw, cons
       for (int k = 0; k < 3; ++k) corners.p[k][i] = t.corner[k]->v;
       corners.back[i] = t.back;
     }
+    if (count >= 2 * kWidth) // the next ones, which another processor may have shaded
+      for (int i = 0; i < kWidth; ++i)
+        for (int k = 0; k < 3; ++k) __builtin_prefetch(triangle[kWidth + i].corner[k]);
     StoredPlanes stored;
     CornerPlanes planes(corners);
     list_pixels(*draw.raster, tile, planes.position, lanes, pixels);

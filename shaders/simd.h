@@ -70,6 +70,13 @@ SOFTGL_INLINE IntV max_(IntV a, IntV b) { const IntV m = a > b; return (a & m) |
 SOFTGL_INLINE IntV multiply(IntV a, IntV b) { return (IntV)((UintV)a * (UintV)b); }
 #endif
 
+/// The floor of numbers up to 2^22 that are at least 2^-16 off every integer.
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+SOFTGL_INLINE IntV floor_off_integers(FloatV v) { return (IntV)_mm512_cvt_roundps_epi32((__m512)v, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC); }
+#else
+SOFTGL_INLINE IntV floor_off_integers(FloatV v) { return round_to_int(v - 0.5f); }
+#endif
+
 SOFTGL_INLINE IntV choose(IntV mask, IntV a, IntV b) { return (a & mask) | (b & ~mask); }
 SOFTGL_INLINE FloatV choose(IntV mask, FloatV a, FloatV b) { return (FloatV)(((IntV)a & mask) | ((IntV)b & ~mask)); }
 /// True when a bit of any lane is set.

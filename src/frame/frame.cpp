@@ -21,7 +21,7 @@ constexpr uint32_t kShadeChunk = 2048;        // vertices shaded at a time; a mu
 constexpr uint32_t kSmallDraw = 1024;         // draws of up to so many steps and vertices are shaded inside their unit
 // Steps whose bins are in memory at the same time. The first frames have little memory, which takes longer to come than
 // the waits for each other at the end of a round; later ones have it.
-constexpr uint32_t kFirstRoundSteps = 1u << 14, kRoundSteps = 1u << 19;
+constexpr uint32_t kFirstRoundSteps = 1u << 16, kRoundSteps = 1u << 19;
 
 /// A part of a draw: steps of one primitive, or the whole draw when it is small.
 struct Piece {
@@ -291,8 +291,8 @@ Frame::Frame() : most_round_steps_(kFirstRoundSteps) {}
 Frame::~Frame() = default;
 
 void Frame::prepare(std::vector<Pages>& pages) {
-  // 70,000 triangles of a mesh make 1.2 MB of vertices, and in each of the first frame's rounds 2 MB of fragments in lists.
-  // More would be made zero for nothing.
+  // 70,000 triangles of a mesh make 1.2 MB of vertices, and in lists, where each takes 32 bytes for every tile it touches,
+  // 3 MB. More would be made zero for nothing.
   make_workers(kHugePage);
   for (int i = 0; i < std::min(ThreadPool::instance().workers(), 4); ++i) pages.push_back((*workers_)[i].pages);
   const Pages block = arena_.prepare();
