@@ -15,12 +15,21 @@ public:
   TinyBatch(const RasterDraw& draw, const TriangleInput& in, TriangleOutput& out) : draw_(draw), in_(in), out_(out) {}
 
   void run(FragmentBlock& block) {
-    if (draw_.program->step_count) shade<true>(block);
-    else shade<false>(block);
+    const bool grouped = kWidth > 4 && covered() * 4 >= 5 * __builtin_popcountll(out_.small);
+    if (draw_.program->step_count) grouped ? shade<true, true>(block) : shade<true, false>(block);
+    else grouped ? shade<false, true>(block) : shade<false, false>(block);
     out_.run[out_.run_count].first = end_;
   }
 
 private:
+  SOFTGL_MEMBER uint64_t pixels_of(int t) const { return uint64_t(out_.rows4to7[t]) << 32 | out_.rows0to3[t]; }
+
+  int covered() const {
+    int n = 0;
+    for (uint64_t bits = out_.small; bits; bits &= bits - 1) n += __builtin_popcountll(pixels_of(__builtin_ctzll(bits)));
+    return n;
+  }
+
   /// Begins a run unless the last one goes on.
   SOFTGL_MEMBER void begin_run(uint32_t tile, int t) {
     const uint64_t large_before = out_.large & ((uint64_t(1) << t) - 1);
@@ -31,7 +40,7 @@ private:
 
   /// Calls visit(pixels) for the pixels of triangle t in each tile, with their run begun.
   template <class Visit> SOFTGL_MEMBER void each_tile(int t, Visit&& visit) {
-    const uint64_t pixels = uint64_t(out_.rows4to7[t]) << 32 | out_.rows0to3[t];
+    const uint64_t pixels = pixels_of(t);
     const uint32_t tile = out_.tile[t];
     if (!out_.further[t]) {
       begin_run(tile, t);
@@ -51,15 +60,22 @@ private:
     }
   }
 
-  template <bool Staged> void shade(FragmentBlock& block) {
+  /// Grouped: planes are made for kWidth triangles at a time, and lanes choose from them. With fewer fragments (a quarter
+  /// more than triangles, measured) they are made for each lane.
+  template <bool Staged, bool Grouped> void shade(FragmentBlock& block) {
     constexpr int kMost = kMaxTinyFragments + kWidth;
     alignas(64) uint32_t place[kMost]; // y in the upper half
-    uint8_t triangle[kMost];
+    uint8_t owner[kMost];              // the triangle's number, or its place in its group
+    uint8_t number[kSetupBatch + kWidth];
+    int32_t first[kSetupBatch + kWidth]; // fragments of the small triangles in order
+    int count = 0;
     for (uint64_t bits = out_.small; bits; bits &= bits - 1) {
       const int t = __builtin_ctzll(bits);
       const uint32_t position = out_.position[t];
+      const auto mine = uint8_t(Grouped ? count & (kWidth - 1) : t);
+      if (Grouped) number[count] = uint8_t(t), first[count++] = end_;
       each_tile(t, [&](uint64_t pixels) __attribute__((always_inline)) {
-        auto put = [&](int32_t at, uint32_t bit) { place[at] = position + ((bit & 56) << 13) + (bit & 7), triangle[at] = uint8_t(t); };
+        auto put = [&](int32_t at, uint32_t bit) { place[at] = position + ((bit & 56) << 13) + (bit & 7), owner[at] = mine; };
         // Most have one pixel or two, which is hard to predict: two are always written.
         for (;;) {
           const uint64_t others = pixels & (pixels - 1);
@@ -72,17 +88,31 @@ private:
       });
     }
     if (end_ == 0) return;
-    for (int k = 0; k < kWidth; ++k) place[end_ + k] = place[0], triangle[end_ + k] = triangle[0];
+    for (int k = 0; k < kWidth; ++k) place[end_ + k] = place[0], owner[end_ + k] = owner[0];
     SmallShader<Staged> shader(draw_, block);
     const FragmentWords words(draw_, out_.pixel, out_.depth, out_.color, out_.live);
-    const int32_t end = end_;
-    for (int32_t f = 0; f < end; f += kWidth) {
-      CornerPlaces corners;
-      find_corners(draw_, in_, out_, triangle + f, corners);
-      CornerPlanes planes(corners);
+    auto vector = [&](int32_t f, auto&& planes) __attribute__((always_inline)) {
       const IntV p = load(place + f), x = p & 0xffff, y = p >> 16;
       store_halves(words.pixel + f, ((y & 56) << 6) | ((x & 56) << 3) | ((y & 7) << 3) | (x & 7));
       shader.shade(words, planes, f, x, y);
+    };
+    const int32_t end = end_;
+    if constexpr (Grouped) {
+      for (int k = 0; k < kWidth; ++k) number[count + k] = number[0], first[count + k] = end;
+      for (int group = 0; group < count; group += kWidth) {
+        CornerPlaces corners;
+        find_corners(draw_, in_, out_, number + group, corners);
+        CornerPlanes made(corners);
+        StoredPlanes planes;
+        store_planes(draw_, made, planes);
+        for (int32_t f = first[group]; f < first[group + kWidth]; f += kWidth) vector(f, ChosenPlanes{planes, load_bytes(owner + f)});
+      }
+    } else {
+      for (int32_t f = 0; f < end; f += kWidth) {
+        CornerPlaces corners;
+        find_corners(draw_, in_, out_, owner + f, corners);
+        vector(f, CornerPlanes(corners));
+      }
     }
     shader.finish(words, end);
   }

@@ -11,7 +11,7 @@ constexpr int kSmallBox = 16, kTinyBox = 8;
 // A batch is tiny when the boxes of its small triangles have fewer pixels each. Their fragments are shaded at once, each
 // lane's planes made anew; with more it pays to make a triangle's planes once, in the tile. Measured on triangles of 1 to 4
 // pixels. Where vertices are shaded with the piece that reads them they would have to be kept for the tiles.
-constexpr int kTinyPixels = 6, kTinyPixelsInOrder = 13;
+constexpr int kTinyPixels = 6, kTinyPixelsInOrder = 20;
 constexpr int kMaxTinyFragments = kTinyPixelsInOrder * kSetupBatch;
 constexpr int kMaxRuns = 4 * kSetupBatch; // each triangle in up to four tiles
 
