@@ -21,14 +21,16 @@ std::vector<bool> minimize(const Gl& a, const Gl& b, const Scene& scene, uint64_
   std::vector<bool> skip;
   int calls = 0;
   const Picture first = draw_without(a, scene, seed, skip, &calls), second = draw_without(b, scene, seed, skip);
-  if (!compare(first, second).any()) return {};
-  const bool only_errors = first.color == second.color && first.depth == second.depth;
+  const Difference difference = compare(first, second);
+  if (!difference.any()) return {};
+  const bool only_errors = difference.errors && !difference.color_bytes && !difference.floats && first.depth == second.depth;
   skip.assign(calls, false);
   auto still = [&](const std::vector<bool>& candidate) {
     const Picture x = draw_without(a, scene, seed, candidate), y = draw_without(b, scene, seed, candidate);
     if (only_errors) return x.errors != y.errors;
     if (x.errors.size() > first.errors.size() || y.errors.size() > second.errors.size()) return false;
-    return compare(x, y).max_color > tolerance || x.depth != y.depth;
+    const Difference d = compare(x, y);
+    return d.max_color > tolerance || (tolerance == 0 && d.floats) || x.depth != y.depth;
   };
   for (bool progress = true; progress;) {
     progress = false;

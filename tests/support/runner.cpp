@@ -2,6 +2,7 @@
 #include "test_paths.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -27,6 +28,7 @@ uint64_t Picture::hash() const {
   add(uint64_t(width), 4), add(uint64_t(height), 4);
   for (uint8_t c : color) add(c, 1);
   for (uint32_t d : depth) add(d, 4);
+  for (float f : floats) add(std::bit_cast<uint32_t>(f), 4);
   return h;
 }
 
@@ -55,8 +57,10 @@ Picture draw(const Gl& gl, const Scene& scene, uint64_t seed) {
   if (!context) throw std::runtime_error(gl.name + ": OSMesaCreateContextExt failed");
   const size_t pixels = size_t(p.width) * p.height;
   p.color.assign(pixels * 4, 0);
+  if (scene.floats) p.floats.assign(pixels * 4, 0);
   const CurrentContext current{gl, context};
-  if (!gl.OSMesaMakeCurrent(context, p.color.data(), GL_UNSIGNED_BYTE, p.width, p.height))
+  void* colors = scene.floats ? static_cast<void*>(p.floats.data()) : p.color.data();
+  if (!gl.OSMesaMakeCurrent(context, colors, scene.floats ? GL_FLOAT : GL_UNSIGNED_BYTE, p.width, p.height))
     throw std::runtime_error(gl.name + ": OSMesaMakeCurrent failed");
   uint64_t name = 0xcbf29ce484222325u; // every family draws something else for one seed
   for (char c : scene.numbers.empty() ? scene.name : scene.numbers) name = (name ^ uint8_t(c)) * 0x100000001b3u;
@@ -69,6 +73,7 @@ Picture draw(const Gl& gl, const Scene& scene, uint64_t seed) {
     p.errors.push_back(error);
   }
   gl.Finish();
+  for (size_t i = 0; i < p.floats.size(); i++) p.color[i] = p.floats[i] > 0 ? uint8_t(std::min(p.floats[i], 1.0f) * 255 + 0.5f) : 0;
   GLint w = 0, h = 0, bytes = 0;
   void* buffer = nullptr;
   if (gl.OSMesaGetDepthBuffer(context, &w, &h, &bytes, &buffer) && bytes == 4 && w == p.width && h == p.height) {
@@ -83,7 +88,7 @@ Picture draw(const Gl& gl, const Scene& scene, uint64_t seed) {
 Difference compare(const Picture& ours, const Picture& theirs) {
   Difference d;
   char line[400];
-  if (ours.width != theirs.width || ours.height != theirs.height || ours.depth.size() != theirs.depth.size()) {
+  if (ours.width != theirs.width || ours.height != theirs.height || ours.depth.size() != theirs.depth.size() || ours.floats.size() != theirs.floats.size()) {
     d.size = true;
     d.text = "no depth buffer, or another size";
     return d;
@@ -98,6 +103,8 @@ Difference compare(const Picture& ours, const Picture& theirs) {
           differs = true, d.color_bytes++;
           d.max_color = std::max(d.max_color, std::abs(ours.color[c] - theirs.color[c]));
         }
+      for (size_t c = 4 * i; c < 4 * i + 4 && !ours.floats.empty(); c++)
+        if (std::bit_cast<uint32_t>(ours.floats[c]) != std::bit_cast<uint32_t>(theirs.floats[c])) differs = true, d.floats++;
       if (ours.depth.size() && ours.depth[i] != theirs.depth[i]) differs = true, d.depth_values++;
       if (ours.stencil.size() && ours.stencil[i] != theirs.stencil[i]) differs = true, d.stencil_values++;
       if (differs && d.x < 0) d.x = x, d.y = y;
@@ -111,6 +118,13 @@ Difference compare(const Picture& ours, const Picture& theirs) {
                   ours.color[4 * i + 2], ours.color[4 * i + 3], ours.depth.empty() ? 0 : ours.depth[i], theirs.color[4 * i],
                   theirs.color[4 * i + 1], theirs.color[4 * i + 2], theirs.color[4 * i + 3], theirs.depth.empty() ? 0 : theirs.depth[i]);
     d.text = line;
+  }
+  if (d.floats) {
+    const float* a = &ours.floats[4 * (size_t(d.y) * ours.width + d.x)];
+    const float* b = &theirs.floats[4 * (size_t(d.y) * ours.width + d.x)];
+    std::snprintf(line, sizeof line, "; %zu floats: ours %.9g %.9g %.9g %.9g, theirs %.9g %.9g %.9g %.9g", d.floats, double(a[0]), double(a[1]),
+                  double(a[2]), double(a[3]), double(b[0]), double(b[1]), double(b[2]), double(b[3]));
+    d.text += line;
   }
   if (d.errors) {
     auto list = [](const std::vector<GLenum>& errors) {
@@ -167,7 +181,8 @@ std::string check_against_osmesa(const Scene& scene, uint64_t seed) {
   const std::string stem = std::string(SOFTGL_TEST_OUTPUT) + "/" + scene.name + "-" + std::to_string(seed);
   if (!d.size) write_difference(stem, ours, theirs);
   return d.text + "\n  pictures: " + stem + ".{ours,theirs,difference}.png\n  again: " + SOFTGL_TEST_BINARY_DIR +
-         "/softgl_conformance --family " + scene.name + " --seed " + std::to_string(seed) + " --minimize";
+         "/softgl_conformance --family " + scene.name + " --seed " + std::to_string(seed) +
+         (scene.floats ? " --floats" : "") + " --minimize";
 }
 
 } // namespace softgl::test

@@ -32,6 +32,12 @@ TEST_CASE("a comparison sees one byte, one depth and one error", "[harness]") {
   CHECK((d.color_bytes == 1 && d.max_color == 3 && d.x == 1 && d.y == 1 && d.depth_values == 0));
   CHECK(a.hash() != b.hash());
   b = a;
+  b.floats = a.floats = std::vector<float>(24, 0.5f);
+  b.floats[7] = 0.50000006f;
+  d = compare(a, b);
+  CHECK((d.floats == 1 && d.color_bytes == 0 && d.x == 1 && d.y == 0));
+  CHECK(a.hash() != b.hash());
+  b = a;
   b.depth[5]++;
   CHECK(compare(a, b).depth_values == 1);
   b = a;

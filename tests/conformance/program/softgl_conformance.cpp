@@ -30,6 +30,7 @@ const char kUsage[] =
     "  --hash            print a hash for each scene instead of comparing\n"
     "  --minimize        cut each failing scene down to the calls that matter and print them\n"
     "  --trace           print the calls of each scene\n"
+    "  --floats          draw all scenes to buffers of floats\n"
     "  --sheet FILE      write the pictures of one library as one PNG\n"
     "  --stop N          stop a family after N failures (5)\n"
     "  --expect-isa I    fail unless softgl computes with this instruction set (SOFTGL_ISA)\n";
@@ -38,7 +39,7 @@ struct Options {
   std::vector<std::string> families;
   uint64_t seed = 0, count = 100;
   std::string library = "compare", sheet;
-  bool hash = false, minimize = false, trace = false;
+  bool hash = false, minimize = false, trace = false, floats = false;
   int stop = 5;
 };
 
@@ -93,6 +94,7 @@ int run(const Options& o) {
       scenes.push_back(*scene);
     }
   }
+  for (Scene& scene : scenes) scene.floats |= o.floats;
   const bool alone = o.library != "compare";
   const Gl& gl = o.library == "osmesa" ? osmesa_library() : softgl_library();
   const Gl shaders = alone || o.hash ? Gl{} : shader_library(Twins::PhongAndGouraud); // OSMesa, which one library alone must not need
@@ -171,6 +173,7 @@ int main(int argc, char** argv) {
     } else if (option == "--hash") o.hash = true;
     else if (option == "--minimize") o.minimize = true;
     else if (option == "--trace") o.trace = true;
+    else if (option == "--floats") o.floats = true;
     else if (!value) return usage();
     else if (option == "--family") o.families.push_back(argv[++i]);
     else if (option == "--seed") o.seed = std::strtoull(argv[++i], nullptr, 10);
