@@ -27,7 +27,6 @@ struct alignas(64) FragmentBlock {
   uint32_t live[kLanes];          // ~0u: still to be written; 0: dead (its other values are finite but meaningless)
   uint32_t depth[kLanes];         // fragment depth in the depth buffer's integers
   float color[4][kLanes];         // running colour r g b a: primary, then after texturing, colour sum, fog
-  float primary[4][kLanes];       // the primary colour, kept only for GL_PRIMARY_COLOR in a combiner
   float secondary[3][kLanes];     // secondary colour
   float fog[kLanes];              // fog coordinate
   BlockCoordinates unit[kBlockTextureUnits];

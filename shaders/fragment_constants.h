@@ -7,6 +7,7 @@
 
 namespace softgl {
 
+struct CombinerProgram;      // combiner_program.h
 struct LightingConstants;    // lighting.h
 struct TextureUnitConstants; // texture_constants.h
 
@@ -20,6 +21,7 @@ struct FragmentConstants {
   uint8_t stencil_reference, stencil_value_mask, stencil_write_mask;
   const LightingConstants* lighting; // null where fragments are not lit
   const TextureUnitConstants* texture[kBlockTextureUnits]; // null where a unit is off
+  const CombinerProgram* combiner; // null where every environment has a stage of its own
 };
 
 } // namespace softgl

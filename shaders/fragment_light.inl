@@ -34,9 +34,5 @@ static void stage_light(FragmentBlock& block, const FragmentConstants& constants
     for (int c = 0; c < 3; ++c) finish(b.secondary[0][c], b.secondary[1][c], block.secondary[c]);
 }
 
-static void stage_keep_primary(FragmentBlock& block, const FragmentConstants&, int) {
-  memcpy(block.primary, block.color, sizeof block.primary);
-}
-
 } // namespace SOFTGL_ISA
 } // namespace softgl

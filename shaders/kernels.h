@@ -40,7 +40,6 @@ struct RasterKernels {
   void (*tile_fragments)(const TileTarget& tile, const RasterDraw& draw, const SmallFragments& fragments, int32_t count);
   // Stages of fragment programs.
   FragmentStage light;        // colours from normals, eye positions and materials
-  FragmentStage keep_primary; // for GL_PRIMARY_COLOR in a combiner
   FragmentStage color_sum, color_sum_clamped, fog_linear, fog_exp, fog_exp2;
   FragmentStage alpha_test_8, alpha_test_float; // `unit` is the comparison
 };
@@ -53,7 +52,8 @@ struct TextureKernels {
   FragmentStage sample_fixed;   // 8 bits per component, REPEAT or CLAMP_TO_EDGE
   FragmentStage modulate_fixed; // the same and GL_MODULATE; leaves no texel
   FragmentStage sample_float;   // everything else
-  FragmentStage replace, modulate, combine;
+  FragmentStage replace, modulate;
+  FragmentStage combine;        // all units' environments in one, and the colour sum
 };
 
 } // namespace softgl

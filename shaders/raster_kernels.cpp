@@ -17,7 +17,6 @@ const RasterKernels raster_kernels = {
     .tile_triangles = tile_triangles,
     .tile_fragments = tile_fragments,
     .light = stage_light,
-    .keep_primary = stage_keep_primary,
     .color_sum = stage_color_sum,
     .color_sum_clamped = stage_color_sum_clamped,
     .fog_linear = stage_fog_linear,

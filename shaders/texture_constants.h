@@ -21,15 +21,6 @@ struct TextureLevel {
   int32_t row, slice;
 };
 
-/// An argument of a texture combiner: where the colour comes from and how it is used.
-enum class CombineSource : uint8_t { Texture0, Texture7 = 7, Constant, Primary, Previous, Zero };
-struct CombineArgument {
-  CombineSource source;
-  uint8_t alpha;      // the source's alpha for every component
-  uint8_t complement; // 1 - the value
-};
-enum class CombineFunction : uint8_t { Replace, Modulate, Add, AddSigned, Interpolate, Subtract, Dot3Rgb, Dot3Rgba };
-
 struct TextureUnitConstants {
   TextureLevel level[kTextureLevelLimit]; // level[0] is the base level
   int32_t last_level;
@@ -49,11 +40,7 @@ struct TextureUnitConstants {
   bool compares;
   uint8_t compare_function; // GL_NEVER .. GL_ALWAYS as 0 .. 7
   uint8_t depth_target;     // 0 luminance (d d d 1), 1 intensity (d d d d), 2 alpha (0 0 0 d)
-  // Environment.
-  float color[4];
-  CombineFunction function[2]; // rgb, alpha
-  CombineArgument argument[2][3];
-  float combine_scale[2];
+  float color[4];           // of the environment
 };
 
 } // namespace softgl

@@ -145,9 +145,9 @@ const FragmentProgram* make_fragment_program(Context& context, Arena& arena) {
   // Surfaces without alpha keep it at 1, so that destination alpha reads as 1.
   if (!context.framebuffer.has_alpha) key.color_mask &= 7;
 
+  key = simplify(key); // before the textures: their stages may take the colour sum over
   if (key.lit) program.add(kernels().raster->light);
   append_texture_stages(context, arena, program, k);
-  key = simplify(key);
   append_fragment_stages(program);
   return &program;
 }

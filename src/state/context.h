@@ -12,6 +12,7 @@
 #include "state/object_store.h"
 #include "state/shading.h"
 #include "state/state.h"
+#include "texture/combiner_chain.h"
 #include "vertex/array_fetch.h"
 #include "vertex/vertex_builder.h"
 
@@ -38,6 +39,7 @@ struct Context {
   std::shared_ptr<TextureObject> proxy_texture[kTextureTargets];
   ListCompiler lists;
   ArrayCache arrays; // what the last array draw found out about ClientState::vertex_array
+  CombinerCache combiners;
   Frame frame;
   SnapshotCache snapshots; // point into frame.arena()
   Framebuffer framebuffer;

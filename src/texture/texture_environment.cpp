@@ -34,27 +34,25 @@ CombineSource combine_source(GLenum source, int unit, uint32_t sampled) {
   }
 }
 
-void set_combine(const TextureUnitState& s, int unit, uint32_t sampled, TextureUnitConstants& t) {
-  t.function[0] = combine_function(s.combine_rgb);
-  t.function[1] = combine_function(s.combine_alpha);
-  for (int i = 0; i < 3; ++i) {
-    const GLenum rgb = s.operand_rgb[i], alpha = s.operand_alpha[i];
-    t.argument[0][i] = {combine_source(s.source_rgb[i], unit, sampled), rgb == GL_SRC_ALPHA || rgb == GL_ONE_MINUS_SRC_ALPHA,
-                        rgb == GL_ONE_MINUS_SRC_COLOR || rgb == GL_ONE_MINUS_SRC_ALPHA};
-    t.argument[1][i] = {combine_source(s.source_alpha[i], unit, sampled), 1, alpha == GL_ONE_MINUS_SRC_ALPHA};
+CombinerChain::Unit make_combine(const TextureUnitState& s, int unit, uint32_t sampled) {
+  CombinerChain::Unit t{{combine_function(s.combine_rgb), combine_function(s.combine_alpha)}, {}, {uint8_t(s.rgb_scale), uint8_t(s.alpha_scale)}};
+  for (int i = 0; i < argument_count(t.function[0]); ++i) {
+    const GLenum operand = s.operand_rgb[i];
+    t.argument[0][i] = {combine_source(s.source_rgb[i], unit, sampled), operand == GL_SRC_ALPHA || operand == GL_ONE_MINUS_SRC_ALPHA,
+                        operand == GL_ONE_MINUS_SRC_COLOR || operand == GL_ONE_MINUS_SRC_ALPHA};
   }
-  t.combine_scale[0] = s.rgb_scale;
-  t.combine_scale[1] = s.alpha_scale;
+  for (int i = 0; i < argument_count(t.function[1]); ++i)
+    t.argument[1][i] = {combine_source(s.source_alpha[i], unit, sampled), 1, s.operand_alpha[i] == GL_ONE_MINUS_SRC_ALPHA};
+  return t;
 }
 
 } // namespace
 
-void set_environment(const TextureUnitState& s, int unit, GLenum base, uint32_t sampled, TextureUnitConstants& t) {
-  for (int i = 0; i < 4; ++i) t.color[i] = s.env_color[i] > 0 ? (s.env_color[i] < 1 ? s.env_color[i] : 1.0f) : 0.0f;
-  if (s.env_mode == GL_COMBINE) return set_combine(s, unit, sampled, t);
+CombinerChain::Unit make_environment(const TextureUnitState& s, int unit, GLenum base, uint32_t sampled) {
+  if (s.env_mode == GL_COMBINE) return make_combine(s, unit, sampled);
   const CombineArgument texel{texel_of(unit, sampled), 0, 0}, texel_alpha{texel.source, 1, 0};
   const CombineArgument previous{CombineSource::Previous, 0, 0}, constant{CombineSource::Constant, 0, 0};
-  t.combine_scale[0] = t.combine_scale[1] = 1;
+  CombinerChain::Unit t{{}, {}, {1, 1}};
   auto set = [&](int part, CombineFunction f, CombineArgument a, CombineArgument b = {}, CombineArgument c = {}) {
     t.function[part] = f;
     t.argument[part][0] = a, t.argument[part][1] = b, t.argument[part][2] = c;
@@ -84,35 +82,31 @@ void set_environment(const TextureUnitState& s, int unit, GLenum base, uint32_t 
     break;
   default: // GL_MODULATE
     if (rgb) set(0, CombineFunction::Modulate, texel, previous);
-    // A missing alpha is sampled as one, and x * 1 = x: the fast kernel serves RGB and luminance too.
-    set(1, CombineFunction::Modulate, texel, previous);
+    if (alpha) set(1, CombineFunction::Modulate, texel, previous);
   }
-}
-
-bool reads_source(const TextureUnitConstants& t, CombineSource source) {
-  for (int part = 0; part < 2; ++part) {
-    if (part == 1 && t.function[0] == CombineFunction::Dot3Rgba) break;
-    for (int i = 0; i < argument_count(t.function[part]); ++i)
-      if (t.argument[part][i].source == source) return true;
-  }
-  return false;
+  return t;
 }
 
 namespace {
 bool plain(const CombineArgument& a, int part, CombineSource source) { return a.source == source && !a.complement && (part == 1 || !a.alpha); }
+bool scaled(const CombinerChain::Unit& t) { return t.scale[0] != 1 || t.scale[1] != 1; }
+bool modulates(const CombinerChain::Unit& t, int part, CombineSource texel) {
+  return t.function[part] == CombineFunction::Modulate && plain(t.argument[part][0], part, texel) &&
+         plain(t.argument[part][1], part, CombineSource::Previous);
+}
 } // namespace
 
-bool is_modulate(const TextureUnitConstants& t, int unit) {
+bool is_modulate(const CombinerChain::Unit& t, int unit, GLenum base) {
   const CombineSource texel = CombineSource(int(CombineSource::Texture0) + unit);
-  if (t.function[0] != CombineFunction::Modulate || t.combine_scale[0] != 1 || t.combine_scale[1] != 1) return false;
-  if (!plain(t.argument[0][0], 0, texel) || !plain(t.argument[0][1], 0, CombineSource::Previous)) return false;
-  return t.function[1] == CombineFunction::Modulate && plain(t.argument[1][0], 1, texel) && plain(t.argument[1][1], 1, CombineSource::Previous);
+  // A missing alpha is sampled as one, and x * 1 = x: the fast kernel serves RGB and luminance too.
+  const bool passes = t.function[1] == CombineFunction::Replace && plain(t.argument[1][0], 1, CombineSource::Previous);
+  return !scaled(t) && modulates(t, 0, texel) && (modulates(t, 1, texel) || ((base == GL_RGB || base == GL_LUMINANCE) && passes));
 }
 
-bool is_replace(const TextureUnitConstants& t, int unit) {
+bool is_replace(const CombinerChain::Unit& t, int unit) {
   const CombineSource texel = CombineSource(int(CombineSource::Texture0) + unit);
-  return t.function[0] == CombineFunction::Replace && t.function[1] == CombineFunction::Replace && t.combine_scale[0] == 1 &&
-         t.combine_scale[1] == 1 && plain(t.argument[0][0], 0, texel) && plain(t.argument[1][0], 1, texel);
+  return !scaled(t) && t.function[0] == CombineFunction::Replace && t.function[1] == CombineFunction::Replace &&
+         plain(t.argument[0][0], 0, texel) && plain(t.argument[1][0], 1, texel);
 }
 
 } // namespace softgl

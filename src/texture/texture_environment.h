@@ -2,18 +2,16 @@
 #pragma once
 
 #include "state/state.h"
-#include "texture_constants.h"
+#include "texture/combiner_chain.h"
 
 namespace softgl {
 
-/// Fills colour, functions, arguments and scales. `base` is the base format of the texel; `sampled` has the units that
-/// are sampled, by bit: the texels of others are 0 (crossbar).
-void set_environment(const TextureUnitState& state, int unit, GLenum base, uint32_t sampled, TextureUnitConstants& constants);
+/// `base` is the base format of the texel; `sampled` has the units that are sampled, by bit: the texels of others are 0
+/// (crossbar).
+CombinerChain::Unit make_environment(const TextureUnitState& state, int unit, GLenum base, uint32_t sampled);
 
-/// True if any argument that the functions use has this source.
-bool reads_source(const TextureUnitConstants& constants, CombineSource source);
-/// The environment is previous * texel in all components, or the texel itself.
-bool is_modulate(const TextureUnitConstants& constants, int unit);
-bool is_replace(const TextureUnitConstants& constants, int unit);
+/// The environment is previous * texel in all components (`base` has), or the texel itself.
+bool is_modulate(const CombinerChain::Unit& environment, int unit, GLenum base);
+bool is_replace(const CombinerChain::Unit& environment, int unit);
 
 } // namespace softgl

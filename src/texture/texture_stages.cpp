@@ -112,6 +112,7 @@ TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum&
   t->wrap[2] = wrap_mode(p.wrap[2], image.depth);
   set_level_of_detail(p, state.lod_bias, *t);
   if (levels.first == 0 && levels.count == 1 && p.max_lod > 0) t->mip = TextureMip::None;
+  for (int i = 0; i < 4; ++i) t->color[i] = state.env_color[i] > 0 ? std::min(state.env_color[i], 1.0f) : 0.0f; // no NaN
   base = sampled_base(*object, *image.format);
   set_border(p.border_color, image.format->base, *t);
   if (image.format->base == GL_DEPTH_COMPONENT) {
@@ -147,11 +148,13 @@ void append_texture_stages(Context& c, Arena& arena, FragmentProgram& program, F
   if (sampled == 0) return;
   program.key.texture_units = uint64_t(sampled);
   const TextureKernels& kernels = *softgl::kernels().texture;
-  bool keeps_primary = false;
-  bool crossbar = false; // a combiner reads another unit's texel
+  CombinerChain chain;
+  chain.units = uint8_t(sampled);
+  bool simple = true; // every environment has a stage of its own
   for (int u = 0; u < kMaxTextureUnits; ++u) {
     if (!units[u]) continue;
-    set_environment(c.state.texture.unit[u], u, base[u], sampled, *units[u]);
+    chain.unit[u] = make_environment(c.state.texture.unit[u], u, base[u], sampled);
+    simple &= is_modulate(chain.unit[u], u, base[u]) || is_replace(chain.unit[u], u);
     constants.texture[u] = units[u];
     if (units[u]->shape == TextureShape::Cube) {
       program.reads_quads = true;
@@ -159,17 +162,22 @@ void append_texture_stages(Context& c, Arena& arena, FragmentProgram& program, F
     }
     if (reads_r(*units[u])) program.r_units = uint8_t(program.r_units | 1u << u);
     if (finds_level(*units[u])) program.lod_units = uint8_t(program.lod_units | 1u << u);
-    keeps_primary |= reads_source(*units[u], CombineSource::Primary);
-    for (int other = 0; other < kMaxTextureUnits; ++other)
-      crossbar |= other != u && reads_source(*units[u], CombineSource(int(CombineSource::Texture0) + other));
   }
-  if (keeps_primary) program.add(softgl::kernels().raster->keep_primary);
-  auto fused = [&](int u) { return !crossbar && fixed_point(*units[u]) && is_modulate(*units[u], u); };
+  auto fused = [&](int u) { return simple && fixed_point(*units[u]) && is_modulate(chain.unit[u], u, base[u]); };
   for (int u = 0; u < kMaxTextureUnits; ++u)
     if (units[u] && !fused(u)) program.add(fixed_point(*units[u]) ? kernels.sample_fixed : kernels.sample_float, u);
+  if (!simple) {
+    // The colour sum has a part in the order of additions. That of lit fragments is clamped and comes later.
+    chain.color_sum = program.key.color_sum && !program.key.lit;
+    if (chain.color_sum) program.key.color_sum = 0;
+    auto combiner = c.combiners.program(chain);
+    constants.combiner = combiner.get();
+    c.frame.retain(std::move(combiner), sizeof(CombinerProgram));
+    program.add(kernels.combine);
+    return;
+  }
   for (int u = 0; u < kMaxTextureUnits; ++u)
-    if (units[u])
-      program.add(fused(u) ? kernels.modulate_fixed : is_modulate(*units[u], u) ? kernels.modulate : is_replace(*units[u], u) ? kernels.replace : kernels.combine, u);
+    if (units[u]) program.add(fused(u) ? kernels.modulate_fixed : is_modulate(chain.unit[u], u, base[u]) ? kernels.modulate : kernels.replace, u);
 }
 
 } // namespace softgl

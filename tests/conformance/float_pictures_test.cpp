@@ -1,6 +1,5 @@
 // The same scenes into float buffers: what 8 bits would round away must be equal, too.
 #include <catch2/catch.hpp>
-#include <cstring>
 
 #include "support/environment.h"
 #include "support/runner.h"
@@ -9,44 +8,60 @@ using namespace softgl::test;
 
 namespace {
 
-constexpr int kWidth = 96, kHeight = 80;
-
-std::vector<uint32_t> draw_floats(const Gl& gl, const Scene& scene, uint64_t seed) {
-  void* context = gl.OSMesaCreateContextExt(kOSMesaRgba, 24, 8, 0, nullptr);
-  REQUIRE(context);
-  std::vector<uint32_t> pixels(kWidth * kHeight * 4);
-  REQUIRE(gl.OSMesaMakeCurrent(context, pixels.data(), GL_FLOAT, kWidth, kHeight));
-  Random random(seed * 7919 + 17);
-  Stage stage{gl, random, kWidth, kHeight};
-  scene.draw(stage);
-  gl.Finish();
-  gl.OSMesaMakeCurrent(nullptr, nullptr, GL_FLOAT, 0, 0);
-  gl.OSMesaDestroyContext(context);
-  return pixels;
+// Interpolates between a texel and 1 minus the primary colour by the same primary colour as GL_PREVIOUS.
+void draw_interpolation(Stage& s, bool color_of_vertices) {
+  const Gl& gl = s.gl;
+  GLubyte ramp[64];
+  for (int i = 0; i < 64; ++i) ramp[i] = GLubyte(4 * i + 1);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_LUMINANCE8, 64, 1, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE, ramp);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl.Enable(GL_TEXTURE_2D);
+  gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE);
+  gl.TexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, GL_INTERPOLATE);
+  const GLenum source[3] = {GL_PRIMARY_COLOR, GL_TEXTURE, GL_PREVIOUS};
+  for (GLenum i = 0; i < 3; ++i) {
+    gl.TexEnvi(GL_TEXTURE_ENV, GL_SOURCE0_RGB + i, GLint(source[i]));
+    gl.TexEnvi(GL_TEXTURE_ENV, GL_OPERAND0_RGB + i, i ? GL_SRC_COLOR : GL_ONE_MINUS_SRC_COLOR);
+  }
+  if (!color_of_vertices) gl.Color3f(0.887f, 0.314f, 0.129f);
+  gl.Begin(GL_TRIANGLE_STRIP);
+  for (int i = 0; i < 4; ++i) {
+    if (color_of_vertices) gl.Color3f(0.887f, 0.314f, 0.129f);
+    gl.TexCoord2f(float(i & 1), 0);
+    gl.Vertex2f(i & 1 ? 1 : -1, i & 2 ? 1 : -1);
+  }
+  gl.End();
 }
+void color_of_vertices(Stage& s) { draw_interpolation(s, true); }
+void color_of_draw(Stage& s) { draw_interpolation(s, false); }
 
 } // namespace
 
+TEST_CASE("a colour that is constant over a draw is combined like one that every vertex sets", "[osmesa][deviation]") {
+  fix_environment();
+  const Scene varying{.name = "color_of_vertices", .draw = color_of_vertices, .floats = true};
+  const Scene constant{.name = "color_of_draw", .draw = color_of_draw, .floats = true};
+  const Picture ours = draw(softgl_library(), varying, 0);
+  CHECK(compare(ours, draw(osmesa_library(), varying, 0)).floats == 0);
+  CHECK(compare(ours, draw(softgl_library(), constant, 0)).floats == 0);
+  CHECK(compare(ours, draw(osmesa_library(), constant, 0)).floats > 0);
+}
+
 TEST_CASE("scenes have OSMesa's floats", "[osmesa][lighting][slow]") {
   fix_environment();
-  for (const char* name : {"lit", "normals", "materials", "clip", "triangles", "fog", "lines", "points"}) {
-    const Scene* scene = find_scene(name);
-    REQUIRE(scene);
-    size_t lit_values = 0;
+  for (const char* name : {"lit", "normals", "materials", "clip", "triangles", "fog", "lines", "points", "texture", "texture_units"}) {
+    const Scene* found = find_scene(name);
+    REQUIRE(found);
+    Scene scene = *found;
+    scene.floats = true;
+    size_t drawn = 0;
     for (uint64_t seed = 0; seed < 12; ++seed) {
-      const auto ours = draw_floats(softgl_library(), *scene, seed), theirs = draw_floats(osmesa_library(), *scene, seed);
-      size_t different = 0, first = 0;
-      for (size_t i = ours.size(); i-- > 0;) {
-        if (ours[i] != theirs[i]) ++different, first = i;
-        lit_values += ours[i] != ours[i & 3];
-      }
-      float a, b;
-      std::memcpy(&a, &ours[first], 4);
-      std::memcpy(&b, &theirs[first], 4);
-      INFO(name << " seed " << seed << ": float " << first % 4 << " of pixel " << first / 4 % kWidth << "," << first / 4 / kWidth
-                << " ours " << a << " theirs " << b);
-      CHECK(different == 0);
+      const Picture ours = draw(softgl_library(), scene, seed), theirs = draw(osmesa_library(), scene, seed);
+      for (size_t i = 0; i < ours.floats.size(); ++i) drawn += ours.floats[i] != ours.floats[i & 3];
+      const Difference difference = compare(ours, theirs);
+      INFO(name << " seed " << seed << ": " << difference.text);
+      CHECK_FALSE(difference.any());
     }
-    CHECK(lit_values > 5000); // something was drawn
+    CHECK(drawn > 5000);
   }
 }

@@ -139,3 +139,21 @@ TEST_CASE("Rectangles are magnified when a texel covers more than a pixel", "[te
   }
   CHECK(greys_of_rectangle(osmesa_library(), GL_NEAREST, GL_LINEAR, 4) == 0); // as if minified
 }
+
+TEST_CASE("One minus the texel of a unit that is off is one in all components", "[texture][deviation]") {
+  auto draw = [](const Gl& gl) {
+    TextureContext c(gl);
+    const GLubyte grey[4] = {128, 128, 128, 128};
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, grey);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl.Enable(GL_TEXTURE_2D);
+    gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE);
+    gl.TexEnvi(GL_TEXTURE_ENV, GL_SOURCE0_RGB, GL_TEXTURE3);
+    gl.TexEnvi(GL_TEXTURE_ENV, GL_OPERAND0_RGB, GL_ONE_MINUS_SRC_COLOR);
+    gl.Rectf(-1, -1, 1, 1);
+    gl.Finish();
+    return std::vector<int>{c.buffer[0], c.buffer[1], c.buffer[2]};
+  };
+  CHECK(draw(softgl_library()) == std::vector<int>{255, 255, 255});
+  CHECK(draw(osmesa_library()) == std::vector<int>{255, 0, 0});
+}
