@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "conformance/families/common.h"
+#include "conformance/families/environments.h"
 
 namespace softgl::test {
 
@@ -76,25 +77,6 @@ void one_texture(Stage& s, GLenum target, const TexelOptions& o) {
   gl.Enable(target);
 }
 
-void environment(Stage& s, int units) {
-  const Gl& gl = s.gl;
-  Random& r = s.random;
-  const Float4 c = r.color();
-  gl.TexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, c.data());
-  gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, r.pick({GL_MODULATE, GL_MODULATE, GL_REPLACE, GL_DECAL, GL_BLEND, GL_ADD, GL_COMBINE, GL_COMBINE}));
-  gl.TexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, r.pick({GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_INTERPOLATE, GL_SUBTRACT, GL_DOT3_RGB, GL_DOT3_RGBA}));
-  gl.TexEnvi(GL_TEXTURE_ENV, GL_COMBINE_ALPHA, r.pick({GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_INTERPOLATE, GL_SUBTRACT}));
-  auto source = [&]() -> GLint { return units > 1 && r.chance(25) ? GLint(GL_TEXTURE0) + r.integer(0, units - 1) : r.pick({GL_TEXTURE, GL_CONSTANT, GL_PRIMARY_COLOR, GL_PREVIOUS}); };
-  for (int i = 0; i < 3; i++) {
-    gl.TexEnvi(GL_TEXTURE_ENV, GL_SOURCE0_RGB + GLenum(i), source());
-    gl.TexEnvi(GL_TEXTURE_ENV, GL_SOURCE0_ALPHA + GLenum(i), source());
-    gl.TexEnvi(GL_TEXTURE_ENV, GL_OPERAND0_RGB + GLenum(i), r.pick({GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA}));
-    gl.TexEnvi(GL_TEXTURE_ENV, GL_OPERAND0_ALPHA + GLenum(i), r.pick({GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA}));
-  }
-  gl.TexEnvf(GL_TEXTURE_ENV, GL_RGB_SCALE, r.pick({1.0f, 1.0f, 2.0f, 4.0f}));
-  gl.TexEnvf(GL_TEXTURE_ENV, GL_ALPHA_SCALE, r.pick({1.0f, 1.0f, 2.0f, 4.0f}));
-}
-
 void draw_with(Stage& s, const TexelOptions& o) {
   const Gl& gl = s.gl;
   Random& r = s.random;
@@ -104,7 +86,7 @@ void draw_with(Stage& s, const TexelOptions& o) {
   for (int u = 0; u < units; ++u) {
     gl.ActiveTexture(GLenum(GL_TEXTURE0 + u));
     one_texture(s, o.one_dimensional ? GL_TEXTURE_1D : o.three_dimensional ? GL_TEXTURE_3D : o.cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D, o);
-    environment(s, units);
+    random_environment(s, units, false); // a texture may be incomplete
   }
   gl.ActiveTexture(GL_TEXTURE0);
   const float scale = r.pick({0.6f, 1.0f, 2.0f, 8.0f, 40.0f});
