@@ -91,6 +91,14 @@ GLenum sampled_base(const TextureObject& object, const TexelFormat& format) {
   return format.base == GL_DEPTH_COMPONENT ? object.parameters.depth_mode : format.base;
 }
 
+/// Where OSMesa 22.3.6 looks whether a size is a power of two: level 0, if the base level is one of its levels.
+const TextureImage& level_zero(const TextureObject& object, int base_level) {
+  const auto &zero = object.image[0][0], &base = object.image[0][base_level];
+  auto continues = [&](int large, int small) { return std::max(large >> base_level, 1) == small; };
+  const bool fits = zero && continues(zero->width, base->width) && continues(zero->height, base->height) && continues(zero->depth, base->depth);
+  return fits ? *zero : *base;
+}
+
 TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum& base) {
   const TextureUnitState& state = c.state.texture.unit[unit];
   const TextureTarget target = enabled_target(state);
@@ -107,9 +115,10 @@ TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum&
   set_texel(*image.format, *t);
   // OSMesa 22.3.6 clamps to the edges of a cube map's face, whatever the wrap modes say.
   const bool cube = target == kTextureCube;
-  t->wrap[0] = wrap_mode(cube ? GLenum(GL_CLAMP_TO_EDGE) : p.wrap[0], image.width);
-  t->wrap[1] = wrap_mode(cube || target == kTexture1D ? GLenum(GL_CLAMP_TO_EDGE) : p.wrap[1], image.height);
-  t->wrap[2] = wrap_mode(p.wrap[2], image.depth);
+  const TextureImage& zero = level_zero(*object, levels.first);
+  t->wrap[0] = wrap_mode(cube ? GLenum(GL_CLAMP_TO_EDGE) : p.wrap[0], zero.width);
+  t->wrap[1] = wrap_mode(cube || target == kTexture1D ? GLenum(GL_CLAMP_TO_EDGE) : p.wrap[1], zero.height);
+  t->wrap[2] = wrap_mode(p.wrap[2], zero.depth);
   set_level_of_detail(p, state.lod_bias, *t);
   if (levels.first == 0 && levels.count == 1 && p.max_lod > 0) t->mip = TextureMip::None;
   for (int i = 0; i < 4; ++i) t->color[i] = state.env_color[i] > 0 ? std::min(state.env_color[i], 1.0f) : 0.0f; // no NaN

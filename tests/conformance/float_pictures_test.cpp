@@ -1,6 +1,8 @@
 // The same scenes into float buffers: what 8 bits would round away must be equal, too.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 #include "support/environment.h"
 #include "support/runner.h"
 
@@ -35,7 +37,33 @@ void draw_interpolation(Stage& s, bool color_of_vertices) {
 void color_of_vertices(Stage& s) { draw_interpolation(s, true); }
 void color_of_draw(Stage& s) { draw_interpolation(s, false); }
 
+// Repeats a base level of 11x16 texels, far from the origin, where level 0 has 46x66.
+void draw_upper_levels(Stage& s) {
+  const Gl& gl = s.gl;
+  std::vector<GLubyte> texels(46 * 66 * 4);
+  for (GLubyte& t : texels) t = GLubyte(s.random.bits() >> 40);
+  for (int level = 0; level < 7; ++level)
+    gl.TexImage2D(GL_TEXTURE_2D, level, GL_RGBA16, std::max(46 >> level, 1), std::max(66 >> level, 1), 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 2);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl.Enable(GL_TEXTURE_2D);
+  gl.Begin(GL_TRIANGLE_STRIP);
+  for (int i = 0; i < 4; ++i) {
+    gl.TexCoord2f(i & 1 ? -25.06f : -36.4f, i & 2 ? -31.971f : -31.998f); // 16 t - 1/2 passes -512 and loses a bit
+    gl.Vertex2f(i & 1 ? 1 : -1, i & 2 ? 1 : -1);
+  }
+  gl.End();
+}
+
 } // namespace
+
+TEST_CASE("the size of level 0 decides how coordinates repeat on other base levels", "[osmesa]") {
+  fix_environment();
+  const Scene scene{.name = "upper_levels", .draw = draw_upper_levels, .floats = true};
+  const Difference difference = compare(draw(softgl_library(), scene, 0), draw(osmesa_library(), scene, 0));
+  INFO(difference.text);
+  CHECK_FALSE(difference.any());
+}
 
 TEST_CASE("a colour that is constant over a draw is combined like one that every vertex sets", "[osmesa][deviation]") {
   fix_environment();
