@@ -39,7 +39,8 @@ struct TileState {
 constexpr uint32_t kNoPlace = ~uint32_t(0);
 
 /// The colour and depth/stencil planes. Tiles get their places in them when they are first written to, so that those of a
-/// picture that fills half the window lie close together and the rest of the planes is never brought into memory.
+/// picture that fills half the window lie close together and the rest of the planes is never brought into memory. Where both
+/// planes have words they share that memory, a tile's depths behind its colours.
 struct Surface {
   int32_t width, height;     // pixels
   int32_t tiles_x, tiles_y;
@@ -49,6 +50,7 @@ struct Surface {
   uint32_t* depth_stencil;   // as many words; null when depth_format is None
   TileState* tile;           // of each tile
   uint32_t* next_place;      // places before it are taken
+  uint32_t place_step;       // places from tile to tile: 2 where the planes share memory, else 1
 };
 
 inline size_t pixel_index(const Surface& s, int x, int y) {

@@ -21,7 +21,7 @@ constexpr uint32_t kShadeChunk = 2048;        // vertices shaded at a time; a mu
 constexpr uint32_t kSmallDraw = 1024;         // draws of up to so many steps and vertices are shaded inside their unit
 // Steps whose bins are in memory at the same time. The first frames have little memory, which takes longer to come than
 // the waits for each other at the end of a round; later ones have it.
-constexpr uint32_t kFirstRoundSteps = 1u << 16, kRoundSteps = 1u << 19;
+constexpr uint32_t kFirstRoundSteps = 1u << 15, kRoundSteps = 1u << 19;
 
 /// A part of a draw: steps of one primitive, or the whole draw when it is small.
 struct Piece {
@@ -75,22 +75,36 @@ struct Frame::Workers {
     FragmentBlock block;
   };
   struct Worker {
-    Pages pages; // the scratch memory and the arena's first block
     Scratch* scratch;
-    Arena arena;
+    Arena arena; // begins in what is left of the worker's memory
     Arena vertices{}; // of pieces
     TileLists lists{};
-    explicit Worker(size_t bytes) : pages{map_pages(bytes), bytes} {
-      if (!pages.memory) throw std::bad_alloc();
+    explicit Worker(Pages memory) : scratch(new (memory.memory) Scratch) {
       static_assert(std::is_trivially_default_constructible_v<Scratch>);
-      scratch = new (pages.memory) Scratch;
-      if (bytes > sizeof(Scratch)) arena.begin_with({scratch + 1, bytes - sizeof(Scratch)});
+      if (memory.bytes > sizeof(Scratch)) arena.begin_with({scratch + 1, memory.bytes - sizeof(Scratch)});
     }
     Worker(const Worker&) = delete;
-    ~Worker() { unmap_pages(pages.memory, pages.bytes); }
   };
   std::unique_ptr<Worker> worker[kMaxWorkers];
+  std::vector<Pages> memory; // theirs
   Worker& operator[](int i) { return *worker[i]; }
+
+  Workers() = default;
+  Workers(const Workers&) = delete;
+  ~Workers() { for (const Pages& m : memory) unmap_pages(m.memory, m.bytes); }
+
+  /// Makes workers up to `count`, the new ones with so much memory each, all of it in one piece.
+  void make(int count, size_t bytes) {
+    int first = 0;
+    while (first < count && worker[first]) ++first;
+    if (first == count) return;
+    memory.reserve(memory.size() + 1);
+    const Pages all = {map_pages(size_t(count - first) * bytes), size_t(count - first) * bytes};
+    if (!all.memory) throw std::bad_alloc();
+    memory.push_back(all);
+    auto* next = static_cast<unsigned char*>(all.memory);
+    for (int i = first; i < count; ++i, next += bytes) worker[i] = std::make_unique<Worker>(Pages{next, bytes});
+  }
 };
 
 /// One flush.
@@ -292,19 +306,19 @@ Frame::~Frame() = default;
 
 void Frame::prepare(std::vector<Pages>& pages) {
   // 70,000 triangles of a mesh make 1.2 MB of vertices, and in lists, where each takes 32 bytes for every tile it touches,
-  // 3 MB. More would be made zero for nothing.
-  make_workers(kHugePage);
-  for (int i = 0; i < std::min(ThreadPool::instance().workers(), 4); ++i) pages.push_back((*workers_)[i].pages);
+  // 0.8 MB for each of two workers in the first frame's rounds. More would be made zero for nothing.
+  static_assert(sizeof(Workers::Scratch) < kHugePage / 8);
+  make_workers(kHugePage / 2);
+  const Pages& memory = workers_->memory.front();
+  pages.push_back({memory.memory, std::min(memory.bytes, 2 * kHugePage)});
   const Pages block = arena_.prepare();
   pages.push_back({block.memory, std::min(block.bytes, kHugePage)});
 }
 
 void Frame::make_workers(size_t bytes) {
-  static_assert(sizeof(Workers::Scratch) < kHugePage / 2);
   if (!workers_) workers_ = std::make_unique<Workers>();
   // No allocation inside the workers.
-  for (int i = 0; i < ThreadPool::instance().workers(); ++i)
-    if (!workers_->worker[i]) workers_->worker[i] = std::make_unique<Workers::Worker>(std::max(bytes, sizeof(Workers::Scratch)));
+  workers_->make(ThreadPool::instance().workers(), std::max(bytes, (sizeof(Workers::Scratch) + 63) & ~size_t(63)));
 }
 
 void Frame::flush(const Surface& surface, const TileReader* reader) {

@@ -130,7 +130,7 @@ void open_tile(const Surface& s, uint32_t tile, const RasterDraw& draw) {
 
 void write_tile(const Surface& s, uint32_t tile) {
   TileState& state = s.tile[tile];
-  if (state.place == kNoPlace) state.place = std::atomic_ref(*s.next_place).fetch_add(1, std::memory_order_relaxed);
+  if (state.place == kNoPlace) state.place = std::atomic_ref(*s.next_place).fetch_add(s.place_step, std::memory_order_relaxed);
   const size_t first = first_pixel(s, tile);
   if (s.color_format == ColorFormat::Rgba8) write_words(static_cast<uint32_t*>(s.color) + first, state.color);
   if (s.depth_stencil) write_words(s.depth_stencil + first, state.depth_stencil);

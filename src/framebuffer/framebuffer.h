@@ -46,7 +46,7 @@ struct Framebuffer {
   void release();
 
 private:
-  size_t color_bytes_ = 0, depth_bytes_ = 0;
+  size_t color_bytes_ = 0, depth_bytes_ = 0; // mapped; no depth_bytes_ where the planes share memory
   std::vector<TileState> tiles_;
   uint32_t next_place_ = 0;
 };

@@ -55,16 +55,17 @@ TEST_CASE("tiles take memory of the planes when they are written to, not when th
         ClearRecord{true, true, false, {true, true, true, true}, {red, 0, 0, 0}, uint32_t(red), 0, 0, x0, y0, x1, y1}));
     frame.flush(s);
   };
+  const auto tiles = [&] { return *s.next_place / s.place_step; };
   clear(0, 0, 256, 192, 1);
-  CHECK(*s.next_place == 0);
+  CHECK(tiles() == 0);
   clear(100, 70, 140, 80, 2); // two tiles
-  CHECK(*s.next_place == 2);
+  CHECK(tiles() == 2);
   clear(192, 128, 200, 192, 3);
-  CHECK(*s.next_place == 3);
+  CHECK(tiles() == 3);
   clear(64, 64, 128, 128, 4); // keeps its place
-  CHECK(*s.next_place == 3);
+  CHECK(tiles() == 3);
   write_tiles(framebuffer);
-  CHECK(*s.next_place == 12);
+  CHECK(tiles() == 12);
   const auto* color = static_cast<const uint32_t*>(s.color);
   for (int y = 0; y < 192; y++)
     for (int x = 0; x < 256; x++) {
