@@ -21,7 +21,7 @@ constexpr uint32_t kShadeChunk = 2048;        // vertices shaded at a time; a mu
 constexpr uint32_t kSmallDraw = 1024;         // draws of up to so many steps and vertices are shaded inside their unit
 // Steps whose bins are in memory at the same time. The first frames have little memory, which takes longer to come than
 // the waits for each other at the end of a round; later ones have it.
-constexpr uint32_t kFirstRoundSteps = 1u << 15, kRoundSteps = 1u << 19;
+constexpr uint32_t kFirstRoundSteps = 1u << 14, kRoundSteps = 1u << 19;
 
 /// A part of a draw: steps of one primitive, or the whole draw when it is small.
 struct Piece {
@@ -198,11 +198,16 @@ private:
       execute_tile(surface_, tile, head_[tile], *kernels().raster, (*frame_.workers_)[worker].scratch->block);
       head_[tile] = nullptr;
     };
-    if (!reader) pool.run(busy_.size(), [&](size_t i, int worker) { execute(busy_[i], worker); });
-    else pool.run(tiles_, [&](size_t tile, int worker) {
-      execute(uint32_t(tile), worker);
-      reader->read(uint32_t(tile)); // while it is in the cache
-    });
+    // In the order of the surface: so a worker mostly has the tiles of the frame before in its cache.
+    if (reader) {
+      pool.run(tiles_, [&](size_t tile, int worker) {
+        execute(uint32_t(tile), worker);
+        reader->read(uint32_t(tile)); // while it is in the cache
+      });
+    } else {
+      std::sort(busy_.begin(), busy_.end());
+      pool.run(busy_.size(), [&](size_t i, int worker) { execute(busy_[i], worker); });
+    }
     shade_.clear();
     units_.clear();
     pieces_.clear();

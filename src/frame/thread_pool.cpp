@@ -58,21 +58,40 @@ struct ThreadPool::State {
   std::atomic<int> active{0}; // threads that have joined and not finished
   Call call = nullptr;
   void* object = nullptr;
-  size_t count = 0;
-  std::atomic<size_t> next{0};
+  /// Indices that nobody has taken yet: the first one in the lower half, the one behind the last in the upper half.
+  struct alignas(64) Share { std::atomic<uint64_t> rest{0}; };
+  Share share[kMaxWorkers];
   std::exception_ptr failure;
   std::vector<Pages> pages; // to be brought in; guarded by mutex
 
-  void work(int worker) {
+  static constexpr uint64_t kNone = ~uint64_t(0);
+  static uint64_t range(uint64_t first, uint64_t end) { return end << 32 | first; }
+
+  /// An index of a share: its first for the owner, its last for others. kNone when nothing is left.
+  uint64_t take(int owner, bool last) {
+    std::atomic<uint64_t>& rest = share[owner].rest;
+    uint64_t r = rest.load(std::memory_order_relaxed);
     for (;;) {
-      const size_t i = next.fetch_add(1, std::memory_order_relaxed);
-      if (i >= count) return;
+      const uint64_t first = r & 0xffffffff, end = r >> 32;
+      if (first >= end) return kNone;
+      if (rest.compare_exchange_weak(r, last ? range(first, end - 1) : range(first + 1, end), std::memory_order_relaxed)) return last ? end - 1 : first;
+    }
+  }
+
+  /// Its own share, then what others have left.
+  void work(int worker) {
+    for (int i = 0; i < wanted;) {
+      const uint64_t index = take((worker + i) % wanted, i != 0);
+      if (index == kNone) {
+        ++i;
+        continue;
+      }
       try {
-        call(object, i, worker);
+        call(object, static_cast<size_t>(index), worker);
       } catch (...) {
         std::lock_guard lock(mutex);
         if (!failure) failure = std::current_exception();
-        next.store(count, std::memory_order_relaxed);
+        for (int k = 0; k < wanted; ++k) share[k].rest.store(0, std::memory_order_relaxed);
       }
     }
   }
@@ -199,7 +218,7 @@ void ThreadPool::run_erased(size_t count, Call call, void* object) {
   State& s = *state_;
   const int wanted = static_cast<int>(std::min<size_t>(static_cast<size_t>(workers()), count));
   std::unique_lock owner(s.owner, std::defer_lock);
-  if (wanted <= 1 || !owner.try_lock()) {
+  if (wanted <= 1 || count > 0xffffffff || !owner.try_lock()) {
     for (size_t i = 0; i < count; ++i) call(object, i, 0);
     return;
   }
@@ -208,10 +227,13 @@ void ThreadPool::run_erased(size_t count, Call call, void* object) {
     std::lock_guard lock(s.mutex);
     s.call = call;
     s.object = object;
-    s.count = count;
-    s.next.store(0, std::memory_order_relaxed);
     s.failure = nullptr;
     s.wanted = others + 1;
+    // Neighbouring indices share memory, so each worker gets a piece of them and not every second one.
+    for (int k = 0; k < s.wanted; ++k) {
+      const auto part = [&](int n) { return uint64_t(count) * uint64_t(n) / uint64_t(s.wanted); };
+      s.share[k].rest.store(State::range(part(k), part(k + 1)), std::memory_order_relaxed);
+    }
     s.open = true;
     s.generation.fetch_add(1, std::memory_order_release);
   }

@@ -8,7 +8,8 @@ void TileLists::open(List& l, TileSegment::Kind kind, const RasterDraw* draw, si
   if (!l.next || static_cast<size_t>(l.end - l.next) < sizeof(TileSegment) + entry) {
     close(l);
     const size_t least = sizeof(TileChunk) + sizeof(TileSegment) + entry;
-    const auto size = static_cast<uint32_t>(std::max<size_t>(l.first ? kChunk : kFirstChunk, least));
+    const uint32_t wanted = l.last ? std::min(2 * l.last->size, kMostChunk) : kFirstChunk;
+    const auto size = static_cast<uint32_t>(std::max<size_t>(wanted, least));
     auto* chunk = static_cast<TileChunk*>(arena_->allocate(size));
     chunk->next = nullptr;
     chunk->used = 0;

@@ -104,7 +104,7 @@ public:
   }
 
 private:
-  static constexpr uint32_t kFirstChunk = 512, kChunk = 4096, kMaxFragments = 128;
+  static constexpr uint32_t kFirstChunk = 512, kMostChunk = 4096, kMaxFragments = 128;
 
   template <class Entry> Entry& append(uint32_t tile, TileSegment::Kind kind, const RasterDraw* draw) {
     List& l = list(tile);
