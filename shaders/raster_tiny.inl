@@ -60,8 +60,8 @@ private:
     }
   }
 
-  /// Grouped: planes are made for kWidth triangles at a time, and lanes choose from them. With fewer fragments (a quarter
-  /// more than triangles, measured) they are made for each lane.
+  /// Grouped: planes are made for kWidth triangles at a time, and lanes choose from them: 3 to 5 % of immediate mode's time
+  /// with three pixels a triangle. Where there are hardly more fragments than triangles they are made for each lane.
   template <bool Staged, bool Grouped> void shade(FragmentBlock& block) {
     constexpr int kMost = kMaxTinyFragments + kWidth;
     alignas(64) uint32_t place[kMost]; // y in the upper half
