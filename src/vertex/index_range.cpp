@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/cpu_features.h"
+
 namespace softgl {
 namespace {
 
@@ -36,7 +38,7 @@ IndexRange scan_narrow(const void* indices, GLenum type, uint32_t count) {
 } // namespace
 
 IndexRange index_range(const void* indices, GLenum type, uint32_t count) {
-  static const bool wide = __builtin_cpu_supports("avx2");
+  static const bool wide = selected_isa() >= Isa::V3;
   return wide ? scan_wide(indices, type, count) : scan_narrow(indices, type, count);
 }
 
