@@ -78,20 +78,31 @@ void TileBinner::append_living(const TriangleOutput& out, uint32_t tile, int32_t
   }
 }
 
-void TileBinner::bin_small(const AssembledTriangles& batch, const TriangleOutput& out, int i) {
-  const bool negative = out.negative >> i & 1, back = draw_->raster->back != negative;
-  const ShadedVertices::Slot *a = batch.corner[negative][i], *b = batch.corner[!negative][i], *c = batch.corner[2][i];
-  auto append = [&](uint32_t tile) {
-    SmallTriangle& t = lists_.append_triangle(tile, draw_);
-    t.corner[0] = a, t.corner[1] = b, t.corner[2] = c, t.back = back;
-  };
-  const uint32_t tile = out.tile[i], further = out.further[i];
-  append(tile);
-  if (!further) return;
+void TileBinner::bin_small(const AssembledTriangles& batch, const TriangleOutput& out, uint64_t small) {
+  const bool back = draw_->raster->back;
+  while (small) {
+    // Neighbours mostly lie in one tile, so its list is looked up once for them.
+    int i = std::countr_zero(small);
+    const uint32_t tile = out.tile[i];
+    uint32_t room = 0;
+    SmallTriangle *next = lists_.begin_triangles(tile, draw_, room), *const end = next + room;
+    do {
+      const bool negative = out.negative >> i & 1;
+      const SmallTriangle t = {{batch.corner[negative][i], batch.corner[!negative][i], batch.corner[2][i]}, back != negative};
+      *next++ = t;
+      if (out.further[i]) bin_further(t, tile, out.further[i]);
+      small &= small - 1;
+      i = std::countr_zero(small);
+    } while (small && next != end && out.tile[i] == tile);
+    lists_.end_triangles(tile, next);
+  }
+}
+
+void TileBinner::bin_further(const SmallTriangle& t, uint32_t tile, uint32_t further) {
   const uint32_t next_row = tile + static_cast<uint32_t>(tiles_x_);
-  if (further & 1) append(tile + 1);
-  if (further & 2) append(next_row);
-  if (further == 3) append(next_row + 1);
+  if (further & 1) lists_.append_triangle(tile + 1, draw_, t);
+  if (further & 2) lists_.append_triangle(next_row, draw_, t);
+  if (further == 3) lists_.append_triangle(next_row + 1, draw_, t);
 }
 
 void TileBinner::triangles(const DrawRecord&, const AssembledTriangles& batch) {
@@ -118,11 +129,14 @@ void TileBinner::triangles(const DrawRecord&, const AssembledTriangles& batch) {
       else append_run(out, run.tile, run.first, out.run[i + 1].first);
     }
   } else {
-    for (uint64_t small = out.small; small; small &= small - 1) {
-      const int i = std::countr_zero(small);
-      bin_large_before(i);
-      bin_small(batch, out, i);
+    uint64_t small = out.small;
+    for (; large; large &= large - 1) {
+      const uint64_t before = (large & -large) - 1;
+      bin_small(batch, out, small & before);
+      bin(**next++);
+      small &= ~before;
     }
+    bin_small(batch, out, small);
     keeps_vertices_ = keeps_vertices_ || out.small;
   }
   bin_large_before(kSetupBatch);

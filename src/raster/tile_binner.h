@@ -36,7 +36,8 @@ public:
 private:
   RasterPrimitive* new_primitive();
   void bin(const RasterPrimitive& primitive);
-  void bin_small(const AssembledTriangles& batch, const TriangleOutput& out, int i);
+  void bin_small(const AssembledTriangles& batch, const TriangleOutput& out, uint64_t small);
+  void bin_further(const SmallTriangle& triangle, uint32_t tile, uint32_t further);
   void append_run(const TriangleOutput& out, uint32_t tile, int32_t first, int32_t last);
   void append_living(const TriangleOutput& out, uint32_t tile, int32_t first, int32_t last);
 

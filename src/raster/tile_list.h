@@ -69,10 +69,24 @@ public:
   }
 
   void append_primitive(uint32_t tile, const RasterDraw* draw, const RasterPrimitive* primitive) {
-    append<const RasterPrimitive*>(tile, TileSegment::Primitives, draw) = primitive;
+    append(tile, TileSegment::Primitives, draw, primitive);
   }
-  /// The caller fills it.
-  SmallTriangle& append_triangle(uint32_t tile, const RasterDraw* draw) { return append<SmallTriangle>(tile, TileSegment::Triangles, draw); }
+  void append_triangle(uint32_t tile, const RasterDraw* draw, const SmallTriangle& triangle) {
+    append(tile, TileSegment::Triangles, draw, triangle);
+  }
+  /// Where the next triangles of a tile go: `room` of them, at least one. Until end_triangles() says where they end nothing
+  /// else may be appended to this tile.
+  SmallTriangle* begin_triangles(uint32_t tile, const RasterDraw* draw, uint32_t& room) {
+    List& l = list(tile);
+    make_room(l, TileSegment::Triangles, draw, sizeof(SmallTriangle));
+    room = static_cast<uint32_t>(static_cast<size_t>(l.end - l.next) / sizeof(SmallTriangle));
+    return reinterpret_cast<SmallTriangle*>(l.next);
+  }
+  void end_triangles(uint32_t tile, SmallTriangle* end) {
+    List& l = lists_[tile];
+    l.open->count += static_cast<uint32_t>(end - reinterpret_cast<SmallTriangle*>(l.next));
+    l.next = reinterpret_cast<uint8_t*>(end);
+  }
 
   /// Room for at least one and at most `wanted` fragments of a tile; `given` says how many. The caller fills them.
   SmallFragments append_fragments(uint32_t tile, const RasterDraw* draw, uint32_t wanted, uint32_t& given) {
@@ -106,13 +120,15 @@ public:
 private:
   static constexpr uint32_t kFirstChunk = 512, kMostChunk = 4096, kMaxFragments = 128;
 
-  template <class Entry> Entry& append(uint32_t tile, TileSegment::Kind kind, const RasterDraw* draw) {
+  template <class Entry> void append(uint32_t tile, TileSegment::Kind kind, const RasterDraw* draw, const Entry& entry) {
     List& l = list(tile);
-    if (!l.open || l.open->kind != kind || l.open->draw != draw || static_cast<size_t>(l.end - l.next) < sizeof(Entry)) open(l, kind, draw, sizeof(Entry));
-    auto* entry = new (l.next) Entry;
+    make_room(l, kind, draw, sizeof(Entry));
+    new (l.next) Entry(entry);
     l.next += sizeof(Entry);
     ++l.open->count;
-    return *entry;
+  }
+  void make_room(List& l, TileSegment::Kind kind, const RasterDraw* draw, size_t entry) {
+    if (!l.open || l.open->kind != kind || l.open->draw != draw || static_cast<size_t>(l.end - l.next) < entry) open(l, kind, draw, entry);
   }
 
   List& list(uint32_t tile) {
