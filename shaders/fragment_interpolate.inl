@@ -123,10 +123,8 @@ static void interpolate_lanes(const RasterDraw& draw, const RasterPrimitive* con
     const IntV px = load(block.x + i), py = load(block.y + i);
     const FloatV x = to_float(px), y = to_float(py);
     auto plane = [&](int index) {
-      const float* place[kWidth];
-      for (int k = 0; k < kWidth; ++k) place[k] = &primitive[i + k]->plane[index].a;
       FloatV v[4];
-      load_transposed(place, v);
+      load_transposed([&](int k) __attribute__((always_inline)) { return &primitive[i + k]->plane[index].a; }, v);
       return PlaneV{v[0], v[1], v[2]};
     };
     const PlaneV w = plane(kPlaneW);

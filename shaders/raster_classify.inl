@@ -24,13 +24,10 @@ static void classify_triangles(const RasterDraw& draw, const TriangleInput& in, 
     IntV x[3], y[3];
     IntV valid = splat(-1);
     for (int k = 0; k < 3; ++k) {
-      const float* place[kWidth];
-      if (lanes == kWidth)
-        for (int i = 0; i < kWidth; ++i) place[i] = in.corner[k][base + i]->v;
-      else
-        for (int i = 0; i < kWidth; ++i) place[i] = in.corner[k][base + (i < lanes ? i : 0)]->v;
+      const ShadedVertices::Slot* const* corner = in.corner[k] + base;
       FloatV p[4];
-      load_transposed(place, p);
+      if (lanes == kWidth) load_transposed([&](int i) __attribute__((always_inline)) { return corner[i]->v; }, p);
+      else load_transposed([&](int i) __attribute__((always_inline)) { return corner[i < lanes ? i : 0]->v; }, p);
       const FloatV sx = snap_scaled(p[0]), sy = snap_scaled(p[1]);
       valid &= (sx < kMaxSnapped) & (sx > -kMaxSnapped) & (sy < kMaxSnapped) & (sy > -kMaxSnapped);
       x[k] = round_to_int(sx) & valid, y[k] = round_to_int(sy) & valid; // no sums of lanes that are out of range

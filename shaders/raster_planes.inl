@@ -70,41 +70,30 @@ SOFTGL_INLINE IntV pack_bytes(FloatV r, FloatV g, FloatV b, IntV a) {
 SOFTGL_INLINE IntV pack_color(FloatV r, FloatV g, FloatV b, FloatV a) { return pack_bytes(r, g, b, color_byte(a)); }
 SOFTGL_INLINE IntV pack_opaque(FloatV r, FloatV g, FloatV b) { return pack_bytes(r, g, b, splat(255)); }
 
-/// Pointers to the corners of kWidth triangles.
-struct CornerPlaces {
-  const float* p[3][kWidth];
-  bool back[kWidth];
-};
-
-SOFTGL_INLINE void find_corners(const RasterDraw& draw, const TriangleInput& in, const TriangleOutput& batch, const uint8_t* triangle, CornerPlaces& c) {
+/// Triangles of a batch.
+SOFTGL_INLINE void find_corners(const RasterDraw& draw, const TriangleInput& in, const TriangleOutput& batch, const uint8_t* number, SmallTriangle triangle[kWidth]) {
   for (int i = 0; i < kWidth; ++i) {
-    const int t = triangle[i], swapped = int(batch.negative >> t & 1);
-    c.p[0][i] = in.corner[swapped][t]->v, c.p[1][i] = in.corner[swapped ^ 1][t]->v, c.p[2][i] = in.corner[2][t]->v;
-    c.back[i] = draw.raster->back != swapped;
+    const int n = number[i], swapped = int(batch.negative >> n & 1);
+    triangle[i] = {{in.corner[swapped][n], in.corner[swapped ^ 1][n], in.corner[2][n]}, draw.raster->back != swapped};
   }
 }
 
-/// Loads slot `slot` (`back_slot` where the triangle is back-facing) of the three corners.
-SOFTGL_INLINE void load_slot(const CornerPlaces& c, int slot, int back_slot, FloatV out[3][4]) {
-  if (slot != back_slot) {
-    const float* place[kWidth];
-    for (int k = 0; k < 3; ++k) {
-      for (int i = 0; i < kWidth; ++i) place[i] = c.p[k][i] + 4 * (c.back[i] ? back_slot : slot);
-      load_transposed(place, out[k]);
-    }
-    return;
+/// Loads slot `slot` (`back_slot` where the triangle is back-facing) of the three corners of kWidth triangles.
+SOFTGL_INLINE void load_slot(const SmallTriangle* t, int slot, int back_slot, FloatV out[3][4]) {
+  for (int k = 0; k < 3; ++k) {
+    if (slot == back_slot) load_transposed([&](int i) __attribute__((always_inline)) { return t[i].corner[k][slot].v; }, out[k]);
+    else load_transposed([&](int i) __attribute__((always_inline)) { return t[i].corner[k][t[i].back ? back_slot : slot].v; }, out[k]);
   }
-  for (int k = 0; k < 3; ++k) load_transposed(c.p[k], out[k], 4 * slot);
 }
 
 /// Planes made from the corners of each lane's triangle.
 struct CornerPlanes {
-  const CornerPlaces& corners;
+  const SmallTriangle* triangle; // kWidth of them
   FloatV position[3][4], slot[3][4];
   PlaneBasis basis;
 
-  SOFTGL_MEMBER explicit CornerPlanes(const CornerPlaces& c) : corners(c) {
-    load_slot(c, 0, 0, position);
+  SOFTGL_MEMBER explicit CornerPlanes(const SmallTriangle* t) : triangle(t) {
+    load_slot(t, 0, 0, position);
     basis = plane_basis(position[0], position[1], position[2]);
   }
   SOFTGL_MEMBER PlaneV z() const { return plane_of(basis, position[0][2], position[1][2], position[2][2]); }
@@ -114,11 +103,11 @@ struct CornerPlanes {
   }
   SOFTGL_MEMBER IntV back() const {
     IntV v;
-    for (int i = 0; i < kWidth; ++i) v[i] = -int32_t(corners.back[i]);
+    for (int i = 0; i < kWidth; ++i) v[i] = -int32_t(triangle[i].back);
     return v;
   }
   /// To be called before the planes of a varying are asked for.
-  SOFTGL_MEMBER void select(const Varying& v) { load_slot(corners, v.slot, v.back_slot, slot); }
+  SOFTGL_MEMBER void select(const Varying& v) { load_slot(triangle, v.slot, v.back_slot, slot); }
   SOFTGL_MEMBER PlaneV plane(const Varying& v, int component) const {
     const int k = v.first + component;
     if (v.flat) return {slot[2][k], FloatV{}, FloatV{}};

@@ -17,9 +17,9 @@ static void setup_triangles(const RasterDraw& draw, const TriangleInput& in, con
     int lanes = 0;
     for (; left && lanes < kWidth; left &= left - 1) numbers[lanes++] = uint8_t(__builtin_ctzll(left));
     for (int i = lanes; i < kWidth; ++i) numbers[i] = numbers[0];
-    CornerPlaces c;
-    find_corners(draw, in, batch, numbers, c);
-    CornerPlanes made(c);
+    SmallTriangle triangle[kWidth];
+    find_corners(draw, in, batch, numbers, triangle);
+    CornerPlanes made(triangle);
     for (int k = 0; k < 3; ++k) {
       store(x[k], round_to_int(snap_scaled(made.position[k][0])));
       store(y[k], round_to_int(snap_scaled(made.position[k][1])));

@@ -79,17 +79,14 @@ static void shade_triangles(const TileTarget& tile, const RasterDraw& draw, cons
   const bool killing = Staged && draw.program->key.alpha_function != uint64_t(Compare::Always);
   for (; count > 0; triangle += kWidth, count -= kWidth) {
     const int lanes = count < kWidth ? count : kWidth;
-    CornerPlaces corners;
-    for (int i = 0; i < kWidth; ++i) {
-      const SmallTriangle& t = triangle[i < lanes ? i : 0];
-      for (int k = 0; k < 3; ++k) corners.p[k][i] = t.corner[k]->v;
-      corners.back[i] = t.back;
-    }
+    SmallTriangle padded[kWidth]; // the last ones, and copies of the first of them
+    if (lanes < kWidth)
+      for (int i = 0; i < kWidth; ++i) padded[i] = triangle[i < lanes ? i : 0];
     if (count >= 2 * kWidth) // the next ones, which another processor may have shaded
       for (int i = 0; i < kWidth; ++i)
         for (int k = 0; k < 3; ++k) __builtin_prefetch(triangle[kWidth + i].corner[k]);
     StoredPlanes stored;
-    CornerPlanes planes(corners);
+    CornerPlanes planes(lanes < kWidth ? padded : triangle);
     list_pixels(*draw.raster, tile, planes.position, lanes, pixels);
     int32_t end = pixels.end[lanes - 1];
     if (end == 0) continue;

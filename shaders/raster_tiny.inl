@@ -100,18 +100,18 @@ private:
     if constexpr (Grouped) {
       for (int k = 0; k < kWidth; ++k) number[count + k] = number[0], first[count + k] = end;
       for (int group = 0; group < count; group += kWidth) {
-        CornerPlaces corners;
-        find_corners(draw_, in_, out_, number + group, corners);
-        CornerPlanes made(corners);
+        SmallTriangle triangle[kWidth];
+        find_corners(draw_, in_, out_, number + group, triangle);
+        CornerPlanes made(triangle);
         StoredPlanes planes;
         store_planes(draw_, made, planes);
         for (int32_t f = first[group]; f < first[group + kWidth]; f += kWidth) vector(f, ChosenPlanes{planes, load_bytes(owner + f)});
       }
     } else {
       for (int32_t f = 0; f < end; f += kWidth) {
-        CornerPlaces corners;
-        find_corners(draw_, in_, out_, owner + f, corners);
-        vector(f, CornerPlanes(corners));
+        SmallTriangle triangle[kWidth];
+        find_corners(draw_, in_, out_, owner + f, triangle);
+        vector(f, CornerPlanes(triangle));
       }
     }
     shader.finish(words, end);

@@ -91,16 +91,15 @@ SOFTGL_INLINE IntV mask_of_bits(uint32_t bits) {
   return (splat(int32_t(bits)) & bit) == bit;
 }
 
-/// Four floats from each of kWidth places, `offset` floats behind place[i], transposed: component c of place i goes to
-/// lane i of out[c].
-SOFTGL_INLINE void load_transposed(const float* const* place, FloatV out[4], ptrdiff_t offset = 0) {
+/// Four floats from each of kWidth places, transposed: component c of place(i) goes to lane i of out[c].
+template <class Place> SOFTGL_INLINE void load_transposed(Place place, FloatV out[4]) {
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
   __m512 r[4];
   for (int i = 0; i < 4; ++i) {
-    __m512 v = _mm512_castps128_ps512(_mm_loadu_ps(place[i] + offset));
-    v = _mm512_insertf32x4(v, _mm_loadu_ps(place[i + 4] + offset), 1);
-    v = _mm512_insertf32x4(v, _mm_loadu_ps(place[i + 8] + offset), 2);
-    r[i] = _mm512_insertf32x4(v, _mm_loadu_ps(place[i + 12] + offset), 3);
+    __m512 v = _mm512_castps128_ps512(_mm_loadu_ps(place(i)));
+    v = _mm512_insertf32x4(v, _mm_loadu_ps(place(i + 4)), 1);
+    v = _mm512_insertf32x4(v, _mm_loadu_ps(place(i + 8)), 2);
+    r[i] = _mm512_insertf32x4(v, _mm_loadu_ps(place(i + 12)), 3);
   }
   const __m512 a = _mm512_unpacklo_ps(r[0], r[1]), b = _mm512_unpackhi_ps(r[0], r[1]);
   const __m512 c = _mm512_unpacklo_ps(r[2], r[3]), d = _mm512_unpackhi_ps(r[2], r[3]);
@@ -111,7 +110,7 @@ SOFTGL_INLINE void load_transposed(const float* const* place, FloatV out[4], ptr
 #elif defined(__AVX2__)
   __m256 r[4];
   for (int i = 0; i < 4; ++i)
-    r[i] = _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(place[i] + offset)), _mm_loadu_ps(place[i + 4] + offset), 1);
+    r[i] = _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(place(i))), _mm_loadu_ps(place(i + 4)), 1);
   const __m256 a = _mm256_unpacklo_ps(r[0], r[1]), b = _mm256_unpackhi_ps(r[0], r[1]);
   const __m256 c = _mm256_unpacklo_ps(r[2], r[3]), d = _mm256_unpackhi_ps(r[2], r[3]);
   out[0] = (FloatV)_mm256_shuffle_ps(a, c, 0x44);
@@ -119,7 +118,7 @@ SOFTGL_INLINE void load_transposed(const float* const* place, FloatV out[4], ptr
   out[2] = (FloatV)_mm256_shuffle_ps(b, d, 0x44);
   out[3] = (FloatV)_mm256_shuffle_ps(b, d, 0xee);
 #else
-  __m128 a = _mm_loadu_ps(place[0] + offset), b = _mm_loadu_ps(place[1] + offset), c = _mm_loadu_ps(place[2] + offset), d = _mm_loadu_ps(place[3] + offset);
+  __m128 a = _mm_loadu_ps(place(0)), b = _mm_loadu_ps(place(1)), c = _mm_loadu_ps(place(2)), d = _mm_loadu_ps(place(3));
   _MM_TRANSPOSE4_PS(a, b, c, d);
   out[0] = (FloatV)a, out[1] = (FloatV)b, out[2] = (FloatV)c, out[3] = (FloatV)d;
 #endif
