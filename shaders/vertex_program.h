@@ -36,6 +36,18 @@ struct PointConstants {
   float size, minimum, maximum, attenuation[3];
 };
 
+enum class PolygonMode : uint8_t { Fill, Line, Point };
+
+/// How polygons are drawn when not all are filled (GL 1.5, 3.5.4).
+struct UnfilledConstants {
+  PolygonMode mode[2];                  // of counter-clockwise polygons and of the others
+  bool ccw_is_front;
+  bool cull_front, cull_back;
+  bool two_sided;                       // the vertices carry back colours
+  bool offset[3];                       // by mode
+  float offset_units, offset_factor;    // units times the smallest step of depth
+};
+
 struct VertexProgram {
   bool eye_position;                    // some stage needs it, before fog
   bool eye_position_late;               // texture generation needs it, after fog
@@ -53,6 +65,7 @@ struct VertexProgram {
   const CoordinateConstants* coordinates[8];      // null: passed through
   bool reflection_z;                    // r of some unit is that of the reflection vector
   PointConstants point;
+  const UnfilledConstants* unfilled;    // null: polygons are filled
   bool line_stipple;                    // cut lines by the pattern while assembling
   uint16_t stipple_pattern, stipple_factor;
 };

@@ -23,11 +23,13 @@ struct AssembledTriangles {
 /// Lines from corner 0 to corner 1; corner 1 is the provoking vertex. Already cut by the line stipple.
 struct AssembledLines {
   int32_t count = 0;
+  uint64_t back = 0; // bit i: line i is an edge of a back-facing polygon
   const ShadedVertices::Slot* corner[2][kAssemblyBatch];
 };
 
 struct AssembledPoints {
   int32_t count = 0;
+  uint64_t back = 0; // bit i: point i is a corner of a back-facing polygon
   const ShadedVertices::Slot* corner[kAssemblyBatch];
 };
 

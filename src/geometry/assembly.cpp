@@ -5,6 +5,8 @@
 #include "geometry.h"
 #include "line_stipple.h"
 #include "raster_constants.h"
+#include "unfilled.h"
+#include "vertex_fetch.h"
 
 namespace softgl {
 namespace {
@@ -83,7 +85,7 @@ public:
     case GL_LINES:
     case GL_LINE_STRIP:
     case GL_LINE_LOOP: return lines(e, first_step, step_count);
-    default: return triangles(e, first_step, step_count);
+    default: return draw_.vertex->unfilled ? unfilled(e, first_step, step_count) : triangles(e, first_step, step_count);
     }
   }
 
@@ -141,8 +143,60 @@ private:
     if ((m0 | m1 | m2) == 0) return add_triangle(batch, shaded(v[0]), shaded(v[1]), shaded(v[2]));
     if (m0 & m1 & m2) return;
     const Slot* polygon[Clipper::kMaxPolygon];
-    const int n = Clipper(draw_, vertices_, arena_).triangle(v, m0 | m1 | m2, polygon);
+    uint32_t edges = 0;
+    const int n = Clipper(draw_, vertices_, arena_).triangle(v, m0 | m1 | m2, polygon, edges);
     for (int k = 2; k < n; ++k) add_triangle(batch, polygon[k - 1], polygon[k], polygon[0]);
+  }
+
+  /// Polygon mode: the edges of the triangles that are edges of the polygons matter, too.
+  template <class Elements> void unfilled(const Elements& e, uint32_t step, uint32_t steps) {
+    UnfilledPolygons polygons(draw_, arena_, sink_);
+    const bool polygon = range_.mode == GL_POLYGON;
+    const uint32_t last_step = assembly_steps(range_) - 1;
+    // The stipple of a polygon goes on from triangle to triangle: count those in front of this chunk.
+    uint32_t at = polygon && draw_.vertex->line_stipple ? 0 : step;
+    for (const uint32_t end = step + steps; at < end; ++at) {
+      polygons.count_only(at < step);
+      for_each_triangle(range_.mode, true, false, e, at, 1, [&](int i, uint32_t v0, uint32_t v1, uint32_t v2) {
+        uint32_t boundary = 7;
+        bool begins = true;
+        if (polygon) {
+          begins = at == 0 && range_.begins;
+          boundary = 1u | (begins ? 4u : 0u) | (at == last_step && range_.ends ? 2u : 0u);
+        } else if (range_.mode == GL_QUADS || range_.mode == GL_QUAD_STRIP) {
+          begins = i == 0;
+          boundary = begins ? 5 : 3;
+        }
+        clip_unfilled(v0, v1, v2, boundary & flagged(v0, v1, v2), begins, polygons);
+      });
+    }
+    polygons.finish();
+  }
+
+  /// Bit k: an edge that begins at vertex k is marked as one of the polygon (GL 1.5, 2.6.2).
+  uint32_t flagged(uint32_t v0, uint32_t v1, uint32_t v2) const {
+    if (range_.mode != GL_TRIANGLES && range_.mode != GL_QUADS && range_.mode != GL_POLYGON) return 7;
+    const VertexSource& source = *draw_.call.source;
+    if (!(source.present >> kEdgeFlag & 1)) return draw_.call.constant[kEdgeFlag].x != 0 ? 7 : 0;
+    uint32_t flags = 0;
+    const uint32_t v[3] = {v0, v1, v2};
+    for (int k = 0; k < 3; ++k) {
+      float flag[4];
+      fetch_vertex(source.stream[kEdgeFlag], v[k], flag);
+      flags |= uint32_t(flag[0] != 0) << k;
+    }
+    return flags;
+  }
+
+  void clip_unfilled(uint32_t v0, uint32_t v1, uint32_t v2, uint32_t boundary, bool begins, UnfilledPolygons& out) {
+    const uint32_t v[3] = {v0, v1, v2}, m0 = mask(v0), m1 = mask(v1), m2 = mask(v2);
+    if ((m0 | m1 | m2) == 0) return out.triangle({{shaded(v0), shaded(v1), shaded(v2)}, boundary, begins});
+    if (m0 & m1 & m2) return;
+    const Slot* polygon[Clipper::kMaxPolygon];
+    const int n = Clipper(draw_, vertices_, arena_).triangle(v, m0 | m1 | m2, polygon, boundary);
+    for (int k = 2; k < n; ++k)
+      out.triangle({{polygon[k - 1], polygon[k], polygon[0]},
+                    (boundary >> (k - 1) & 1) | (k == n - 1 ? (boundary >> k & 1) << 1 : 0) | (k == 2 ? (boundary & 1) << 2 : 0), k == 2});
   }
 
   template <class Elements> void points(const Elements& e, uint32_t step, uint32_t steps) {

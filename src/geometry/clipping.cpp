@@ -67,7 +67,7 @@ const Clipper::Slot* Clipper::keep(const Vertex& v) {
   return copy;
 }
 
-int Clipper::triangle(const uint32_t v[3], uint32_t mask, const Slot* polygon[kMaxPolygon]) {
+int Clipper::triangle(const uint32_t v[3], uint32_t mask, const Slot* polygon[kMaxPolygon], uint32_t& edges) {
   Vertex pool[3 + 2 * kMaxPlanes];
   Vertex* lists[2][kMaxPolygon + 1];
   Vertex **in = lists[0], **out = lists[1];
@@ -81,6 +81,7 @@ int Clipper::triangle(const uint32_t v[3], uint32_t mask, const Slot* polygon[kM
     if (!is_finite(d_previous)) return 0;
     in[n] = in[0];
     int count = 0;
+    uint32_t left = 0; // of the edges
     for (int i = 1; i <= n; ++i) {
       Vertex* vertex = in[i];
       const float d = distance(*vertex, plane);
@@ -88,6 +89,7 @@ int Clipper::triangle(const uint32_t v[3], uint32_t mask, const Slot* polygon[kM
       bool crosses;
       if (d_previous >= 0) {
         if (count == kMaxPolygon) return 0;
+        left |= (edges >> (i - 1) & 1) << count;
         out[count++] = previous;
         crosses = d < 0;
       } else {
@@ -96,6 +98,7 @@ int Clipper::triangle(const uint32_t v[3], uint32_t mask, const Slot* polygon[kM
       if (crosses) {
         if (count == kMaxPolygon || made == 3 + 2 * kMaxPlanes) return 0;
         Vertex* fresh = &pool[made++];
+        left |= (d < 0 ? uint32_t(plane >= 6) : edges >> (i - 1) & 1) << count;
         out[count++] = fresh;
         const Vertex &outside = d < 0 ? *vertex : *previous, &inside = d < 0 ? *previous : *vertex;
         const float d_out = d < 0 ? d : d_previous, d_in = d < 0 ? d_previous : d;
@@ -109,6 +112,7 @@ int Clipper::triangle(const uint32_t v[3], uint32_t mask, const Slot* polygon[kM
     in = out;
     out = swap;
     n = count;
+    edges = left;
   }
   if (n < 3) return 0;
   for (int i = 0; i < n; ++i) polygon[i] = keep(*in[i]);

@@ -18,7 +18,8 @@ uint32_t lighting_mode(const LightingState& l, bool for_fragments) {
          uint32_t(l.shade_model == GL_FLAT) << 3 | uint32_t(for_fragments) << 4;
 }
 
-bool draws_points(const DrawCall& call) {
+bool draws_points(const DrawCall& call, const PolygonState& polygon) {
+  if (polygon.seen_mode(false) == GL_POINT || polygon.seen_mode(true) == GL_POINT) return true;
   for (uint32_t i = 0; i < call.primitive_count; ++i)
     if (call.primitives[i].mode == GL_POINTS) return true;
   return false;
@@ -94,6 +95,7 @@ const VertexProgram* make_vertex_program(const Context& c, const SnapshotCache& 
   p->point_attenuated = cache.layout.point >= 0;
   p->point = {point.size, point.size_min, point.size_max,
               {point.distance_attenuation.x, point.distance_attenuation.y, point.distance_attenuation.z}};
+  p->unfilled = make_unfilled(c, arena);
   p->line_stipple = s.line.stipple && s.line.stipple_pattern != 0xffff;
   p->stipple_pattern = s.line.stipple_pattern;
   p->stipple_factor = uint16_t(s.line.stipple_factor);
@@ -123,7 +125,7 @@ void take_snapshots(Context& c, const DrawCall& call) {
   const bool lit = s.lighting.enabled, for_fragments = lights_fragments(s.lighting, c.smooth_is_phong);
   const uint32_t mode = lighting_mode(s.lighting, for_fragments);
   const bool mode_changed = mode != cache.lighting_mode;
-  const bool points = draws_points(call);
+  const bool points = draws_points(call, s.polygon);
   const uint32_t present = call.source->present;
   const float* color = &call.constant[kColor][0];
   const bool color_feeds = lit && s.lighting.color_material_enabled && !(present >> kColor & 1);

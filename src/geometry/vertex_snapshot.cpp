@@ -25,6 +25,8 @@ bool is_identity(const float* m) {
   return true;
 }
 
+PolygonMode polygon_mode(GLenum mode) { return mode == GL_POINT ? PolygonMode::Point : mode == GL_LINE ? PolygonMode::Line : PolygonMode::Fill; }
+
 } // namespace
 
 bool needs_eye_space(const Context& c, uint32_t texture_units) {
@@ -88,6 +90,25 @@ const ClipPlaneConstants* make_clip_planes(Context& c, Arena& arena) {
       out[j] = ((p.x * m[4 * j] + p.y * m[4 * j + 1]) + p.z * m[4 * j + 2]) + p.w * m[4 * j + 3];
     k->index[k->count++] = uint8_t(i);
   }
+  return k;
+}
+
+const UnfilledConstants* make_unfilled(const Context& c, Arena& arena) {
+  const PolygonState& p = c.state.polygon;
+  if (p.all_filled()) return nullptr;
+  auto* k = arena.make<UnfilledConstants>();
+  k->ccw_is_front = p.front_face == GL_CCW;
+  k->mode[0] = polygon_mode(p.seen_mode(!k->ccw_is_front));
+  k->mode[1] = polygon_mode(p.seen_mode(k->ccw_is_front));
+  k->cull_front = p.cull && p.cull_face != GL_BACK;
+  k->cull_back = p.cull && p.cull_face != GL_FRONT;
+  k->two_sided = c.state.lighting.enabled && c.state.lighting.two_side;
+  k->offset[int(PolygonMode::Fill)] = p.offset_fill;
+  k->offset[int(PolygonMode::Line)] = p.offset_line;
+  k->offset[int(PolygonMode::Point)] = p.offset_point;
+  // As in OSMesa 22.3.6, which offsets by twice the smallest step here, too.
+  k->offset_units = float(p.offset_units * (c.framebuffer.surface.depth_format == DepthFormat::Z16 ? 1.0 / 65535 : 1.0 / 16777215) * 2);
+  k->offset_factor = p.offset_factor;
   return k;
 }
 

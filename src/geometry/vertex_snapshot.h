@@ -16,6 +16,8 @@ bool needs_eye_space(const Context& context, uint32_t texture_units);
 const TransformConstants* make_transform(Context& context, bool eye_space, Arena& arena);
 /// Null when no clip plane is enabled.
 const ClipPlaneConstants* make_clip_planes(Context& context, Arena& arena);
+/// Null when both faces of polygons are filled.
+const UnfilledConstants* make_unfilled(const Context& context, Arena& arena);
 /// Null when the unit's coordinates are passed through.
 const CoordinateConstants* make_coordinates(const Context& context, int unit, Arena& arena);
 

@@ -82,7 +82,7 @@ Ends move_y_major(const float* v1, const float* v2, float dx, float dy) {
 
 } // namespace
 
-bool setup_line(const RasterDraw& draw, const ShadedVertices::Slot* corner0, const ShadedVertices::Slot* corner1, RasterPrimitive& out) {
+bool setup_line(const RasterDraw& draw, const ShadedVertices::Slot* corner0, const ShadedVertices::Slot* corner1, bool back, RasterPrimitive& out) {
   const RasterConstants& r = *draw.raster;
   const float *v1 = corner0->v, *v2 = corner1->v;
   if (!on_surface(v1) || !on_surface(v2)) return false; // also drops what is not a number
@@ -146,7 +146,7 @@ bool setup_line(const RasterDraw& draw, const ShadedVertices::Slot* corner0, con
   const Plane& w = out.plane[kPlaneW];
   out.w_is_one = w.a == 1.0f && w.gx == 0.0f && w.gy == 0.0f;
   out.depth_offset = 0;
-  out.back = false;
+  out.back = back;
   return true;
 }
 

@@ -16,7 +16,7 @@ int32_t snap(float x) {
 
 } // namespace
 
-bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, RasterPrimitive& out) {
+bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, bool back, RasterPrimitive& out) {
   const RasterConstants& r = *draw.raster;
   const float* v = corner->v;
   if (!(std::fabs(v[0]) < 65536.0f && std::fabs(v[1]) < 65536.0f)) return false; // also drops what is not a number
@@ -69,7 +69,7 @@ bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, Ras
   }
   out.w_is_one = w == 1.0f;
   out.depth_offset = 0;
-  out.back = false;
+  out.back = back;
   return true;
 }
 

@@ -6,6 +6,6 @@
 namespace softgl {
 
 /// False: the point covers nothing.
-bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, RasterPrimitive& out);
+bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, bool back, RasterPrimitive& out);
 
 } // namespace softgl

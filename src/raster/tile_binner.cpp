@@ -145,14 +145,14 @@ void TileBinner::triangles(const DrawRecord&, const AssembledTriangles& batch) {
 void TileBinner::lines(const DrawRecord&, const AssembledLines& batch) {
   for (int32_t i = 0; i < batch.count; ++i) {
     RasterPrimitive* p = new_primitive();
-    if (setup_line(*draw_, batch.corner[0][i], batch.corner[1][i], *p)) bin(*p);
+    if (setup_line(*draw_, batch.corner[0][i], batch.corner[1][i], batch.back >> i & 1, *p)) bin(*p);
   }
 }
 
 void TileBinner::points(const DrawRecord&, const AssembledPoints& batch) {
   for (int32_t i = 0; i < batch.count; ++i) {
     RasterPrimitive* p = new_primitive();
-    if (setup_point(*draw_, batch.corner[i], *p)) bin(*p);
+    if (setup_point(*draw_, batch.corner[i], batch.back >> i & 1, *p)) bin(*p);
   }
 }
 

@@ -111,6 +111,10 @@ struct PolygonState {
   GLenum mode[2] = {GL_FILL, GL_FILL}; // front, back
   float offset_factor = 0, offset_units = 0;
   bool offset_point = false, offset_line = false, offset_fill = false;
+
+  /// The mode of a face, or of the other one where it is culled.
+  GLenum seen_mode(bool back) const { return mode[cull && cull_face == (back ? GL_BACK : GL_FRONT) ? !back : back]; }
+  bool all_filled() const { return seen_mode(false) == GL_FILL && seen_mode(true) == GL_FILL; }
 };
 struct PolygonStippleState {
   uint32_t row[32]; // row 0 = bottom; the most significant bit is the leftmost pixel

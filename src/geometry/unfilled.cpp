@@ -1,0 +1,115 @@
+#include "unfilled.h"
+
+#include <cmath>
+#include <cstring>
+
+#include "frame/draw_record.h"
+#include "raster_constants.h"
+
+namespace softgl {
+namespace {
+
+/// The greatest change of depth per pixel, times the factor, plus the units. e, f: corners 0 and 1 relative to corner 2.
+float depth_offset(const UnfilledConstants& k, const float e[3], const float f[3], float determinant) {
+  const float a = e[1] * f[2] - e[2] * f[1], b = e[2] * f[0] - e[0] * f[2], inverse = 1.0f / determinant;
+  const float dzdx = std::fabs(a * inverse), dzdy = std::fabs(b * inverse);
+  return k.offset_units + (dzdx > dzdy ? dzdx : dzdy) * k.offset_factor;
+}
+
+float unit_range(float v) { return v > 0.0f ? (v < 1.0f ? v : 1.0f) : 0.0f; }
+
+} // namespace
+
+UnfilledPolygons::UnfilledPolygons(const DrawRecord& draw, Arena& arena, PrimitiveSink& sink)
+    : draw_(draw), constants_(*draw.vertex->unfilled), arena_(arena), sink_(sink), slots_(draw.layout.slots), stipple_(draw, arena) {}
+
+const UnfilledPolygons::Slot* UnfilledPolygons::own_copy(const Slot* vertex, const Slot* provoking, bool back, const float* offset) {
+  const ShadedLayout& l = draw_.layout;
+  Slot* copy = arena_.allocate_array<Slot>(slots_);
+  std::memcpy(copy, vertex, sizeof(Slot) * slots_);
+  const Slot* colors = draw_.raster->flat ? provoking : vertex;
+  if (l.color >= 0) copy[l.color] = colors[back && l.back_color >= 0 ? l.back_color : l.color];
+  if (l.secondary >= 0) // not the fog coordinate behind the colour
+    std::memcpy(copy[l.secondary].v, colors[back && l.back_secondary >= 0 ? l.back_secondary : l.secondary].v, sizeof(float[3]));
+  if (offset) copy->v[2] = unit_range(copy->v[2] + *offset);
+  return copy;
+}
+
+void UnfilledPolygons::triangle(const PolygonTriangle& t) {
+  const UnfilledConstants& k = constants_;
+  const float *v0 = t.corner[0]->v, *v1 = t.corner[1]->v, *v2 = t.corner[2]->v;
+  const float e[3] = {v0[0] - v2[0], v0[1] - v2[1], v0[2] - v2[2]}, f[3] = {v1[0] - v2[0], v1[1] - v2[1], v1[2] - v2[2]};
+  const float determinant = e[0] * f[1] - e[1] * f[0]; // y is down: negative is counter-clockwise
+  // Without area it is culled as a back-facing one, and else drawn and coloured as a clockwise one.
+  const bool front = determinant != 0 && (determinant < 0) == k.ccw_is_front;
+  if (front ? k.cull_front : k.cull_back) return;
+  const PolygonMode mode = k.mode[determinant >= 0];
+  back_ = k.two_sided && (k.ccw_is_front ? determinant > 0 : determinant < 0);
+  const bool offset = k.offset[int(mode)];
+  PolygonTriangle own = t;
+  if (offset || back_ || draw_.raster->flat) {
+    const float by = offset ? depth_offset(k, e, f, determinant) : 0.0f;
+    for (const Slot*& corner : own.corner) corner = own_copy(corner, t.corner[2], back_, offset ? &by : nullptr);
+  }
+  const auto& corner = own.corner;
+  switch (mode) {
+  case PolygonMode::Fill:
+    if (counting_) break;
+    begin(Pending::Triangles, triangles_.count);
+    for (int i = 0; i < 3; ++i) triangles_.corner[i][triangles_.count] = corner[i];
+    ++triangles_.count;
+    break;
+  case PolygonMode::Line:
+    if (t.begins) stipple_.reset();
+    if (t.boundary & 4) line(corner[2], corner[0]);
+    if (t.boundary & 1) line(corner[0], corner[1]);
+    if (t.boundary & 2) line(corner[1], corner[2]);
+    break;
+  case PolygonMode::Point:
+    for (int i = 0; i < 3; ++i) {
+      if (counting_ || !(t.boundary >> i & 1)) continue;
+      begin(Pending::Points, points_.count);
+      points_.back |= uint64_t(back_) << points_.count;
+      points_.corner[points_.count++] = corner[i];
+    }
+    break;
+  }
+}
+
+void UnfilledPolygons::line(const Slot* a, const Slot* b) {
+  const Slot* const end[2] = {a, b};
+  auto emit = [&](const Slot* from, const Slot* to) {
+    begin(Pending::Lines, lines_.count);
+    lines_.back |= uint64_t(back_) << lines_.count;
+    lines_.corner[0][lines_.count] = from, lines_.corner[1][lines_.count] = to;
+    ++lines_.count;
+  };
+  if (!draw_.vertex->line_stipple) {
+    if (!counting_) emit(a, b);
+  } else if (counting_) {
+    stipple_.skip(end);
+  } else {
+    stipple_.cut(end, emit);
+  }
+}
+
+/// Makes room for one of a kind, of which there are `count`; those of other kinds go first.
+void UnfilledPolygons::begin(Pending kind, int32_t count) {
+  if (pending_ != kind || count == kAssemblyBatch) finish();
+  pending_ = kind;
+}
+
+void UnfilledPolygons::finish() {
+  switch (pending_) {
+  case Pending::None: break;
+  case Pending::Triangles: sink_.triangles(draw_, triangles_); break;
+  case Pending::Lines: sink_.lines(draw_, lines_); break;
+  case Pending::Points: sink_.points(draw_, points_); break;
+  }
+  pending_ = Pending::None;
+  triangles_.count = 0;
+  lines_.count = 0, lines_.back = 0;
+  points_.count = 0, points_.back = 0;
+}
+
+} // namespace softgl

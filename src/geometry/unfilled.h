@@ -1,0 +1,50 @@
+// Polygons drawn as lines or points (GL 1.5, 3.5.4): glPolygonMode.
+#pragma once
+
+#include "assembled_primitives.h"
+#include "base/arena.h"
+#include "line_stipple.h"
+#include "vertex_program.h"
+
+namespace softgl {
+
+/// A triangle that a polygon was cut into, after clipping.
+struct PolygonTriangle {
+  const ShadedVertices::Slot* corner[3]; // corner 2 is the provoking vertex
+  uint32_t boundary;                     // bit k: the edge from corner k to the next one, and the point at corner k, are drawn
+  bool begins;                           // the line stipple begins anew
+};
+
+/// Culls, colours and offsets the triangles of a draw, and hands over what their modes leave of them, in drawing order. All
+/// that with the exact order of operations of OSMesa 22.3.6, whose draw module does it in window coordinates that are not
+/// snapped.
+class UnfilledPolygons {
+public:
+  UnfilledPolygons(const DrawRecord& draw, Arena& arena, PrimitiveSink& sink);
+  void triangle(const PolygonTriangle& triangle);
+  /// What follows is only counted for the line stipple, and not drawn.
+  void count_only(bool only) { counting_ = only; }
+  /// Hands over what is left.
+  void finish();
+
+private:
+  using Slot = ShadedVertices::Slot;
+  enum class Pending { None, Triangles, Lines, Points };
+  const Slot* own_copy(const Slot* vertex, const Slot* provoking, bool back, const float* offset);
+  void begin(Pending kind, int32_t count);
+  void line(const Slot* a, const Slot* b);
+
+  const DrawRecord& draw_;
+  const UnfilledConstants& constants_;
+  Arena& arena_;
+  PrimitiveSink& sink_;
+  const uint32_t slots_;
+  LineStipple stipple_;
+  bool counting_ = false, back_ = false;
+  Pending pending_ = Pending::None;
+  AssembledTriangles triangles_;
+  AssembledLines lines_;
+  AssembledPoints points_;
+};
+
+} // namespace softgl
