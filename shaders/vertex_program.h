@@ -44,8 +44,7 @@ struct UnfilledConstants {
   bool ccw_is_front;
   bool cull_front, cull_back;
   bool two_sided;                       // the vertices carry back colours
-  bool offset[3];                       // by mode
-  float offset_units, offset_factor;    // units times the smallest step of depth
+  bool offset[3];                       // by mode; RasterConstants say how far
 };
 
 struct VertexProgram {

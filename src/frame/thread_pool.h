@@ -25,8 +25,9 @@ public:
   void prepare(const std::vector<Pages>& pages);
 
   /// Calls fn(i, worker) once for every i in [0, count), each worker (0 <= worker < workers()) on a thread of its own,
-  /// and returns when all calls have returned. Workers begin with neighbouring indices. The first exception that a call throws is thrown again here; calls not
-  /// yet begun are then left out. While another thread's run() is under way all calls are made by the calling thread.
+  /// and returns when all calls have returned. Workers begin with neighbouring indices. The first exception that a call
+  /// throws is thrown again here; calls not yet begun are then left out. While another thread's run() is under way all calls
+  /// are made by the calling thread.
   template <class Function> void run(size_t count, Function&& fn) {
     auto call = [](void* object, size_t index, int worker) { (*static_cast<Function*>(object))(index, worker); };
     run_erased(count, call, const_cast<void*>(static_cast<const void*>(&fn)));

@@ -4,8 +4,8 @@
 #include "clipping.h"
 #include "geometry.h"
 #include "line_stipple.h"
+#include "polygon_mode.h"
 #include "raster_constants.h"
-#include "unfilled.h"
 #include "vertex_fetch.h"
 
 namespace softgl {
@@ -111,7 +111,9 @@ private:
       });
       if (any) {
         batch.count = 0;
-        for_each([&](int, uint32_t v0, uint32_t v1, uint32_t v2) { clip_triangle(v0, v1, v2, batch); });
+        for_each([&](int, uint32_t v0, uint32_t v1, uint32_t v2) {
+          clip_triangle(v0, v1, v2, 7, [&](const Slot* a, const Slot* b, const Slot* c, uint32_t, int) { add_triangle(batch, a, b, c); });
+        });
       }
       if (batch.count) sink_.triangles(draw_, batch);
     }
@@ -137,15 +139,18 @@ private:
     ++batch.count;
   }
 
-  __attribute__((noinline)) void clip_triangle(uint32_t v0, uint32_t v1, uint32_t v2, AssembledTriangles& batch) {
-    const uint32_t v[3] = {v0, v1, v2};
-    const uint32_t m0 = mask(v[0]), m1 = mask(v[1]), m2 = mask(v[2]);
-    if ((m0 | m1 | m2) == 0) return add_triangle(batch, shaded(v[0]), shaded(v[1]), shaded(v[2]));
+  /// Calls emit(a, b, c, edges, part) with the corners of the triangle, or of the parts 0, 1, ... that clipping leaves of it;
+  /// the whole triangle is part -1. Bit k of `edges`: the edge that begins at corner k is one of the polygon.
+  template <class Emit> __attribute__((noinline)) void clip_triangle(uint32_t v0, uint32_t v1, uint32_t v2, uint32_t edges, Emit emit) {
+    const uint32_t v[3] = {v0, v1, v2}, m0 = mask(v0), m1 = mask(v1), m2 = mask(v2);
+    if ((m0 | m1 | m2) == 0) return emit(shaded(v0), shaded(v1), shaded(v2), edges, -1);
     if (m0 & m1 & m2) return;
     const Slot* polygon[Clipper::kMaxPolygon];
-    uint32_t edges = 0;
     const int n = Clipper(draw_, vertices_, arena_).triangle(v, m0 | m1 | m2, polygon, edges);
-    for (int k = 2; k < n; ++k) add_triangle(batch, polygon[k - 1], polygon[k], polygon[0]);
+    for (int k = 2; k < n; ++k) {
+      const uint32_t first = k == 2 ? (edges & 1) << 2 : 0, last = k == n - 1 ? (edges >> k & 1) << 1 : 0;
+      emit(polygon[k - 1], polygon[k], polygon[0], first | last | (edges >> (k - 1) & 1), k - 2);
+    }
   }
 
   /// Polygon mode: the edges of the triangles that are edges of the polygons matter, too.
@@ -167,7 +172,9 @@ private:
           begins = i == 0;
           boundary = begins ? 5 : 3;
         }
-        clip_unfilled(v0, v1, v2, boundary & flagged(v0, v1, v2), begins, polygons);
+        clip_triangle(v0, v1, v2, boundary & flagged(v0, v1, v2), [&](const Slot* a, const Slot* b, const Slot* c, uint32_t edges, int part) {
+          polygons.triangle({{a, b, c}, edges, part < 0 ? begins : part == 0});
+        });
       });
     }
     polygons.finish();
@@ -186,17 +193,6 @@ private:
       flags |= uint32_t(flag[0] != 0) << k;
     }
     return flags;
-  }
-
-  void clip_unfilled(uint32_t v0, uint32_t v1, uint32_t v2, uint32_t boundary, bool begins, UnfilledPolygons& out) {
-    const uint32_t v[3] = {v0, v1, v2}, m0 = mask(v0), m1 = mask(v1), m2 = mask(v2);
-    if ((m0 | m1 | m2) == 0) return out.triangle({{shaded(v0), shaded(v1), shaded(v2)}, boundary, begins});
-    if (m0 & m1 & m2) return;
-    const Slot* polygon[Clipper::kMaxPolygon];
-    const int n = Clipper(draw_, vertices_, arena_).triangle(v, m0 | m1 | m2, polygon, boundary);
-    for (int k = 2; k < n; ++k)
-      out.triangle({{polygon[k - 1], polygon[k], polygon[0]},
-                    (boundary >> (k - 1) & 1) | (k == n - 1 ? (boundary >> k & 1) << 1 : 0) | (k == 2 ? (boundary & 1) << 2 : 0), k == 2});
   }
 
   template <class Elements> void points(const Elements& e, uint32_t step, uint32_t steps) {

@@ -100,15 +100,12 @@ const UnfilledConstants* make_unfilled(const Context& c, Arena& arena) {
   k->ccw_is_front = p.front_face == GL_CCW;
   k->mode[0] = polygon_mode(p.seen_mode(!k->ccw_is_front));
   k->mode[1] = polygon_mode(p.seen_mode(k->ccw_is_front));
-  k->cull_front = p.cull && p.cull_face != GL_BACK;
-  k->cull_back = p.cull && p.cull_face != GL_FRONT;
+  k->cull_front = p.culls(false);
+  k->cull_back = p.culls(true);
   k->two_sided = c.state.lighting.enabled && c.state.lighting.two_side;
   k->offset[int(PolygonMode::Fill)] = p.offset_fill;
   k->offset[int(PolygonMode::Line)] = p.offset_line;
   k->offset[int(PolygonMode::Point)] = p.offset_point;
-  // As in OSMesa 22.3.6, which offsets by twice the smallest step here, too.
-  k->offset_units = float(p.offset_units * (c.framebuffer.surface.depth_format == DepthFormat::Z16 ? 1.0 / 65535 : 1.0 / 16777215) * 2);
-  k->offset_factor = p.offset_factor;
   return k;
 }
 

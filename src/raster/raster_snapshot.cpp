@@ -31,12 +31,7 @@ const RasterConstants* make_raster_constants(const Context& context, Arena& aren
   // Positive areas are counter-clockwise in GL's y-up sense.
   const bool positive_is_front = s.polygon.front_face == GL_CCW;
   r.back = positive_is_front ? 0 : 1;
-  r.cull = 0;
-  if (s.polygon.cull) {
-    const bool front = s.polygon.cull_face != GL_BACK, back = s.polygon.cull_face != GL_FRONT;
-    const bool positive = positive_is_front ? front : back, negative = positive_is_front ? back : front;
-    r.cull = static_cast<uint8_t>((positive ? 1 : 0) | (negative ? 2 : 0));
-  }
+  r.cull = static_cast<uint8_t>((s.polygon.culls(!positive_is_front) ? 1 : 0) | (s.polygon.culls(positive_is_front) ? 2 : 0));
   r.flat = s.lighting.shade_model == GL_FLAT;
   // Where polygons are not all filled, geometry colours and offsets them before they come here.
   const bool filled = s.polygon.all_filled();

@@ -128,6 +128,7 @@ void TileBinner::triangles(const DrawRecord&, const AssembledTriangles& batch) {
       if (killing) append_living(out, run.tile, run.first, out.run[i + 1].first);
       else append_run(out, run.tile, run.first, out.run[i + 1].first);
     }
+    bin_large_before(kSetupBatch);
   } else {
     uint64_t small = out.small;
     for (; large; large &= large - 1) {
@@ -139,7 +140,6 @@ void TileBinner::triangles(const DrawRecord&, const AssembledTriangles& batch) {
     bin_small(batch, out, small);
     keeps_vertices_ = keeps_vertices_ || out.small;
   }
-  bin_large_before(kSetupBatch);
 }
 
 void TileBinner::lines(const DrawRecord&, const AssembledLines& batch) {

@@ -112,8 +112,9 @@ struct PolygonState {
   float offset_factor = 0, offset_units = 0;
   bool offset_point = false, offset_line = false, offset_fill = false;
 
+  bool culls(bool back) const { return cull && cull_face != (back ? GL_FRONT : GL_BACK); }
   /// The mode of a face, or of the other one where it is culled.
-  GLenum seen_mode(bool back) const { return mode[cull && cull_face == (back ? GL_BACK : GL_FRONT) ? !back : back]; }
+  GLenum seen_mode(bool back) const { return mode[back != culls(back)]; }
   bool all_filled() const { return seen_mode(false) == GL_FILL && seen_mode(true) == GL_FILL; }
 };
 struct PolygonStippleState {

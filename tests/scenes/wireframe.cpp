@@ -1,5 +1,5 @@
 // A lit teapot with its mesh drawn over it, as modellers do: lines that polygon offset keeps in front of the surface.
-// Beside it the back faces as points.
+// Beside it polygons whose back faces are points.
 #include "scenes/shapes.h"
 
 namespace softgl::test {

@@ -1,4 +1,4 @@
-#include "unfilled.h"
+#include "polygon_mode.h"
 
 #include <cmath>
 #include <cstring>
@@ -10,10 +10,10 @@ namespace softgl {
 namespace {
 
 /// The greatest change of depth per pixel, times the factor, plus the units. e, f: corners 0 and 1 relative to corner 2.
-float depth_offset(const UnfilledConstants& k, const float e[3], const float f[3], float determinant) {
+float depth_offset(const RasterConstants& r, const float e[3], const float f[3], float determinant) {
   const float a = e[1] * f[2] - e[2] * f[1], b = e[2] * f[0] - e[0] * f[2], inverse = 1.0f / determinant;
   const float dzdx = std::fabs(a * inverse), dzdy = std::fabs(b * inverse);
-  return k.offset_units + (dzdx > dzdy ? dzdx : dzdy) * k.offset_factor;
+  return r.offset_units + (dzdx > dzdy ? dzdx : dzdy) * r.offset_factor;
 }
 
 float unit_range(float v) { return v > 0.0f ? (v < 1.0f ? v : 1.0f) : 0.0f; }
@@ -47,8 +47,8 @@ void UnfilledPolygons::triangle(const PolygonTriangle& t) {
   back_ = k.two_sided && (k.ccw_is_front ? determinant > 0 : determinant < 0);
   const bool offset = k.offset[int(mode)];
   PolygonTriangle own = t;
-  if (offset || back_ || draw_.raster->flat) {
-    const float by = offset ? depth_offset(k, e, f, determinant) : 0.0f;
+  if (!counting_ && (offset || back_ || draw_.raster->flat)) {
+    const float by = offset ? depth_offset(*draw_.raster, e, f, determinant) : 0.0f;
     for (const Slot*& corner : own.corner) corner = own_copy(corner, t.corner[2], back_, offset ? &by : nullptr);
   }
   const auto& corner = own.corner;
