@@ -38,8 +38,8 @@ struct PointConstants {
 
 enum class PolygonMode : uint8_t { Fill, Line, Point };
 
-/// How polygons are drawn when not all are filled (GL 1.5, 3.5.4).
-struct UnfilledConstants {
+/// What becomes of polygons before they come to the raster (GL 1.5, 3.5.1, 3.5.4, 3.5.5).
+struct PolygonConstants {
   PolygonMode mode[2];                  // of counter-clockwise polygons and of the others
   bool ccw_is_front;
   bool cull_front, cull_back;
@@ -64,7 +64,7 @@ struct VertexProgram {
   const CoordinateConstants* coordinates[8];      // null: passed through
   bool reflection_z;                    // r of some unit is that of the reflection vector
   PointConstants point;
-  const UnfilledConstants* unfilled;    // null: polygons are filled
+  const PolygonConstants* polygons;     // null: all are filled, and the raster culls, colours and offsets them
   bool line_stipple;                    // cut lines by the pattern while assembling
   uint16_t stipple_pattern, stipple_factor;
 };

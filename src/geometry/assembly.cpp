@@ -4,7 +4,7 @@
 #include "clipping.h"
 #include "geometry.h"
 #include "line_stipple.h"
-#include "polygon_mode.h"
+#include "polygon_stage.h"
 #include "raster_constants.h"
 #include "vertex_fetch.h"
 
@@ -85,7 +85,7 @@ public:
     case GL_LINES:
     case GL_LINE_STRIP:
     case GL_LINE_LOOP: return lines(e, first_step, step_count);
-    default: return draw_.vertex->unfilled ? unfilled(e, first_step, step_count) : triangles(e, first_step, step_count);
+    default: return draw_.vertex->polygons ? staged_triangles(e, first_step, step_count) : triangles(e, first_step, step_count);
     }
   }
 
@@ -153,13 +153,13 @@ private:
     }
   }
 
-  /// Polygon mode: the edges of the triangles that are edges of the polygons matter, too.
-  template <class Elements> void unfilled(const Elements& e, uint32_t step, uint32_t steps) {
-    UnfilledPolygons polygons(draw_, arena_, sink_);
+  /// Triangles that go through the polygon stage. Which of their edges are edges of the polygons matters, too.
+  template <class Elements> void staged_triangles(const Elements& e, uint32_t step, uint32_t steps) {
+    PolygonStage polygons(draw_, arena_, sink_);
     const bool polygon = range_.mode == GL_POLYGON;
     const uint32_t last_step = assembly_steps(range_) - 1;
     // The stipple of a polygon goes on from triangle to triangle: count those in front of this chunk.
-    uint32_t at = polygon && draw_.vertex->line_stipple ? 0 : step;
+    uint32_t at = polygon && polygons.stipples() ? 0 : step;
     for (const uint32_t end = step + steps; at < end; ++at) {
       polygons.count_only(at < step);
       for_each_triangle(range_.mode, true, false, e, at, 1, [&](int i, uint32_t v0, uint32_t v1, uint32_t v2) {

@@ -95,7 +95,7 @@ const VertexProgram* make_vertex_program(const Context& c, const SnapshotCache& 
   p->point_attenuated = cache.layout.point >= 0;
   p->point = {point.size, point.size_min, point.size_max,
               {point.distance_attenuation.x, point.distance_attenuation.y, point.distance_attenuation.z}};
-  p->unfilled = make_unfilled(c, arena);
+  p->polygons = make_polygon_constants(c, arena);
   p->line_stipple = s.line.stipple && s.line.stipple_pattern != 0xffff;
   p->stipple_pattern = s.line.stipple_pattern;
   p->stipple_factor = uint16_t(s.line.stipple_factor);

@@ -93,10 +93,10 @@ const ClipPlaneConstants* make_clip_planes(Context& c, Arena& arena) {
   return k;
 }
 
-const UnfilledConstants* make_unfilled(const Context& c, Arena& arena) {
+const PolygonConstants* make_polygon_constants(const Context& c, Arena& arena) {
   const PolygonState& p = c.state.polygon;
-  if (p.all_filled()) return nullptr;
-  auto* k = arena.make<UnfilledConstants>();
+  if (!polygons_before_raster(c.state)) return nullptr;
+  auto* k = arena.make<PolygonConstants>();
   k->ccw_is_front = p.front_face == GL_CCW;
   k->mode[0] = polygon_mode(p.seen_mode(!k->ccw_is_front));
   k->mode[1] = polygon_mode(p.seen_mode(k->ccw_is_front));

@@ -17,7 +17,7 @@ const TransformConstants* make_transform(Context& context, bool eye_space, Arena
 /// Null when no clip plane is enabled.
 const ClipPlaneConstants* make_clip_planes(Context& context, Arena& arena);
 /// Null when both faces of polygons are filled.
-const UnfilledConstants* make_unfilled(const Context& context, Arena& arena);
+const PolygonConstants* make_polygon_constants(const Context& context, Arena& arena);
 /// Null when the unit's coordinates are passed through.
 const CoordinateConstants* make_coordinates(const Context& context, int unit, Arena& arena);
 

@@ -33,14 +33,13 @@ const RasterConstants* make_raster_constants(const Context& context, Arena& aren
   r.back = positive_is_front ? 0 : 1;
   r.cull = static_cast<uint8_t>((s.polygon.culls(!positive_is_front) ? 1 : 0) | (s.polygon.culls(positive_is_front) ? 2 : 0));
   r.flat = s.lighting.shade_model == GL_FLAT;
-  // Where polygons are not all filled, geometry colours and offsets them before they come here.
-  const bool filled = s.polygon.all_filled();
-  r.two_sided = s.lighting.enabled && s.lighting.two_side && (filled || lights_fragments(s.lighting, context.smooth_is_phong));
+  const bool before = polygons_before_raster(s); // geometry has coloured and offset polygons
+  r.two_sided = s.lighting.enabled && s.lighting.two_side && (!before || lights_fragments(s.lighting, context.smooth_is_phong));
   // OSMesa 22.3.6 offsets by units * 2 / (2^bits - 1), twice the smallest step.
   const double step = surface.depth_format == DepthFormat::Z16 ? 1.0 / 65535 : 1.0 / 16777215;
   r.offset_units = static_cast<float>(s.polygon.offset_units * step * 2);
   r.offset_factor = s.polygon.offset_factor;
-  r.offset = filled && s.polygon.offset_fill && (r.offset_units != 0.0f || r.offset_factor != 0.0f);
+  r.offset = !before && s.polygon.offset_fill && (r.offset_units != 0.0f || r.offset_factor != 0.0f);
   r.point_sprite = s.point.sprite;
   r.sprite_units = s.point.sprite ? static_cast<uint8_t>(s.point.coord_replace) : 0;
   r.sprite_lower_left = s.point.sprite_origin == GL_LOWER_LEFT;

@@ -126,6 +126,30 @@ void draw_folded_strip(Stage& s) {
   gl.Finish();
 }
 
+bool smooth_lines_before; // a flat triangle was drawn while lines were smooth
+
+// A smooth triangle, in front of what was drawn before it, with an offset that is seen in its depths.
+void draw_after_smooth_lines(Stage& s) {
+  const Gl& gl = s.gl;
+  const GLfloat v[3][2] = {{-1, -1}, {3, -1}, {-1, 3}};
+  gl.Enable(GL_DEPTH_TEST);
+  const auto triangle = [&](GLfloat z) {
+    gl.Begin(GL_TRIANGLES);
+    for (int i = 0; i < 3; ++i) gl.Color3f(i == 0, i == 1, i == 2), gl.Vertex3f(v[i][0], v[i][1], z);
+    gl.End();
+  };
+  if (smooth_lines_before) {
+    gl.ShadeModel(GL_FLAT);
+    gl.Enable(GL_LINE_SMOOTH);
+    triangle(0.5f);
+    gl.Disable(GL_LINE_SMOOTH);
+    gl.ShadeModel(GL_SMOOTH);
+  }
+  gl.Enable(GL_POLYGON_OFFSET_FILL);
+  gl.PolygonOffset(0, 1000);
+  triangle(0);
+}
+
 GLenum type; // of the colours
 GLint value;
 bool in_array; // or by a command
@@ -158,6 +182,16 @@ int drawn_color(const Gl& gl, GLenum with_type, GLint with_value, bool array) {
 }
 
 } // namespace
+
+TEST_CASE("the state of a draw is seen by it, whatever was smooth before", "[conformance][deviation]") {
+  const Scene scene{"after_smooth_lines", draw_after_smooth_lines};
+  smooth_lines_before = false;
+  const Picture expected = draw(softgl_library(), scene, 0);
+  smooth_lines_before = true;
+  const Difference d = compare(draw(softgl_library(), scene, 0), expected);
+  INFO(d.text);
+  CHECK_FALSE(d.any());
+}
 
 TEST_CASE("a strip of quadrilaterals may get a colour late", "[conformance][deviation]") {
   const Scene strip{"strip_colored_late", draw_strip_colored_late};

@@ -51,6 +51,27 @@ void draw_three_after_four(Stage& s) {
   s.gl.End();
 }
 
+// The forms and lengths grow and shrink from one primitive to the next, with no other call between them.
+void draw_three_after_double_and_four(Stage& s) {
+  const Gl& gl = s.gl;
+  const auto triangle = [&] {
+    gl.Vertex2f(-1, -1);
+    gl.Vertex2f(3, -1);
+    gl.Vertex2f(-1, 3);
+  };
+  gl.Begin(GL_TRIANGLES);
+  gl.Color3d(1, 0, 0);
+  triangle();
+  gl.Color3f(1, 0, 0);
+  triangle();
+  gl.Color4f(1, 0, 0, 0.25f);
+  gl.End();
+  gl.Begin(GL_TRIANGLE_STRIP);
+  gl.Color3f(0, 1, 0);
+  triangle();
+  gl.End();
+}
+
 void draw_empty_first(Stage& s) {
   static constexpr GLfloat kVertices[3][2] = {{-1, -1}, {3, -1}, {-1, 3}};
   static constexpr GLint kFirst[2] = {0, 0};
@@ -64,10 +85,13 @@ void draw_empty_first(Stage& s) {
 } // namespace
 
 TEST_CASE("a colour of three components has alpha 1", "[conformance][deviation]") {
-  const Picture picture = draw(softgl_library(), {"three_after_four", draw_three_after_four}, 0);
-  CHECK(picture.color[0] == 0);
-  CHECK(picture.color[1] == 255);
-  CHECK(picture.color[3] == 255);
+  for (const Scene& scene : {Scene{"three_after_four", draw_three_after_four}, Scene{"three_after_double", draw_three_after_double_and_four}}) {
+    INFO(scene.name);
+    const Picture picture = draw(softgl_library(), scene, 0);
+    CHECK(picture.color[0] == 0);
+    CHECK(picture.color[1] == 255);
+    CHECK(picture.color[3] == 255);
+  }
 }
 
 TEST_CASE("a first count of 0 does not stop glMultiDrawArrays", "[conformance][deviation]") {

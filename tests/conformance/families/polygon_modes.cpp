@@ -1,5 +1,5 @@
-// Polygons drawn as lines and points, with all that is different then: culling, colours of two sides, offset, edge flags,
-// stipple, clipping.
+// Polygons that are changed before they are rasterized: drawn as lines and points, with all that is different then (culling,
+// colours of two sides, offset, edge flags, stipple, clipping), and filled ones.
 #include "conformance/families/common.h"
 
 namespace softgl::test {
@@ -111,6 +111,39 @@ static void draw_edge_flags(Stage& s) {
   }
 }
 
+// Filled polygons, which OSMesa colours and offsets at their vertices wherever it could have smooth or stippled points or
+// lines. Where it could have smooth ones the state is set once: OSMesa draws with the old one after that (DEVIATIONS.md).
+static void draw_staged_polygons(Stage& s) {
+  const Gl& gl = s.gl;
+  random_canvas(s);
+  const bool smooth = s.random.chance(50);
+  if (smooth) {
+    gl.Enable(s.random.pick({GL_LINE_SMOOTH, GL_POINT_SMOOTH}));
+    if (s.random.chance(30)) gl.Enable(GL_POINT_SPRITE);
+  }
+  for (int batch = smooth ? 1 : s.random.integer(1, 4); batch > 0; batch--) {
+    random_projection(s);
+    random_modelview(s);
+    random_culling(s);
+    random_depth(s, 80);
+    random_offset(s);
+    random_two_sided_light(s);
+    for (GLenum what : {GL_LINE_STIPPLE, GL_POLYGON_STIPPLE}) s.random.chance(50) ? gl.Enable(what) : gl.Disable(what);
+    gl.LineStipple(1, s.random.chance(50) ? 0xffff : 0x0f0f);
+    gl.ShadeModel(s.random.chance(60) ? GL_SMOOTH : GL_FLAT);
+    PrimitiveOptions options;
+    options.normals = true;
+    options.secondary_colors = s.random.chance(20);
+    if (options.secondary_colors) gl.Enable(GL_COLOR_SUM);
+    if (s.random.chance(20)) random_fog(s);
+    options.mode = s.random.pick({GL_TRIANGLES, GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS, GL_QUAD_STRIP, GL_POLYGON});
+    random_primitive(s, options);
+    gl.Disable(GL_COLOR_SUM);
+    gl.Disable(GL_FOG);
+  }
+}
+
+static SceneRegistration staged{{"staged_polygons", draw_staged_polygons, true}};
 static SceneRegistration modes{{"polygon_modes", draw_polygon_modes, true}}, flags{{"edge_flags", draw_edge_flags, true}};
 
 } // namespace softgl::test

@@ -1,4 +1,4 @@
-// Polygons drawn as lines or points (GL 1.5, 3.5.4): glPolygonMode.
+// Polygons between assembly and raster: glPolygonMode (GL 1.5, 3.5.4), and culling, two-sided colours and offset with it.
 #pragma once
 
 #include "assembled_primitives.h"
@@ -18,12 +18,14 @@ struct PolygonTriangle {
 /// Culls, colours and offsets the triangles of a draw, and hands over what their modes leave of them, in drawing order. All
 /// that with the exact order of operations of OSMesa 22.3.6, whose draw module does it in window coordinates that are not
 /// snapped.
-class UnfilledPolygons {
+class PolygonStage {
 public:
-  UnfilledPolygons(const DrawRecord& draw, Arena& arena, PrimitiveSink& sink);
+  PolygonStage(const DrawRecord& draw, Arena& arena, PrimitiveSink& sink);
   void triangle(const PolygonTriangle& triangle);
   /// What follows is only counted for the line stipple, and not drawn.
   void count_only(bool only) { counting_ = only; }
+  /// True where triangles in front of those that are drawn have to be counted.
+  bool stipples() const { return draw_.vertex->line_stipple && (constants_.mode[0] == PolygonMode::Line || constants_.mode[1] == PolygonMode::Line); }
   /// Hands over what is left.
   void finish();
 
@@ -35,7 +37,7 @@ private:
   void line(const Slot* a, const Slot* b);
 
   const DrawRecord& draw_;
-  const UnfilledConstants& constants_;
+  const PolygonConstants& constants_;
   Arena& arena_;
   PrimitiveSink& sink_;
   const uint32_t slots_;

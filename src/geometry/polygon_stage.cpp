@@ -1,4 +1,4 @@
-#include "polygon_mode.h"
+#include "polygon_stage.h"
 
 #include <cmath>
 #include <cstring>
@@ -20,10 +20,10 @@ float unit_range(float v) { return v > 0.0f ? (v < 1.0f ? v : 1.0f) : 0.0f; }
 
 } // namespace
 
-UnfilledPolygons::UnfilledPolygons(const DrawRecord& draw, Arena& arena, PrimitiveSink& sink)
-    : draw_(draw), constants_(*draw.vertex->unfilled), arena_(arena), sink_(sink), slots_(draw.layout.slots), stipple_(draw, arena) {}
+PolygonStage::PolygonStage(const DrawRecord& draw, Arena& arena, PrimitiveSink& sink)
+    : draw_(draw), constants_(*draw.vertex->polygons), arena_(arena), sink_(sink), slots_(draw.layout.slots), stipple_(draw, arena) {}
 
-const UnfilledPolygons::Slot* UnfilledPolygons::own_copy(const Slot* vertex, const Slot* provoking, bool back, const float* offset) {
+const PolygonStage::Slot* PolygonStage::own_copy(const Slot* vertex, const Slot* provoking, bool back, const float* offset) {
   const ShadedLayout& l = draw_.layout;
   Slot* copy = arena_.allocate_array<Slot>(slots_);
   std::memcpy(copy, vertex, sizeof(Slot) * slots_);
@@ -35,8 +35,8 @@ const UnfilledPolygons::Slot* UnfilledPolygons::own_copy(const Slot* vertex, con
   return copy;
 }
 
-void UnfilledPolygons::triangle(const PolygonTriangle& t) {
-  const UnfilledConstants& k = constants_;
+void PolygonStage::triangle(const PolygonTriangle& t) {
+  const PolygonConstants& k = constants_;
   const float *v0 = t.corner[0]->v, *v1 = t.corner[1]->v, *v2 = t.corner[2]->v;
   const float e[3] = {v0[0] - v2[0], v0[1] - v2[1], v0[2] - v2[2]}, f[3] = {v1[0] - v2[0], v1[1] - v2[1], v1[2] - v2[2]};
   const float determinant = e[0] * f[1] - e[1] * f[0]; // y is down: negative is counter-clockwise
@@ -76,7 +76,7 @@ void UnfilledPolygons::triangle(const PolygonTriangle& t) {
   }
 }
 
-void UnfilledPolygons::line(const Slot* a, const Slot* b) {
+void PolygonStage::line(const Slot* a, const Slot* b) {
   const Slot* const end[2] = {a, b};
   auto emit = [&](const Slot* from, const Slot* to) {
     begin(Pending::Lines, lines_.count);
@@ -94,12 +94,12 @@ void UnfilledPolygons::line(const Slot* a, const Slot* b) {
 }
 
 /// Makes room for one of a kind, of which there are `count`; those of other kinds go first.
-void UnfilledPolygons::begin(Pending kind, int32_t count) {
+void PolygonStage::begin(Pending kind, int32_t count) {
   if (pending_ != kind || count == kAssemblyBatch) finish();
   pending_ = kind;
 }
 
-void UnfilledPolygons::finish() {
+void PolygonStage::finish() {
   switch (pending_) {
   case Pending::None: break;
   case Pending::Triangles: sink_.triangles(draw_, triangles_); break;
