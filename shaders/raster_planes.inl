@@ -52,7 +52,7 @@ SOFTGL_INLINE FloatV depth_offset(const PlaneBasis& b, FloatV z0, FloatV z1, Flo
 }
 
 SOFTGL_INLINE float depth_scale(const FragmentKey& key) {
-  return key.depth_format == uint64_t(DepthFormat::Z16) ? 65535.0f : 16777215.0f;
+  return float(largest_depth(DepthFormat(key.depth_format)));
 }
 SOFTGL_INLINE IntV depth_bits(FloatV z, float scale) { return round_to_int(unit_range(z) * scale); }
 SOFTGL_INLINE IntV color_byte(FloatV c) { return round_to_int(unit_range(c) * 255.0f); }

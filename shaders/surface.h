@@ -18,6 +18,8 @@ constexpr int bytes_per_pixel(ColorFormat f) {
 }
 /// Z24S8 keeps depth in bits 0-23 and stencil in 24-31 of a uint32_t; Z16 keeps depth in bits 0-15 of a uint32_t.
 enum class DepthFormat : uint8_t { None, Z16, Z24S8 };
+/// The integer that depth 1 is stored as.
+constexpr uint32_t largest_depth(DepthFormat f) { return f == DepthFormat::Z16 ? 0xffff : 0xffffff; }
 
 /// Index of pixel (x, y), y down, inside its 64x64 tile: 8x8 blocks in rows, rows of pixels inside a block.
 inline int pixel_in_tile(int x, int y) {

@@ -31,7 +31,7 @@ void store_color(ColorFormat format, const Vec4& color, bool drawn, float (&valu
 /// The depth in the surface's integers. OSMesa 22.3.6 clears a whole buffer in double; a part of it, or one whose stencil
 /// is masked, by drawing a rectangle, whose depth goes through float.
 uint32_t store_depth(DepthFormat format, double depth, bool drawn) {
-  const double one = format == DepthFormat::Z16 ? 65535.0 : 16777215.0;
+  const double one = largest_depth(format);
   if (!drawn) return uint32_t(std::nearbyint(depth * one));
   const float z = float(depth * 2.0 - 1.0) * 0.5f + 0.5f;
   return uint32_t(std::nearbyint(clamped(z) * float(one)));

@@ -93,8 +93,9 @@ void color_row_to_floats(ColorFormat format, const void* row, int count, float (
 }
 
 float depth_to_float(DepthFormat format, uint32_t word) {
-  if (format == DepthFormat::Z16) return float(word & 0xffff) * (1.0f / 65535.0f);
-  return float(double(word & 0xffffff) * (1.0 / 16777215.0));
+  const uint32_t one = largest_depth(format);
+  if (format == DepthFormat::Z16) return float(word & one) * (1.0f / float(one));
+  return float(double(word & one) * (1.0 / double(one)));
 }
 
 void read_rgba8(Context& c, int x, int y, int width, int height, uint8_t (*rgba)[4]) {
