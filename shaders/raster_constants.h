@@ -18,6 +18,7 @@ struct RasterConstants {
   float offset_units;     // units times the resolvable step
   float offset_factor;
   float line_width, point_size;
+  const uint64_t* stipple; // null, or the pattern of polygons: 4 x 4 blocks of 8x8 pixels, again and again from the surface's corner on
 };
 
 } // namespace softgl

@@ -35,7 +35,7 @@ struct RasterDraw {
   int8_t unit_plane[kBlockTextureUnits];
   uint8_t flat_units; // bit u: the coordinates of texture unit u are the same for all vertices, and not interpolated
   bool facing; // the block's `back` is filled
-  bool small;  // triangles of few pixels are shaded with lane = fragment
+  bool small;  // triangles of few pixels are shaded with lane = fragment; not stippled ones
   bool opaque; // alpha is 1 at all vertices, so it is 1 / w times w everywhere, which rounds to 255
   bool direct; // no stage runs, RGBA8, no stencil: blocks of pixels bypass the FragmentBlock
   uint32_t color_mask; // of an RGBA8 word

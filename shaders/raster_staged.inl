@@ -81,12 +81,14 @@ static void staged_primitive(const RasterDraw& draw, const TileTarget& tile, con
   const Compare function = Compare(key.depth_function);
   const float scale = depth_scale(key);
   const bool early = Depth && !key.stencil;
+  const uint64_t* stipple = p.edges == 3 ? draw.raster->stipple : nullptr; // triangles only: not lines and points
   EdgeSteps<4> steps;
   if (!edges.inside) edge_steps<4>(edges, steps);
   StripBatch batch;
   for (int by = edges.y0 & ~7; by < edges.y1; by += 8) {
     for (int bx = edges.x0 & ~7; bx < edges.x1; bx += 8) {
       uint64_t covered = edges.inside ? box_mask(edges, bx, by) : block_coverage<4>(edges, steps, bx, by);
+      if (stipple) covered &= stipple[(by >> 1 & 12) | (bx >> 3 & 3)]; // tiles begin at multiples of 32
       const int pixel = pixel_in_tile(bx, by);
       for (int s = 0; covered; ++s, covered >>= kStripLanes) {
         const uint32_t mask = uint32_t(covered) & 0xffff;

@@ -11,6 +11,17 @@ namespace {
 /// Sizes are clamped to GL_ALIASED_POINT_SIZE_RANGE and GL_ALIASED_LINE_WIDTH_RANGE; what is not a number becomes 1.
 float drawn_size(float size) { return size > 1.0f ? std::min(size, 255.0f) : 1.0f; }
 
+/// The pattern's rows count from the bottom of the window, the surface's from its top (GL 1.5, 3.5.2).
+const uint64_t* make_stipple(const PolygonStippleState& stipple, int height, Arena& arena) {
+  auto* block = arena.allocate_array<uint64_t>(16);
+  std::fill_n(block, 16, uint64_t(0));
+  for (int y = 0; y < 32; ++y) {
+    const uint32_t row = stipple.row[(height - 1 - y) & 31];
+    for (int x = 0; x < 32; ++x) block[y / 8 * 4 + x / 8] |= uint64_t(row >> (31 - x) & 1) << (8 * (y & 7) + (x & 7));
+  }
+  return block;
+}
+
 } // namespace
 
 const RasterConstants* make_raster_constants(const Context& context, Arena& arena) {
@@ -39,6 +50,7 @@ const RasterConstants* make_raster_constants(const Context& context, Arena& aren
   r.offset_units = static_cast<float>(s.polygon.offset_units * (1.0 / largest_depth(surface.depth_format)) * 2);
   r.offset_factor = s.polygon.offset_factor;
   r.offset = !before && s.polygon.offset_fill && (r.offset_units != 0.0f || r.offset_factor != 0.0f);
+  r.stipple = s.polygon.stipple ? make_stipple(s.polygon_stipple, surface.height, arena) : nullptr;
   r.point_sprite = s.point.sprite;
   r.sprite_units = s.point.sprite ? static_cast<uint8_t>(s.point.coord_replace) : 0;
   r.sprite_lower_left = s.point.sprite_origin == GL_LOWER_LEFT;
