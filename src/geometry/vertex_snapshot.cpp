@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "fragment_program.h"
 #include "state/context.h"
 
 namespace softgl {
@@ -126,6 +127,85 @@ const CoordinateConstants* make_coordinates(const Context& c, int unit, Arena& a
     std::memcpy(k->plane[i], &plane, sizeof k->plane[i]);
   }
   return k;
+}
+
+ShadedLayout make_layout(const Context& c, const FragmentKey& key, const int8_t source[5][2], bool points) {
+  ShadedLayout l;
+  const LightingState& lighting = c.state.lighting;
+  const bool two_sided = lighting.enabled && lighting.two_side && !key.lit;
+  int8_t next = 1;
+  if (key.lit) {
+    bool lights = false, positional = false;
+    for (const Light& light : lighting.light) lights |= light.enabled, positional |= light.enabled && light.position.w != 0;
+    if (lights) l.normal = next++;
+    if (positional || (lights && lighting.local_viewer)) l.eye = next++;
+    for (int parameter = 0; parameter < 5; ++parameter)
+      for (int face = 0; face <= int(lighting.two_side); ++face) {
+        const int from = source[parameter][face];
+        if (from < 0) continue;
+        int8_t& slot = from == kColor ? l.tracked : l.material[from - kMaterial0];
+        if (slot < 0) slot = next++;
+      }
+  } else {
+    l.color = next++;
+  }
+  if (key.secondary || key.fog_coordinate) l.secondary = next++;
+  if (two_sided) l.back_color = next++;
+  if (two_sided && key.secondary) l.back_secondary = next++;
+  const Vec3 a = c.state.point.distance_attenuation;
+  if (points && (a.x != 1 || a.y != 0 || a.z != 0)) l.point = next++;
+  for (int u = 0; u < kMaxTextureUnits; ++u)
+    if (key.texture_units >> u & 1) l.texcoord[u] = next++;
+  l.slots = uint8_t(next);
+  return l;
+}
+
+const VertexProgram* make_vertex_program(const Context& c, const SnapshotCache& cache, Arena& arena) {
+  auto* p = arena.make<VertexProgram>();
+  const State& s = c.state;
+  const FragmentKey& key = cache.fragment->key;
+  p->transform = cache.transform;
+  p->clip_planes = cache.clip_planes;
+  p->lighting = cache.lighting;
+  p->lit = cache.lighting && !key.lit;
+  p->clamp_color = true;
+  p->fog = key.fog_coordinate;
+  p->fog_from_attribute = s.fog.coordinate_source == GL_FOG_COORDINATE;
+  p->normal_to_eye = cache.eye_space;
+  p->normalize = s.transform.normalize;
+  p->unit_normal = p->normalize && key.lit;
+
+  if (cache.lighting) {
+    const LightingConstants& k = *cache.lighting;
+    p->unit_normal |= k.reflection;
+    bool positional = false;
+    for (int i = 0; i < k.light_count; ++i) positional |= k.light[i].positional;
+    p->eye_unit = p->lit && k.local_viewer && !k.shininess_zero && k.light_count > 0;
+    p->eye_position = positional || p->eye_unit || cache.layout.eye >= 0;
+    p->normal = k.light_count > 0;
+  }
+  for (int u = 0; u < kMaxTextureUnits; ++u) {
+    p->coordinates[u] = cache.coordinates[u];
+    if (!cache.coordinates[u]) continue;
+    p->reflection_z |= cache.coordinates[u]->mode[2] == TexGen::ReflectionMap;
+    for (TexGen mode : cache.coordinates[u]->mode) {
+      const bool reflects = mode == TexGen::SphereMap || mode == TexGen::ReflectionMap;
+      p->normal |= reflects || mode == TexGen::NormalMap;
+      p->eye_unit |= reflects;
+      p->eye_position_late |= reflects || mode == TexGen::EyeLinear;
+    }
+  }
+  const PointState& point = s.point;
+  p->point_attenuated = cache.layout.point >= 0;
+  p->point = {point.size, point.size_min, point.size_max,
+              {point.distance_attenuation.x, point.distance_attenuation.y, point.distance_attenuation.z}};
+  p->polygons = make_polygon_constants(c, arena);
+  p->line_stipple = s.line.stipple && s.line.stipple_pattern != 0xffff;
+  p->stipple_pattern = s.line.stipple_pattern;
+  p->stipple_factor = uint16_t(s.line.stipple_factor);
+  // Points that are neither sprites nor smooth are at least a pixel large.
+  if (!point.sprite && !point.smooth && p->point.minimum < 1) p->point.minimum = 1;
+  return p;
 }
 
 } // namespace softgl

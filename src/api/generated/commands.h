@@ -58,6 +58,8 @@ void DepthRange(Context& c, GLdouble n, GLdouble f);
 void Viewport(Context& c, GLint x, GLint y, GLsizei width, GLsizei height);
 void ClipPlane(Context& c, GLenum plane, const GLdouble* equation);
 void GetClipPlane(Context& c, GLenum plane, GLdouble* equation);
+void RasterPos(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w);
+void WindowPos(Context& c, GLfloat x, GLfloat y, GLfloat z);
 void FrontFace(Context& c, GLenum mode);
 void Material(Context& c, GLenum face, GLenum pname, const GLfloat* params);
 void Light(Context& c, GLenum light, GLenum pname, const GLfloat* params);

@@ -487,30 +487,258 @@ SOFTGL_EXPORT void APIENTRY glPushMatrix() try {
   out_of_memory();
 }
 SOFTGL_EXPORT void APIENTRY glPushName(GLuint) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glRasterPos2d(GLdouble, GLdouble) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glRasterPos2dv(const GLdouble*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glRasterPos2f(GLfloat, GLfloat) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glRasterPos2fv(const GLfloat*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glRasterPos2i(GLint, GLint) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glRasterPos2iv(const GLint*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glRasterPos2s(GLshort, GLshort) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glRasterPos2sv(const GLshort*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glRasterPos3d(GLdouble, GLdouble, GLdouble) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glRasterPos3dv(const GLdouble*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glRasterPos3f(GLfloat, GLfloat, GLfloat) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glRasterPos3fv(const GLfloat*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glRasterPos3i(GLint, GLint, GLint) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glRasterPos3iv(const GLint*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glRasterPos3s(GLshort, GLshort, GLshort) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glRasterPos3sv(const GLshort*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glRasterPos4d(GLdouble, GLdouble, GLdouble, GLdouble) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glRasterPos4dv(const GLdouble*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glRasterPos4f(GLfloat, GLfloat, GLfloat, GLfloat) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glRasterPos4fv(const GLfloat*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glRasterPos4i(GLint, GLint, GLint, GLint) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glRasterPos4iv(const GLint*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glRasterPos4s(GLshort, GLshort, GLshort, GLshort) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glRasterPos4sv(const GLshort*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glRasterPos2d(GLdouble x, GLdouble y) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_RasterPos(c, float(x), float(y), 0.0f, 1.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::RasterPos(c, float(x), float(y), 0.0f, 1.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glRasterPos2dv(const GLdouble* v) try {
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_RasterPos(c, float(v[0]), float(v[1]), 0.0f, 1.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::RasterPos(c, float(v[0]), float(v[1]), 0.0f, 1.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glRasterPos2f(GLfloat x, GLfloat y) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_RasterPos(c, x, y, 0.0f, 1.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::RasterPos(c, x, y, 0.0f, 1.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glRasterPos2fv(const GLfloat* v) try {
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_RasterPos(c, v[0], v[1], 0.0f, 1.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::RasterPos(c, v[0], v[1], 0.0f, 1.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glRasterPos2i(GLint x, GLint y) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_RasterPos(c, float(x), float(y), 0.0f, 1.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::RasterPos(c, float(x), float(y), 0.0f, 1.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glRasterPos2iv(const GLint* v) try {
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_RasterPos(c, float(v[0]), float(v[1]), 0.0f, 1.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::RasterPos(c, float(v[0]), float(v[1]), 0.0f, 1.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glRasterPos2s(GLshort x, GLshort y) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_RasterPos(c, float(x), float(y), 0.0f, 1.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::RasterPos(c, float(x), float(y), 0.0f, 1.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glRasterPos2sv(const GLshort* v) try {
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_RasterPos(c, float(v[0]), float(v[1]), 0.0f, 1.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::RasterPos(c, float(v[0]), float(v[1]), 0.0f, 1.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glRasterPos3d(GLdouble x, GLdouble y, GLdouble z) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_RasterPos(c, float(x), float(y), float(z), 1.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::RasterPos(c, float(x), float(y), float(z), 1.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glRasterPos3dv(const GLdouble* v) try {
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_RasterPos(c, float(v[0]), float(v[1]), float(v[2]), 1.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::RasterPos(c, float(v[0]), float(v[1]), float(v[2]), 1.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glRasterPos3f(GLfloat x, GLfloat y, GLfloat z) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_RasterPos(c, x, y, z, 1.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::RasterPos(c, x, y, z, 1.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glRasterPos3fv(const GLfloat* v) try {
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_RasterPos(c, v[0], v[1], v[2], 1.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::RasterPos(c, v[0], v[1], v[2], 1.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glRasterPos3i(GLint x, GLint y, GLint z) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_RasterPos(c, float(x), float(y), float(z), 1.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::RasterPos(c, float(x), float(y), float(z), 1.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glRasterPos3iv(const GLint* v) try {
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_RasterPos(c, float(v[0]), float(v[1]), float(v[2]), 1.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::RasterPos(c, float(v[0]), float(v[1]), float(v[2]), 1.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glRasterPos3s(GLshort x, GLshort y, GLshort z) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_RasterPos(c, float(x), float(y), float(z), 1.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::RasterPos(c, float(x), float(y), float(z), 1.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glRasterPos3sv(const GLshort* v) try {
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_RasterPos(c, float(v[0]), float(v[1]), float(v[2]), 1.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::RasterPos(c, float(v[0]), float(v[1]), float(v[2]), 1.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glRasterPos4d(GLdouble x, GLdouble y, GLdouble z, GLdouble w) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_RasterPos(c, float(x), float(y), float(z), float(w));
+    if (!may_execute(c)) return;
+  }
+  gl::RasterPos(c, float(x), float(y), float(z), float(w));
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glRasterPos4dv(const GLdouble* v) try {
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_RasterPos(c, float(v[0]), float(v[1]), float(v[2]), float(v[3]));
+    if (!may_execute(c)) return;
+  }
+  gl::RasterPos(c, float(v[0]), float(v[1]), float(v[2]), float(v[3]));
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glRasterPos4f(GLfloat x, GLfloat y, GLfloat z, GLfloat w) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_RasterPos(c, x, y, z, w);
+    if (!may_execute(c)) return;
+  }
+  gl::RasterPos(c, x, y, z, w);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glRasterPos4fv(const GLfloat* v) try {
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_RasterPos(c, v[0], v[1], v[2], v[3]);
+    if (!may_execute(c)) return;
+  }
+  gl::RasterPos(c, v[0], v[1], v[2], v[3]);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glRasterPos4i(GLint x, GLint y, GLint z, GLint w) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_RasterPos(c, float(x), float(y), float(z), float(w));
+    if (!may_execute(c)) return;
+  }
+  gl::RasterPos(c, float(x), float(y), float(z), float(w));
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glRasterPos4iv(const GLint* v) try {
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_RasterPos(c, float(v[0]), float(v[1]), float(v[2]), float(v[3]));
+    if (!may_execute(c)) return;
+  }
+  gl::RasterPos(c, float(v[0]), float(v[1]), float(v[2]), float(v[3]));
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glRasterPos4s(GLshort x, GLshort y, GLshort z, GLshort w) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_RasterPos(c, float(x), float(y), float(z), float(w));
+    if (!may_execute(c)) return;
+  }
+  gl::RasterPos(c, float(x), float(y), float(z), float(w));
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glRasterPos4sv(const GLshort* v) try {
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_RasterPos(c, float(v[0]), float(v[1]), float(v[2]), float(v[3]));
+    if (!may_execute(c)) return;
+  }
+  gl::RasterPos(c, float(v[0]), float(v[1]), float(v[2]), float(v[3]));
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glReadBuffer(GLenum src) try {
   Context& c = *current_context;
   if (c.guard) [[unlikely]] {
@@ -1068,37 +1296,341 @@ SOFTGL_EXPORT void APIENTRY glViewport(GLint x, GLint y, GLsizei width, GLsizei 
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glWindowPos2d(GLdouble, GLdouble) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos2dARB(GLdouble, GLdouble) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos2dv(const GLdouble*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos2dvARB(const GLdouble*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos2f(GLfloat, GLfloat) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos2fARB(GLfloat, GLfloat) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos2fv(const GLfloat*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos2fvARB(const GLfloat*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos2i(GLint, GLint) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos2iARB(GLint, GLint) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos2iv(const GLint*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos2ivARB(const GLint*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos2s(GLshort, GLshort) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos2sARB(GLshort, GLshort) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos2sv(const GLshort*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos2svARB(const GLshort*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos3d(GLdouble, GLdouble, GLdouble) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos3dARB(GLdouble, GLdouble, GLdouble) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos3dv(const GLdouble*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos3dvARB(const GLdouble*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos3f(GLfloat, GLfloat, GLfloat) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos3fARB(GLfloat, GLfloat, GLfloat) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos3fv(const GLfloat*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos3fvARB(const GLfloat*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos3i(GLint, GLint, GLint) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos3iARB(GLint, GLint, GLint) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos3iv(const GLint*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos3ivARB(const GLint*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos3s(GLshort, GLshort, GLshort) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos3sARB(GLshort, GLshort, GLshort) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos3sv(const GLshort*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glWindowPos3svARB(const GLshort*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glWindowPos2d(GLdouble x, GLdouble y) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, float(x), float(y), 0.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, float(x), float(y), 0.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos2dARB(GLdouble x, GLdouble y) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, float(x), float(y), 0.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, float(x), float(y), 0.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos2dv(const GLdouble* v) try {
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), 0.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, float(v[0]), float(v[1]), 0.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos2dvARB(const GLdouble* v) try {
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), 0.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, float(v[0]), float(v[1]), 0.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos2f(GLfloat x, GLfloat y) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, x, y, 0.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, x, y, 0.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos2fARB(GLfloat x, GLfloat y) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, x, y, 0.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, x, y, 0.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos2fv(const GLfloat* v) try {
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, v[0], v[1], 0.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, v[0], v[1], 0.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos2fvARB(const GLfloat* v) try {
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, v[0], v[1], 0.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, v[0], v[1], 0.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos2i(GLint x, GLint y) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, float(x), float(y), 0.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, float(x), float(y), 0.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos2iARB(GLint x, GLint y) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, float(x), float(y), 0.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, float(x), float(y), 0.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos2iv(const GLint* v) try {
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), 0.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, float(v[0]), float(v[1]), 0.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos2ivARB(const GLint* v) try {
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), 0.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, float(v[0]), float(v[1]), 0.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos2s(GLshort x, GLshort y) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, float(x), float(y), 0.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, float(x), float(y), 0.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos2sARB(GLshort x, GLshort y) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, float(x), float(y), 0.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, float(x), float(y), 0.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos2sv(const GLshort* v) try {
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), 0.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, float(v[0]), float(v[1]), 0.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos2svARB(const GLshort* v) try {
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), 0.0f);
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, float(v[0]), float(v[1]), 0.0f);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos3d(GLdouble x, GLdouble y, GLdouble z) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, float(x), float(y), float(z));
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, float(x), float(y), float(z));
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos3dARB(GLdouble x, GLdouble y, GLdouble z) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, float(x), float(y), float(z));
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, float(x), float(y), float(z));
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos3dv(const GLdouble* v) try {
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos3dvARB(const GLdouble* v) try {
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos3f(GLfloat x, GLfloat y, GLfloat z) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, x, y, z);
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, x, y, z);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos3fARB(GLfloat x, GLfloat y, GLfloat z) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, x, y, z);
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, x, y, z);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos3fv(const GLfloat* v) try {
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, v[0], v[1], v[2]);
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, v[0], v[1], v[2]);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos3fvARB(const GLfloat* v) try {
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, v[0], v[1], v[2]);
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, v[0], v[1], v[2]);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos3i(GLint x, GLint y, GLint z) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, float(x), float(y), float(z));
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, float(x), float(y), float(z));
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos3iARB(GLint x, GLint y, GLint z) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, float(x), float(y), float(z));
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, float(x), float(y), float(z));
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos3iv(const GLint* v) try {
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos3ivARB(const GLint* v) try {
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos3s(GLshort x, GLshort y, GLshort z) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, float(x), float(y), float(z));
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, float(x), float(y), float(z));
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos3sARB(GLshort x, GLshort y, GLshort z) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, float(x), float(y), float(z));
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, float(x), float(y), float(z));
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos3sv(const GLshort* v) try {
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glWindowPos3svARB(const GLshort* v) try {
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
+} catch (...) {
+  out_of_memory();
+}
 
 }

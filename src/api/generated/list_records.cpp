@@ -129,6 +129,22 @@ void compile_ClipPlane(Context& c, GLenum plane, const GLdouble* equation) {
     if (may_execute(c)) gl::ClipPlane(c, plane, equation);
   }
 }
+void compile_RasterPos(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
+  const RasterPosArguments kept_call{x, y, z, w};
+  new (record(c, uint16_t(Opcode::RasterPos), sizeof kept_call)) RasterPosArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::RasterPos(c, x, y, z, w);
+  }
+}
+void compile_WindowPos(Context& c, GLfloat x, GLfloat y, GLfloat z) {
+  const WindowPosArguments kept_call{x, y, z};
+  new (record(c, uint16_t(Opcode::WindowPos), sizeof kept_call)) WindowPosArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::WindowPos(c, x, y, z);
+  }
+}
 void compile_FrontFace(Context& c, GLenum mode) {
   const FrontFaceArguments kept_call{mode};
   new (record(c, uint16_t(Opcode::FrontFace), sizeof kept_call)) FrontFaceArguments(kept_call);
@@ -750,6 +766,14 @@ void play_command(Context& c, uint16_t opcode, const void* arguments) {
       const auto& r = *static_cast<const ClipPlaneArguments*>(arguments);
       return gl::ClipPlane(c, r.plane, r.equation);
     }
+    case Opcode::RasterPos: {
+      const auto& r = *static_cast<const RasterPosArguments*>(arguments);
+      return gl::RasterPos(c, r.x, r.y, r.z, r.w);
+    }
+    case Opcode::WindowPos: {
+      const auto& r = *static_cast<const WindowPosArguments*>(arguments);
+      return gl::WindowPos(c, r.x, r.y, r.z);
+    }
     case Opcode::FrontFace: {
       const auto& r = *static_cast<const FrontFaceArguments*>(arguments);
       return gl::FrontFace(c, r.mode);
@@ -1060,6 +1084,8 @@ const char* opcode_name(uint16_t opcode) {
       "DepthRange",
       "Viewport",
       "ClipPlane",
+      "RasterPos",
+      "WindowPos",
       "FrontFace",
       "Material",
       "Light",

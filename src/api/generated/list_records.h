@@ -25,6 +25,8 @@ enum class Opcode : uint16_t {
   DepthRange,
   Viewport,
   ClipPlane,
+  RasterPos,
+  WindowPos,
   FrontFace,
   Material,
   Light,
@@ -95,7 +97,7 @@ enum class Opcode : uint16_t {
   PushAttrib,
   PopAttrib,
 };
-constexpr int kOpcodes = 84;
+constexpr int kOpcodes = 86;
 
 struct RectArguments { GLfloat x1; GLfloat y1; GLfloat x2; GLfloat y2; };
 struct MatrixModeArguments { GLenum mode; };
@@ -109,6 +111,8 @@ struct OrthoArguments { GLfloat left; GLfloat right; GLfloat bottom; GLfloat top
 struct DepthRangeArguments { GLdouble n; GLdouble f; };
 struct ViewportArguments { GLint x; GLint y; GLsizei width; GLsizei height; };
 struct ClipPlaneArguments { GLenum plane; const GLdouble* equation; };
+struct RasterPosArguments { GLfloat x; GLfloat y; GLfloat z; GLfloat w; };
+struct WindowPosArguments { GLfloat x; GLfloat y; GLfloat z; };
 struct FrontFaceArguments { GLenum mode; };
 struct MaterialArguments { GLenum face; GLenum pname; const GLfloat* params; };
 struct LightArguments { GLenum light; GLenum pname; const GLfloat* params; };
@@ -193,6 +197,8 @@ void compile_PopMatrix(Context& c);
 void compile_DepthRange(Context& c, GLdouble n, GLdouble f);
 void compile_Viewport(Context& c, GLint x, GLint y, GLsizei width, GLsizei height);
 void compile_ClipPlane(Context& c, GLenum plane, const GLdouble* equation);
+void compile_RasterPos(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w);
+void compile_WindowPos(Context& c, GLfloat x, GLfloat y, GLfloat z);
 void compile_FrontFace(Context& c, GLenum mode);
 void compile_Material(Context& c, GLenum face, GLenum pname, const GLfloat* params);
 void compile_Light(Context& c, GLenum light, GLenum pname, const GLfloat* params);

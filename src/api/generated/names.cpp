@@ -328,6 +328,30 @@ DOOR(glPrioritizeTexturesEXT);
 DOOR(glPushAttrib);
 DOOR(glPushClientAttrib);
 DOOR(glPushMatrix);
+DOOR(glRasterPos2d);
+DOOR(glRasterPos2dv);
+DOOR(glRasterPos2f);
+DOOR(glRasterPos2fv);
+DOOR(glRasterPos2i);
+DOOR(glRasterPos2iv);
+DOOR(glRasterPos2s);
+DOOR(glRasterPos2sv);
+DOOR(glRasterPos3d);
+DOOR(glRasterPos3dv);
+DOOR(glRasterPos3f);
+DOOR(glRasterPos3fv);
+DOOR(glRasterPos3i);
+DOOR(glRasterPos3iv);
+DOOR(glRasterPos3s);
+DOOR(glRasterPos3sv);
+DOOR(glRasterPos4d);
+DOOR(glRasterPos4dv);
+DOOR(glRasterPos4f);
+DOOR(glRasterPos4fv);
+DOOR(glRasterPos4i);
+DOOR(glRasterPos4iv);
+DOOR(glRasterPos4s);
+DOOR(glRasterPos4sv);
 DOOR(glReadBuffer);
 DOOR(glReadPixels);
 DOOR(glRectd);
@@ -470,6 +494,38 @@ DOOR(glVertex4sv);
 DOOR(glVertexPointer);
 DOOR(glVertexPointerEXT);
 DOOR(glViewport);
+DOOR(glWindowPos2d);
+DOOR(glWindowPos2dARB);
+DOOR(glWindowPos2dv);
+DOOR(glWindowPos2dvARB);
+DOOR(glWindowPos2f);
+DOOR(glWindowPos2fARB);
+DOOR(glWindowPos2fv);
+DOOR(glWindowPos2fvARB);
+DOOR(glWindowPos2i);
+DOOR(glWindowPos2iARB);
+DOOR(glWindowPos2iv);
+DOOR(glWindowPos2ivARB);
+DOOR(glWindowPos2s);
+DOOR(glWindowPos2sARB);
+DOOR(glWindowPos2sv);
+DOOR(glWindowPos2svARB);
+DOOR(glWindowPos3d);
+DOOR(glWindowPos3dARB);
+DOOR(glWindowPos3dv);
+DOOR(glWindowPos3dvARB);
+DOOR(glWindowPos3f);
+DOOR(glWindowPos3fARB);
+DOOR(glWindowPos3fv);
+DOOR(glWindowPos3fvARB);
+DOOR(glWindowPos3i);
+DOOR(glWindowPos3iARB);
+DOOR(glWindowPos3iv);
+DOOR(glWindowPos3ivARB);
+DOOR(glWindowPos3s);
+DOOR(glWindowPos3sARB);
+DOOR(glWindowPos3sv);
+DOOR(glWindowPos3svARB);
 
 namespace softgl {
 
@@ -798,6 +854,30 @@ const NamedDoor kNamedDoors[] = {
     {"glPushAttrib", door_glPushAttrib},
     {"glPushClientAttrib", door_glPushClientAttrib},
     {"glPushMatrix", door_glPushMatrix},
+    {"glRasterPos2d", door_glRasterPos2d},
+    {"glRasterPos2dv", door_glRasterPos2dv},
+    {"glRasterPos2f", door_glRasterPos2f},
+    {"glRasterPos2fv", door_glRasterPos2fv},
+    {"glRasterPos2i", door_glRasterPos2i},
+    {"glRasterPos2iv", door_glRasterPos2iv},
+    {"glRasterPos2s", door_glRasterPos2s},
+    {"glRasterPos2sv", door_glRasterPos2sv},
+    {"glRasterPos3d", door_glRasterPos3d},
+    {"glRasterPos3dv", door_glRasterPos3dv},
+    {"glRasterPos3f", door_glRasterPos3f},
+    {"glRasterPos3fv", door_glRasterPos3fv},
+    {"glRasterPos3i", door_glRasterPos3i},
+    {"glRasterPos3iv", door_glRasterPos3iv},
+    {"glRasterPos3s", door_glRasterPos3s},
+    {"glRasterPos3sv", door_glRasterPos3sv},
+    {"glRasterPos4d", door_glRasterPos4d},
+    {"glRasterPos4dv", door_glRasterPos4dv},
+    {"glRasterPos4f", door_glRasterPos4f},
+    {"glRasterPos4fv", door_glRasterPos4fv},
+    {"glRasterPos4i", door_glRasterPos4i},
+    {"glRasterPos4iv", door_glRasterPos4iv},
+    {"glRasterPos4s", door_glRasterPos4s},
+    {"glRasterPos4sv", door_glRasterPos4sv},
     {"glReadBuffer", door_glReadBuffer},
     {"glReadPixels", door_glReadPixels},
     {"glRectd", door_glRectd},
@@ -940,6 +1020,38 @@ const NamedDoor kNamedDoors[] = {
     {"glVertexPointer", door_glVertexPointer},
     {"glVertexPointerEXT", door_glVertexPointerEXT},
     {"glViewport", door_glViewport},
+    {"glWindowPos2d", door_glWindowPos2d},
+    {"glWindowPos2dARB", door_glWindowPos2dARB},
+    {"glWindowPos2dv", door_glWindowPos2dv},
+    {"glWindowPos2dvARB", door_glWindowPos2dvARB},
+    {"glWindowPos2f", door_glWindowPos2f},
+    {"glWindowPos2fARB", door_glWindowPos2fARB},
+    {"glWindowPos2fv", door_glWindowPos2fv},
+    {"glWindowPos2fvARB", door_glWindowPos2fvARB},
+    {"glWindowPos2i", door_glWindowPos2i},
+    {"glWindowPos2iARB", door_glWindowPos2iARB},
+    {"glWindowPos2iv", door_glWindowPos2iv},
+    {"glWindowPos2ivARB", door_glWindowPos2ivARB},
+    {"glWindowPos2s", door_glWindowPos2s},
+    {"glWindowPos2sARB", door_glWindowPos2sARB},
+    {"glWindowPos2sv", door_glWindowPos2sv},
+    {"glWindowPos2svARB", door_glWindowPos2svARB},
+    {"glWindowPos3d", door_glWindowPos3d},
+    {"glWindowPos3dARB", door_glWindowPos3dARB},
+    {"glWindowPos3dv", door_glWindowPos3dv},
+    {"glWindowPos3dvARB", door_glWindowPos3dvARB},
+    {"glWindowPos3f", door_glWindowPos3f},
+    {"glWindowPos3fARB", door_glWindowPos3fARB},
+    {"glWindowPos3fv", door_glWindowPos3fv},
+    {"glWindowPos3fvARB", door_glWindowPos3fvARB},
+    {"glWindowPos3i", door_glWindowPos3i},
+    {"glWindowPos3iARB", door_glWindowPos3iARB},
+    {"glWindowPos3iv", door_glWindowPos3iv},
+    {"glWindowPos3ivARB", door_glWindowPos3ivARB},
+    {"glWindowPos3s", door_glWindowPos3s},
+    {"glWindowPos3sARB", door_glWindowPos3sARB},
+    {"glWindowPos3sv", door_glWindowPos3sv},
+    {"glWindowPos3svARB", door_glWindowPos3svARB},
 };
 const size_t kNamedDoorCount = sizeof kNamedDoors / sizeof kNamedDoors[0];
 
