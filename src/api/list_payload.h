@@ -24,6 +24,9 @@ inline size_t payload_size(int64_t bytes) { return bytes > 0 ? size_t(bytes) : 0
 int64_t map1_bytes(GLenum target, GLint stride, GLint order, int bytes_per_value);
 int64_t map2_bytes(GLenum target, GLint ustride, GLint uorder, GLint vstride, GLint vorder, int bytes_per_value);
 
+/// Of glPixelMap; 0 when the size is bad.
+constexpr int64_t pixel_map_bytes(GLsizei size, int bytes_per_value) { return size >= 1 && size <= 256 ? int64_t(size) * bytes_per_value : 0; }
+
 inline bool is_proxy(GLenum target) {
   return target == GL_PROXY_TEXTURE_1D || target == GL_PROXY_TEXTURE_2D || target == GL_PROXY_TEXTURE_3D ||
          target == GL_PROXY_TEXTURE_CUBE_MAP || target == GL_PROXY_TEXTURE_RECTANGLE_ARB;

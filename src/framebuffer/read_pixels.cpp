@@ -10,6 +10,7 @@
 #include "framebuffer/read_surface.h"
 #include "state/context.h"
 #include "texture/pixel_formats.h"
+#include "texture/pixel_transfer.h"
 
 namespace softgl {
 namespace {
@@ -30,14 +31,9 @@ struct Target {
 
 float clamped(float v) { return v > 0.0f ? (v < 1.0f ? v : 1.0f) : 0.0f; }
 
-float mapped(const PixelMaps& maps, int map, float v) {
-  const int last = maps.size[map] - 1;
-  return maps.value[map][std::clamp(int(std::lrint(clamped(v) * float(last))), 0, last)];
-}
-
 /// Whether colours go through floats: pixel transfer, sums of luminance, and what OSMesa converts that way.
 bool needs_floats(const Context& c, const PixelFormat& f) {
-  if (transfers_color(c.state.pixel_mode) || c.state.pixel_mode.map_color || f.luminance) return true;
+  if (PixelTransfer(c).changes_color() || f.luminance) return true;
   if (f.channel == PixelChannel::Packed && f.bits[0] > 8) return true;
   switch (c.framebuffer.surface.color_format) {
     case ColorFormat::Rgba8: case ColorFormat::Rgba16: return false;
@@ -47,14 +43,10 @@ bool needs_floats(const Context& c, const PixelFormat& f) {
 }
 
 void transfer(const Context& c, float (*rgba)[4], int count, bool clamp, bool luminance) {
-  const PixelModeState& mode = c.state.pixel_mode;
-  const bool scale = transfers_color(mode);
+  const PixelTransfer operations(c);
+  if (operations.changes_color()) operations.color(rgba, count);
   for (int i = 0; i < count; ++i) {
     float* p = rgba[i];
-    if (scale)
-      for (int k = 0; k < 4; ++k) p[k] = p[k] * mode.scale[k] + mode.bias[k];
-    if (mode.map_color)
-      for (int k = 0; k < 4; ++k) p[k] = mapped(c.state.pixel_maps, GL_PIXEL_MAP_R_TO_R - GL_PIXEL_MAP_I_TO_I + k, p[k]);
     if (clamp)
       for (int k = 0; k < 4; ++k) p[k] = clamped(p[k]);
     if (luminance) {
@@ -115,8 +107,8 @@ void read_colors(const Context& c, const Target& t) {
 
 void read_depths(const Context& c, const Target& t) {
   const Surface& s = c.framebuffer.surface;
-  const PixelModeState& mode = c.state.pixel_mode;
-  const bool scale = mode.depth_scale != 1.0f || mode.depth_bias != 0.0f;
+  const PixelTransfer operations(c);
+  const bool scale = operations.changes_depth();
   std::vector<uint32_t> row(static_cast<size_t>(t.count));
   std::vector<float> depth(static_cast<size_t>(t.count));
   for (int r = t.first_row; r < t.first_row + t.rows; ++r) {
@@ -133,7 +125,7 @@ void read_depths(const Context& c, const Target& t) {
     }
     for (int i = 0; i < t.count; ++i) {
       float d = depth_to_float(s.depth_format, row[size_t(i)]);
-      if (scale) d = clamped(d * mode.depth_scale + mode.depth_bias);
+      if (scale) d = operations.depth(d);
       depth[size_t(i)] = d;
     }
     pack_depth(t.format, depth.data(), t.count, t.swap, t.pixels(r));
@@ -147,21 +139,13 @@ template <class T> void store(unsigned char* to, T v, bool swap) {
 
 void read_stencils(const Context& c, const Target& t) {
   const Surface& s = c.framebuffer.surface;
-  const PixelModeState& mode = c.state.pixel_mode;
-  const PixelMaps& maps = c.state.pixel_maps;
+  const PixelTransfer operations(c);
   std::vector<uint32_t> row(static_cast<size_t>(t.count));
   for (int r = t.first_row; r < t.first_row + t.rows; ++r) {
     copy_depth_stencil_row(s, t.x, s.height - 1 - (t.bottom + r), t.count, row.data());
     unsigned char* out = t.pixels(r);
     for (int i = 0; i < t.count; ++i, out += t.format.bytes) {
-      uint32_t v = row[size_t(i)] >> 24;
-      if (mode.index_shift > 0) v = mode.index_shift < 32 ? v << mode.index_shift : 0;
-      if (mode.index_shift < 0) v = mode.index_shift > -32 ? v >> -mode.index_shift : 0;
-      v = (v + uint32_t(mode.index_offset)) & 0xff;
-      if (mode.map_stencil) {
-        constexpr int map = GL_PIXEL_MAP_S_TO_S - GL_PIXEL_MAP_I_TO_I;
-        v = uint32_t(maps.value[map][v & uint32_t(maps.size[map] - 1)]) & 0xff; // sizes are powers of two
-      }
+      const uint32_t v = operations.stencil(row[size_t(i)] >> 24);
       switch (t.format.channel) {
         case PixelChannel::UnsignedByte: *out = uint8_t(v); break;
         case PixelChannel::Byte: *out = uint8_t(v & 0x7f); break;

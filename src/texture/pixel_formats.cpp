@@ -384,16 +384,4 @@ void pack_depth(const PixelFormat& f, const float* depth, int count, bool swap, 
   }
 }
 
-bool transfers_color(const PixelModeState& m) {
-  return m.scale != Vec4(1.0f) || m.bias != Vec4(0.0f);
-}
-
-void transfer_color(const PixelModeState& m, float (*rgba)[4], int count) {
-  for (int i = 0; i < count; ++i)
-    for (int k = 0; k < 4; ++k) {
-      const float v = rgba[i][k] * m.scale[k] + m.bias[k];
-      rgba[i][k] = v > 0.0f ? (v < 1.0f ? v : 1.0f) : 0.0f;
-    }
-}
-
 } // namespace softgl

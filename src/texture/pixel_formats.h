@@ -10,7 +10,6 @@
 namespace softgl {
 
 struct PixelStore;
-struct PixelModeState;
 
 enum class PixelChannel : uint8_t { UnsignedByte, Byte, UnsignedShort, Short, UnsignedInt, Int, Float, Packed, Bitmap };
 
@@ -54,11 +53,6 @@ void pack_pixels(const PixelFormat& format, const float (*rgba)[4], int count, b
 /// Depth as floats in [0,1] before the pixel transfer, and from floats in [0,1].
 void unpack_depth(const PixelFormat& format, const void* row, int count, bool swap_bytes, float* depth);
 void pack_depth(const PixelFormat& format, const float* depth, int count, bool swap_bytes, void* row);
-
-/// True when scale, bias or map change colours (3.6.3).
-bool transfers_color(const PixelModeState& mode);
-/// Scale and bias, then clamp to [0,1].
-void transfer_color(const PixelModeState& mode, float (*rgba)[4], int count);
 
 /// A value of `from` bits in `to` bits, as OSMesa converts it: repeated bits upwards, round to nearest downwards.
 constexpr uint32_t convert_unorm(uint32_t x, int from, int to) {

@@ -5,6 +5,7 @@
 
 #include "state/state.h"
 #include "texture/pixel_formats.h"
+#include "texture/pixel_transfer.h"
 
 namespace softgl {
 
@@ -123,12 +124,12 @@ uint8_t fill_byte(uint32_t v, int bits) { return uint8_t(convert_unorm(v, bits, 
 int stored_bits(const TexelFormat& f, int k) { return f.bits[k] ? f.bits[k] : f.layout == TexelLayout::Rgba8 ? 8 : 0; }
 
 void store_rgba8(const TexelFormat& to, uint8_t (*texel)[4], const PixelFormat& from, const void* pixels, int count, bool swap,
-                 const PixelModeState& transfer) {
-  const bool transfers = transfers_color(transfer);
+                 const PixelTransfer& transfer) {
+  const bool transfers = transfer.changes_color();
   if (transfers || (!to.array && from.format == GL_RGBA && from.channel == PixelChannel::Float)) {
     float v[kRow][4];
     unpack_pixels(from, pixels, count, swap, v);
-    if (transfers) transfer_color(transfer, v, count);
+    if (transfers) transfer.clamped_color(v, count);
     for (int i = 0; i < count; ++i)
       for (int k = 0; k < 4; ++k) texel[i][k] = fill_byte(pack_unorm(v[i][k], stored_bits(to, k)), stored_bits(to, k));
   } else {
@@ -142,8 +143,8 @@ void store_rgba8(const TexelFormat& to, uint8_t (*texel)[4], const PixelFormat& 
 }
 
 void store_rgba16(const TexelFormat& to, uint16_t (*texel)[4], const PixelFormat& from, const void* pixels, int count, bool swap,
-                  const PixelModeState& transfer) {
-  const bool transfers = transfers_color(transfer);
+                  const PixelTransfer& transfer) {
+  const bool transfers = transfer.changes_color();
   const bool bytes = from.format == GL_RGBA && from.channel == PixelChannel::UnsignedByte;
   const bool floats = from.format == GL_RGBA && from.channel == PixelChannel::Float;
   if (to.array && !transfers && !floats) {
@@ -156,7 +157,7 @@ void store_rgba16(const TexelFormat& to, uint16_t (*texel)[4], const PixelFormat
   } else {
     float v[kRow][4];
     unpack_pixels(from, pixels, count, swap, v);
-    if (transfers) transfer_color(transfer, v, count);
+    if (transfers) transfer.clamped_color(v, count);
     for (int i = 0; i < count; ++i)
       for (int k = 0; k < 4; ++k) texel[i][k] = uint16_t(to.array || to.bits[k] ? pack_unorm(v[i][k], to.array ? 16 : to.bits[k]) : 0);
   }
@@ -165,8 +166,8 @@ void store_rgba16(const TexelFormat& to, uint16_t (*texel)[4], const PixelFormat
 }
 
 void store_depth(const TexelFormat& to, uint32_t* texel, const PixelFormat& from, const void* pixels, int count, bool swap,
-                 const PixelModeState& transfer) {
-  const bool plain = transfer.depth_scale == 1.0f && transfer.depth_bias == 0.0f;
+                 const PixelTransfer& transfer) {
+  const bool plain = !transfer.changes_depth();
   auto p = static_cast<const unsigned char*>(pixels);
   const int bits = to.bits[0];
   // Integers that need no float on their way.
@@ -189,9 +190,7 @@ void store_depth(const TexelFormat& to, uint32_t* texel, const PixelFormat& from
   float d[kRow];
   unpack_depth(from, pixels, count, swap, d);
   for (int i = 0; i < count; ++i) {
-    float v = d[i];
-    if (!plain) v = v * transfer.depth_scale + transfer.depth_bias;
-    v = v > 0.0f ? (v < 1.0f ? v : 1.0f) : 0.0f;
+    const float v = transfer.depth(d[i]);
     // OSMesa truncates here.
     if (bits == 32) texel[i] = uint32_t(std::min(double(v) * 4294967295.0, 4294967295.0));
     else texel[i] = uint32_t(v * float((1u << bits) - 1));
@@ -201,7 +200,7 @@ void store_depth(const TexelFormat& to, uint32_t* texel, const PixelFormat& from
 } // namespace
 
 void store_texels(const TexelFormat& to, void* texels, const PixelFormat& from, const void* pixels, int count, bool swap_bytes,
-                  const PixelModeState& transfer) {
+                  const PixelTransfer& transfer) {
   auto p = static_cast<const unsigned char*>(pixels);
   auto t = static_cast<unsigned char*>(texels);
   for (int done = 0; done < count; done += kRow) {

@@ -30,11 +30,11 @@ const TexelFormat* choose_texel_format(GLint internal_format, GLenum format, GLe
 GLenum base_internal_format(GLint internal_format);
 
 struct PixelFormat;
-struct PixelModeState;
+struct PixelTransfer; // pixel_transfer.h
 
 /// Stores a row of client pixels. Pixel transfer operations are applied.
 void store_texels(const TexelFormat& to, void* texels, const PixelFormat& from, const void* pixels, int count, bool swap_bytes,
-                  const PixelModeState& transfer);
+                  const PixelTransfer& transfer);
 /// Reads a row of texels into client pixels (GetTexImage, 6.1.4); no pixel transfer takes place.
 void load_texels(const TexelFormat& from, const void* texels, const PixelFormat& to, void* pixels, int count, bool swap_bytes);
 

@@ -8,6 +8,7 @@
 #include "framebuffer/read_surface.h"
 #include "state/context.h"
 #include "texture/pixel_formats.h"
+#include "texture/pixel_transfer.h"
 #include "texture/texture_images.h"
 
 namespace softgl {
@@ -15,9 +16,9 @@ namespace softgl {
 namespace {
 
 /// A depth as the texture stores it, after depth scale and bias.
-uint32_t transferred_depth(const PixelModeState& transfer, uint32_t z, int from_bits, int to_bits) {
-  if (transfer.depth_scale == 1 && transfer.depth_bias == 0) return float_to_wide(wide_to_float(z, from_bits), to_bits);
-  const double scaled = double(convert_unorm(z, from_bits, 32)) * transfer.depth_scale + double(transfer.depth_bias * 4294967296.0f);
+uint32_t transferred_depth(const PixelTransfer& transfer, uint32_t z, int from_bits, int to_bits) {
+  if (!transfer.changes_depth()) return float_to_wide(wide_to_float(z, from_bits), to_bits);
+  const double scaled = double(convert_unorm(z, from_bits, 32)) * transfer.mode.depth_scale + double(transfer.mode.depth_bias * 4294967296.0f);
   return uint32_t(std::clamp(scaled, 0.0, 4294967295.0)) >> (32 - to_bits);
 }
 
@@ -32,16 +33,16 @@ void copy_depths(Context& c, int x, int y, int width, int height, const TexelFor
       const int sx = x + i, sy = surface.height - 1 - (y + j);
       if (sx >= 0 && sy >= 0 && sx < surface.width && sy < surface.height) copy_depth_stencil_row(surface, sx, sy, 1, &word);
       const uint32_t z = from_bits == 24 ? word & 0xffffffu : word & 0xffffu;
-      *reinterpret_cast<uint32_t*>(image.at(to_x + i, to_y + j, to_z)) = transferred_depth(c.state.pixel_mode, z, from_bits, to_bits);
+      *reinterpret_cast<uint32_t*>(image.at(to_x + i, to_y + j, to_z)) = transferred_depth(PixelTransfer(c), z, from_bits, to_bits);
     }
 }
 
 void copy_colors(Context& c, int x, int y, int width, int height, TextureImage& image, int to_x, int to_y, int to_z) {
-  const PixelModeState& transfer = c.state.pixel_mode;
+  const PixelTransfer transfer(c);
   if (c.framebuffer.surface.color_format == ColorFormat::Rgba8) {
     std::vector<uint8_t> pixels(size_t(width) * size_t(height) * 4);
     read_rgba8(c, x, y, width, height, reinterpret_cast<uint8_t(*)[4]>(pixels.data()));
-    if (image.format->layout == TexelLayout::Rgba8 && !transfers_color(transfer))
+    if (image.format->layout == TexelLayout::Rgba8 && !transfer.changes_color())
       for (size_t i = 0; i < pixels.size(); ++i) pixels[i] = reduced_byte(pixels[i], image.format->bits[i & 3]);
     const PixelFormat f = describe_pixel_format(GL_RGBA, GL_UNSIGNED_BYTE);
     for (int j = 0; j < height; ++j)

@@ -4,6 +4,7 @@
 #include "api/generated/commands.h"
 #include "state/context.h"
 #include "texture/pixel_formats.h"
+#include "texture/pixel_transfer.h"
 #include "texture/texture_images.h"
 
 namespace softgl {
@@ -36,7 +37,7 @@ void store_box(Context& c, TextureImage& image, int x, int y, int z, int width, 
   for (int k = 0; k < depth; ++k)
     for (int j = 0; j < height; ++j)
       store_texels(*image.format, image.at(x, y + j, z + k), format, pixels + size_t(k) * layout.image_stride + size_t(j) * layout.row_stride,
-                   width, c.client.pixel_store.unpack.swap_bytes, c.state.pixel_mode);
+                   width, c.client.pixel_store.unpack.swap_bytes, PixelTransfer(c));
   image.repeat_edges();
 }
 

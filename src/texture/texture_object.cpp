@@ -6,6 +6,7 @@
 
 #include "state/context.h"
 #include "texture/pixel_formats.h"
+#include "texture/pixel_transfer.h"
 
 namespace softgl {
 
@@ -78,7 +79,7 @@ void match_formats(TextureObject& object, const TextureImage& image) {
       for (int z = 0; !other->empty() && z < other->depth; ++z)
         for (int y = 0; y < other->height; ++y) {
           load_texels(*other->format, other->at(0, y, z), client, row.data(), other->width, false);
-          store_texels(*image.format, converted->at(0, y, z), client, row.data(), other->width, false, PixelModeState{});
+          store_texels(*image.format, converted->at(0, y, z), client, row.data(), other->width, false, PixelTransfer::none());
         }
       converted->repeat_edges();
       other = std::move(converted);

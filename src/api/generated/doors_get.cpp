@@ -155,9 +155,30 @@ SOFTGL_EXPORT void APIENTRY glGetMaterialiv(GLenum face, GLenum pname, GLint* pa
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetPixelMapfv(GLenum, GLfloat*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glGetPixelMapuiv(GLenum, GLuint*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glGetPixelMapusv(GLenum, GLushort*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glGetPixelMapfv(GLenum map, GLfloat* values) try {
+  Context& c = *current_context;
+  if (!values) [[unlikely]] return ignore_call(c);
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::GetPixelMapfv(c, map, values);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glGetPixelMapuiv(GLenum map, GLuint* values) try {
+  Context& c = *current_context;
+  if (!values) [[unlikely]] return ignore_call(c);
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::GetPixelMapuiv(c, map, values);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glGetPixelMapusv(GLenum map, GLushort* values) try {
+  Context& c = *current_context;
+  if (!values) [[unlikely]] return ignore_call(c);
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::GetPixelMapusv(c, map, values);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glGetPointerv(GLenum pname, void** params) try {
   Context& c = *current_context;
   if (!params) [[unlikely]] return ignore_call(c);

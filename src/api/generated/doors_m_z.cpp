@@ -223,9 +223,39 @@ SOFTGL_EXPORT void APIENTRY glOrtho(GLdouble left, GLdouble right, GLdouble bott
   out_of_memory();
 }
 SOFTGL_EXPORT void APIENTRY glPassThrough(GLfloat) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glPixelMapfv(GLenum, GLsizei, const GLfloat*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glPixelMapuiv(GLenum, GLsizei, const GLuint*) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glPixelMapusv(GLenum, GLsizei, const GLushort*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glPixelMapfv(GLenum map, GLsizei mapsize, const GLfloat* values) try {
+  Context& c = *current_context;
+  if ((!values && mapsize > 0)) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_PixelMapfv(c, map, mapsize, values);
+    if (!may_execute(c)) return;
+  }
+  gl::PixelMapfv(c, map, mapsize, values);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glPixelMapuiv(GLenum map, GLsizei mapsize, const GLuint* values) try {
+  Context& c = *current_context;
+  if ((!values && mapsize > 0)) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_PixelMapuiv(c, map, mapsize, values);
+    if (!may_execute(c)) return;
+  }
+  gl::PixelMapuiv(c, map, mapsize, values);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glPixelMapusv(GLenum map, GLsizei mapsize, const GLushort* values) try {
+  Context& c = *current_context;
+  if ((!values && mapsize > 0)) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_PixelMapusv(c, map, mapsize, values);
+    if (!may_execute(c)) return;
+  }
+  gl::PixelMapusv(c, map, mapsize, values);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glPixelStoref(GLenum pname, GLfloat param) try {
   Context& c = *current_context;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;

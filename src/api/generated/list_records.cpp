@@ -266,6 +266,30 @@ void compile_PixelTransfer(Context& c, GLenum pname, GLfloat param) {
     if (may_execute(c)) gl::PixelTransfer(c, pname, param);
   }
 }
+void compile_PixelMapfv(Context& c, GLenum map, GLsizei mapsize, const GLfloat* values) {
+  const PixelMapfvArguments kept_call{map, mapsize, static_cast<const GLfloat*>(keep_bytes(c, values, payload_size(pixel_map_bytes(mapsize,4))))};
+  new (record(c, uint16_t(Opcode::PixelMapfv), sizeof kept_call)) PixelMapfvArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::PixelMapfv(c, map, mapsize, values);
+  }
+}
+void compile_PixelMapuiv(Context& c, GLenum map, GLsizei mapsize, const GLuint* values) {
+  const PixelMapuivArguments kept_call{map, mapsize, static_cast<const GLuint*>(keep_bytes(c, values, payload_size(pixel_map_bytes(mapsize,4))))};
+  new (record(c, uint16_t(Opcode::PixelMapuiv), sizeof kept_call)) PixelMapuivArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::PixelMapuiv(c, map, mapsize, values);
+  }
+}
+void compile_PixelMapusv(Context& c, GLenum map, GLsizei mapsize, const GLushort* values) {
+  const PixelMapusvArguments kept_call{map, mapsize, static_cast<const GLushort*>(keep_bytes(c, values, payload_size(pixel_map_bytes(mapsize,2))))};
+  new (record(c, uint16_t(Opcode::PixelMapusv), sizeof kept_call)) PixelMapusvArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::PixelMapusv(c, map, mapsize, values);
+  }
+}
 void compile_PixelZoom(Context& c, GLfloat xfactor, GLfloat yfactor) {
   const PixelZoomArguments kept_call{xfactor, yfactor};
   new (record(c, uint16_t(Opcode::PixelZoom), sizeof kept_call)) PixelZoomArguments(kept_call);
@@ -835,6 +859,18 @@ void play_command(Context& c, uint16_t opcode, const void* arguments) {
       const auto& r = *static_cast<const PixelTransferArguments*>(arguments);
       return gl::PixelTransfer(c, r.pname, r.param);
     }
+    case Opcode::PixelMapfv: {
+      const auto& r = *static_cast<const PixelMapfvArguments*>(arguments);
+      return gl::PixelMapfv(c, r.map, r.mapsize, r.values);
+    }
+    case Opcode::PixelMapuiv: {
+      const auto& r = *static_cast<const PixelMapuivArguments*>(arguments);
+      return gl::PixelMapuiv(c, r.map, r.mapsize, r.values);
+    }
+    case Opcode::PixelMapusv: {
+      const auto& r = *static_cast<const PixelMapusvArguments*>(arguments);
+      return gl::PixelMapusv(c, r.map, r.mapsize, r.values);
+    }
     case Opcode::PixelZoom: {
       const auto& r = *static_cast<const PixelZoomArguments*>(arguments);
       return gl::PixelZoom(c, r.xfactor, r.yfactor);
@@ -1101,6 +1137,9 @@ const char* opcode_name(uint16_t opcode) {
       "PolygonOffset",
       "PolygonStipple",
       "PixelTransfer",
+      "PixelMapfv",
+      "PixelMapuiv",
+      "PixelMapusv",
       "PixelZoom",
       "ReadBuffer",
       "TexImage1D",

@@ -42,6 +42,9 @@ enum class Opcode : uint16_t {
   PolygonOffset,
   PolygonStipple,
   PixelTransfer,
+  PixelMapfv,
+  PixelMapuiv,
+  PixelMapusv,
   PixelZoom,
   ReadBuffer,
   TexImage1D,
@@ -97,7 +100,7 @@ enum class Opcode : uint16_t {
   PushAttrib,
   PopAttrib,
 };
-constexpr int kOpcodes = 86;
+constexpr int kOpcodes = 89;
 
 struct RectArguments { GLfloat x1; GLfloat y1; GLfloat x2; GLfloat y2; };
 struct MatrixModeArguments { GLenum mode; };
@@ -128,6 +131,9 @@ struct PolygonModeArguments { GLenum face; GLenum mode; };
 struct PolygonOffsetArguments { GLfloat factor; GLfloat units; };
 struct PolygonStippleArguments { const GLubyte* mask; };
 struct PixelTransferArguments { GLenum pname; GLfloat param; };
+struct PixelMapfvArguments { GLenum map; GLsizei mapsize; const GLfloat* values; };
+struct PixelMapuivArguments { GLenum map; GLsizei mapsize; const GLuint* values; };
+struct PixelMapusvArguments { GLenum map; GLsizei mapsize; const GLushort* values; };
 struct PixelZoomArguments { GLfloat xfactor; GLfloat yfactor; };
 struct ReadBufferArguments { GLenum src; };
 struct TexImage1DArguments { GLenum target; GLint level; GLint internalformat; GLsizei width; GLint border; GLenum format; GLenum type; const void* pixels; };
@@ -214,6 +220,9 @@ void compile_PolygonMode(Context& c, GLenum face, GLenum mode);
 void compile_PolygonOffset(Context& c, GLfloat factor, GLfloat units);
 void compile_PolygonStipple(Context& c, const GLubyte* mask);
 void compile_PixelTransfer(Context& c, GLenum pname, GLfloat param);
+void compile_PixelMapfv(Context& c, GLenum map, GLsizei mapsize, const GLfloat* values);
+void compile_PixelMapuiv(Context& c, GLenum map, GLsizei mapsize, const GLuint* values);
+void compile_PixelMapusv(Context& c, GLenum map, GLsizei mapsize, const GLushort* values);
 void compile_PixelZoom(Context& c, GLfloat xfactor, GLfloat yfactor);
 void compile_ReadBuffer(Context& c, GLenum src);
 void compile_TexImage1D(Context& c, GLenum target, GLint level, GLint internalformat, GLsizei width, GLint border, GLenum format, GLenum type, const void* pixels);

@@ -155,6 +155,9 @@ DOOR(glGetLightfv);
 DOOR(glGetLightiv);
 DOOR(glGetMaterialfv);
 DOOR(glGetMaterialiv);
+DOOR(glGetPixelMapfv);
+DOOR(glGetPixelMapuiv);
+DOOR(glGetPixelMapusv);
 DOOR(glGetPointerv);
 DOOR(glGetPointervEXT);
 DOOR(glGetPolygonStipple);
@@ -303,6 +306,9 @@ DOOR(glNormal3sv);
 DOOR(glNormalPointer);
 DOOR(glNormalPointerEXT);
 DOOR(glOrtho);
+DOOR(glPixelMapfv);
+DOOR(glPixelMapuiv);
+DOOR(glPixelMapusv);
 DOOR(glPixelStoref);
 DOOR(glPixelStorei);
 DOOR(glPixelTransferf);
@@ -681,6 +687,9 @@ const NamedDoor kNamedDoors[] = {
     {"glGetLightiv", door_glGetLightiv},
     {"glGetMaterialfv", door_glGetMaterialfv},
     {"glGetMaterialiv", door_glGetMaterialiv},
+    {"glGetPixelMapfv", door_glGetPixelMapfv},
+    {"glGetPixelMapuiv", door_glGetPixelMapuiv},
+    {"glGetPixelMapusv", door_glGetPixelMapusv},
     {"glGetPointerv", door_glGetPointerv},
     {"glGetPointervEXT", door_glGetPointervEXT},
     {"glGetPolygonStipple", door_glGetPolygonStipple},
@@ -829,6 +838,9 @@ const NamedDoor kNamedDoors[] = {
     {"glNormalPointer", door_glNormalPointer},
     {"glNormalPointerEXT", door_glNormalPointerEXT},
     {"glOrtho", door_glOrtho},
+    {"glPixelMapfv", door_glPixelMapfv},
+    {"glPixelMapuiv", door_glPixelMapuiv},
+    {"glPixelMapusv", door_glPixelMapusv},
     {"glPixelStoref", door_glPixelStoref},
     {"glPixelStorei", door_glPixelStorei},
     {"glPixelTransferf", door_glPixelTransferf},

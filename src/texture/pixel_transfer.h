@@ -1,0 +1,44 @@
+// Pixel transfer operations (GL 1.5, 3.6.3 and 3.6.5): what happens to pixels on their way from and to client memory.
+#pragma once
+
+#include <cstdint>
+
+#include "base/gl_types.h"
+
+namespace softgl {
+
+struct Context;
+struct PixelMaps;
+struct PixelModeState;
+
+struct PixelTransfer {
+  const PixelModeState& mode;
+  const PixelMaps& maps;
+
+  explicit PixelTransfer(const Context& context);
+  /// Changes nothing.
+  static const PixelTransfer& none();
+
+  /// True when scale, bias or map change colours.
+  bool changes_color() const;
+  /// Scale, bias, map. What is not mapped may leave [0,1].
+  void color(float (*rgba)[4], int count) const;
+  /// The same, clamped to [0,1].
+  void clamped_color(float (*rgba)[4], int count) const;
+
+  bool changes_depth() const;
+  /// Scale, bias, clamp to [0,1]; also where nothing changes.
+  float depth(float value) const;
+
+  /// Shift and offset.
+  uint32_t index(uint32_t value) const;
+  /// The same and GL_PIXEL_MAP_S_TO_S; 8 bits.
+  uint32_t stencil(uint32_t value) const;
+  /// A colour index, shifted and offset, through GL_PIXEL_MAP_I_TO_R .. A.
+  void index_to_color(uint32_t index, float rgba[4]) const;
+
+private:
+  PixelTransfer(const PixelModeState& m, const PixelMaps& p) : mode(m), maps(p) {}
+};
+
+} // namespace softgl
