@@ -9,6 +9,7 @@ namespace softgl {
 
 struct CombinerProgram;      // combiner_program.h
 struct LightingConstants;    // lighting.h
+struct PixelImage;           // pixel_image.h
 struct TextureUnitConstants; // texture_constants.h
 
 struct FragmentConstants {
@@ -22,6 +23,7 @@ struct FragmentConstants {
   const LightingConstants* lighting; // null where fragments are not lit
   const TextureUnitConstants* texture[kBlockTextureUnits]; // null where a unit is off
   const CombinerProgram* combiner; // null where every environment has a stage of its own
+  const PixelImage* image;         // of pixel rectangles; else null
 };
 
 } // namespace softgl

@@ -42,6 +42,7 @@ struct RasterKernels {
   FragmentStage light;        // colours from normals, eye positions and materials
   FragmentStage color_sum, color_sum_clamped, fog_linear, fog_exp, fog_exp2;
   FragmentStage alpha_test_8, alpha_test_float; // `unit` is the comparison
+  FragmentStage image[4];     // by PixelElement; in front of all others
 };
 
 /// Texture sampling and environment (texture_kernels.cpp).

@@ -1,4 +1,5 @@
 // The table of the raster and fragment kernels of one instruction set.
+#include "fragment_image.inl"
 #include "fragment_light.inl"
 #include "isa.h"
 #include "kernels.h"
@@ -24,6 +25,7 @@ const RasterKernels raster_kernels = {
     .fog_exp2 = stage_fog_exp2,
     .alpha_test_8 = stage_alpha_test_8,
     .alpha_test_float = stage_alpha_test_float,
+    .image = {stage_image_floats, stage_image_bytes, stage_image_depth, stage_image_bit},
 };
 
 } // namespace SOFTGL_ISA

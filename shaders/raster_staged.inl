@@ -80,7 +80,7 @@ static void staged_primitive(const RasterDraw& draw, const TileTarget& tile, con
   const FragmentKey& key = draw.program->key;
   const Compare function = Compare(key.depth_function);
   const float scale = depth_scale(key);
-  const bool early = Depth && !key.stencil;
+  const bool early = Depth && !key.stencil && !draw.program->writes_depth;
   const uint64_t* stipple = p.edges == 3 ? draw.raster->stipple : nullptr; // triangles only: not lines and points
   EdgeSteps<4> steps;
   if (!edges.inside) edge_steps<4>(edges, steps);
@@ -160,7 +160,7 @@ static void dense_primitive(const RasterDraw& draw, const TileTarget& tile, cons
   const FragmentKey& key = draw.program->key;
   const Compare function = Compare(key.depth_function);
   const float scale = depth_scale(key);
-  const bool early = Depth && !key.stencil;
+  const bool early = Depth && !key.stencil && !draw.program->writes_depth;
   EdgeSteps<4> steps;
   if (!edges.inside) edge_steps<4>(edges, steps);
   for (int by = edges.y0 & ~7; by < edges.y1; by += 8)

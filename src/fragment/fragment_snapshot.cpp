@@ -6,6 +6,7 @@
 #include "base/kernel_table.h"
 #include "fragment/fragment_keys.h"
 #include "fragment/fragment_stages.h"
+#include "pixel_image.h"
 #include "state/context.h"
 #include "texture/texture_stages.h"
 
@@ -85,7 +86,7 @@ void set_fog(const FogState& fog, FragmentKey& key, FragmentConstants& k) {
 
 } // namespace
 
-const FragmentProgram* make_fragment_program(Context& context, Arena& arena) {
+const FragmentProgram* make_fragment_program(Context& context, Arena& arena, const PixelImage* image) {
   const State& s = context.state;
   const Surface& surface = context.framebuffer.surface;
   const ColorBufferState& c = s.color_buffer;
@@ -99,7 +100,7 @@ const FragmentProgram* make_fragment_program(Context& context, Arena& arena) {
   key.flat = s.lighting.shade_model == GL_FLAT;
   const bool separate = s.lighting.enabled && s.lighting.color_control == GL_SEPARATE_SPECULAR_COLOR;
   key.color_sum = separate || (!s.lighting.enabled && s.fog.color_sum);
-  key.lit = lights_fragments(s.lighting, context.smooth_is_phong);
+  key.lit = !image && lights_fragments(s.lighting, context.smooth_is_phong); // a raster position has been lit
   key.secondary = key.color_sum && !key.lit; // lit fragments make their own
   set_fog(s.fog, key, k);
 
@@ -146,9 +147,33 @@ const FragmentProgram* make_fragment_program(Context& context, Arena& arena) {
   if (!context.framebuffer.has_alpha) key.color_mask &= 7;
 
   key = simplify(key); // before the textures: their stages may take the colour sum over
+  if (image) {
+    k.image = image;
+    program.writes_depth = image->kind == PixelElement::Depth;
+    program.add(kernels().raster->image[int(image->kind)]);
+  }
   if (key.lit) program.add(kernels().raster->light);
   append_texture_stages(context, arena, program, k);
   append_fragment_stages(program);
+  return &program;
+}
+
+const FragmentProgram* make_stencil_program(Context& context, Arena& arena, const PixelImage& image, uint8_t value) {
+  const Surface& surface = context.framebuffer.surface;
+  auto& k = *arena.make<FragmentConstants>();
+  auto& program = *arena.make<FragmentProgram>();
+  FragmentKey& key = program.key;
+  key.color_format = uint64_t(surface.color_format);
+  key.depth_format = uint64_t(surface.depth_format);
+  key.alpha_function = key.depth_function = key.stencil_function = uint64_t(Compare::Always);
+  key.stencil = 1;
+  key.stencil_fail = key.stencil_depth_fail = key.stencil_pass = uint64_t(StencilOperation::Replace);
+  k.stencil_reference = value;
+  k.stencil_value_mask = 0xff;
+  k.stencil_write_mask = static_cast<uint8_t>(context.state.stencil.write_mask);
+  k.image = &image;
+  program.constants = &k;
+  program.add(kernels().raster->image[int(image.kind)]);
   return &program;
 }
 

@@ -41,4 +41,17 @@ struct DrawCall {
 /// is over budget, so pointers into the frame's arena are dead after the call.
 void submit(Context& context, const DrawCall& call);
 
+struct PixelImage; // pixel_image.h
+
+/// Pixels of the window, y down, half open.
+struct WindowBox {
+  int32_t x0, y0, x1, y1;
+};
+
+/// Draws a rectangle of pixels whose fragments have the raster position's attributes, but for what the image gives them.
+/// The image lies in the frame's arena. May flush the frame as submit() does.
+void submit_pixels(Context& context, const PixelImage& image, const WindowBox& box);
+/// Sets stencil values: those of the bits that are set.
+void submit_stencil(Context& context, const PixelImage& image, uint8_t value, const WindowBox& box);
+
 } // namespace softgl

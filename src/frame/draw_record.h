@@ -10,12 +10,19 @@ struct VertexProgram;   // geometry/vertex_program.h: key, constants and stages 
 struct RasterConstants; // shaders/raster_constants.h: culling, offset, scissor, sizes
 struct FragmentProgram; // shaders/fragment_program.h: key, constants and stages of the fragments
 
+/// A rectangle of the window whose fragments all have the attributes of one vertex: y down, half open.
+struct PixelRectangle {
+  const ShadedVertices::Slot* corner;
+  int32_t x0, y0, x1, y1;
+};
+
 struct DrawRecord {
   DrawCall call;
   ShadedLayout layout;
   const VertexProgram* vertex;
   const RasterConstants* raster;
   const FragmentProgram* fragment;
+  const PixelRectangle* rectangle = nullptr; // in place of the call's primitives; then there is no vertex program
 };
 
 } // namespace softgl

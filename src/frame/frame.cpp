@@ -142,9 +142,9 @@ private:
 
   void add_draw(const DrawRecord& draw) {
     const DrawCall& call = draw.call;
-    uint64_t steps = 0;
+    uint64_t steps = draw.rectangle ? 1 : 0;
     for (uint32_t i = 0; i < call.primitive_count; ++i) steps += assembly_steps(call.primitives[i]);
-    if (steps == 0 || call.vertex_count == 0) return;
+    if (steps == 0 || (call.vertex_count == 0 && !draw.rectangle)) return;
     stencil_drawn_ = stencil_drawn_ || draw.fragment->key.stencil;
     const auto* raster = frame_.arena_.make<RasterDraw>(make_raster_draw(draw));
     if (steps <= kSmallDraw && call.vertex_count <= kSmallDraw) {
@@ -236,6 +236,10 @@ private:
     for (uint32_t i = 0; i < unit.piece_count; ++i) {
       const Piece& piece = pieces_[unit.first_piece + i];
       binner.set_draw(piece.raster, !piece.vertices);
+      if (piece.draw->rectangle) {
+        binner.rectangle(*piece.draw->rectangle);
+        continue;
+      }
       const DrawCall& call = piece.draw->call;
       const Arena::Mark mark = worker.vertices.mark();
       const ShadedVertices* vertices = piece.vertices ? piece.vertices : shade_piece(piece, worker.vertices);

@@ -122,18 +122,31 @@ void read_rgba_float(Context& c, int x, int y, int width, int height, float (*rg
   });
 }
 
-void read_depth_float(Context& c, int x, int y, int width, int height, float* depth) {
+namespace {
+
+/// Calls convert(word) for the depth and stencil words of a rectangle.
+template <class T, class Convert> void read_words(Context& c, int x, int y, int width, int height, T* out, Convert convert) {
   flush_rendering(c);
   if (width <= 0 || height <= 0) return;
-  std::fill_n(depth, size_t(width) * size_t(height), 0.0f);
+  std::fill_n(out, size_t(width) * size_t(height), T(0));
   const Surface& s = c.framebuffer.surface;
   if (!s.depth_stencil) return;
   std::vector<uint32_t> row(static_cast<size_t>(width));
   for_each_row(s, x, y, width, height, [&](int y_down, int first, int count, size_t line, size_t column) {
     copy_depth_stencil_row(s, first, y_down, count, row.data());
-    float* out = depth + line * size_t(width) + column;
-    for (int i = 0; i < count; ++i) out[i] = depth_to_float(s.depth_format, row[size_t(i)]);
+    std::transform(row.begin(), row.begin() + count, out + line * size_t(width) + column, convert);
   });
+}
+
+} // namespace
+
+void read_depth_float(Context& c, int x, int y, int width, int height, float* depth) {
+  const DepthFormat format = c.framebuffer.surface.depth_format;
+  read_words(c, x, y, width, height, depth, [=](uint32_t word) { return depth_to_float(format, word); });
+}
+
+void read_stencil(Context& c, int x, int y, int width, int height, uint8_t* stencil) {
+  read_words(c, x, y, width, height, stencil, [](uint32_t word) { return uint8_t(word >> 24); });
 }
 
 } // namespace softgl

@@ -20,8 +20,9 @@ float depth_to_float(DepthFormat format, uint32_t word);
 
 /// Finishes rendering and copies a rectangle (lower left corner x, y; bottom row first) as bytes; zeros outside.
 void read_rgba8(Context& c, int x, int y, int width, int height, uint8_t (*rgba)[4]);
-/// The same as floats (not clamped if the surface is not), and the depth as floats.
+/// The same as floats (not clamped if the surface is not), the depth as floats, and the stencil values.
 void read_rgba_float(Context& c, int x, int y, int width, int height, float (*rgba)[4]);
 void read_depth_float(Context& c, int x, int y, int width, int height, float* depth);
+void read_stencil(Context& c, int x, int y, int width, int height, uint8_t* stencil);
 
 } // namespace softgl

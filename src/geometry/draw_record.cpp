@@ -108,4 +108,36 @@ void submit(Context& c, const DrawCall& call) {
   if (c.frame.over_budget()) flush_rendering(c);
 }
 
+namespace {
+
+/// One vertex with the raster position's attributes stands for all fragments of the rectangle.
+void append_rectangle(Context& c, const FragmentProgram* program, const WindowBox& box) {
+  Arena& arena = c.frame.arena();
+  const RasterPosition& p = c.state.raster_position;
+  const int8_t no_source[5][2] = {};
+  const ShadedLayout layout = make_layout(c, program->key, no_source, false);
+  auto* slot = arena.allocate_array<ShadedVertices::Slot>(layout.slots);
+  auto set = [&](int at, const Vec4& v) {
+    if (at >= 0) slot[at] = {{v.x, v.y, v.z, v.w}};
+  };
+  // OSMesa's depth goes through the clip volume.
+  set(0, {p.window.x, float(c.framebuffer.surface.height) - p.window.y, (p.window.z * 2.0f - 1.0f) * 0.5f + 0.5f, 1});
+  for (int at : {layout.color, layout.back_color}) set(at, p.color);
+  for (int at : {layout.secondary, layout.back_secondary}) set(at, Vec4(Vec3(p.secondary_color), p.distance));
+  for (int u = 0; u < kMaxTextureUnits; ++u) set(layout.texcoord[u], p.texcoord[u]);
+  const auto* rectangle = arena.make<PixelRectangle>(slot, box.x0, box.y0, box.x1, box.y1);
+  c.frame.append(arena.make<DrawRecord>(DrawCall{}, layout, nullptr, make_raster_constants(c, arena), program, rectangle));
+  if (c.frame.over_budget()) flush_rendering(c);
+}
+
+} // namespace
+
+void submit_pixels(Context& c, const PixelImage& image, const WindowBox& box) {
+  append_rectangle(c, make_fragment_program(c, c.frame.arena(), &image), box);
+}
+
+void submit_stencil(Context& c, const PixelImage& image, uint8_t value, const WindowBox& box) {
+  append_rectangle(c, make_stencil_program(c, c.frame.arena(), image, value), box);
+}
+
 } // namespace softgl

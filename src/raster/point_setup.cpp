@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "frame/draw_record.h"
+
 namespace softgl {
 
 namespace {
@@ -14,7 +16,41 @@ int32_t snap(float x) {
   return static_cast<int32_t>(f >= 0.0f ? f + 0.5f : f - 0.5f);
 }
 
+/// Clips the box to the pixels that may change. False: nothing is left.
+bool set_box(const RasterConstants& r, int32_t x0, int32_t y0, int32_t x1, int32_t y1, RasterPrimitive& out) {
+  out.x0 = std::max(x0, r.x0), out.x1 = std::min(x1, r.x1);
+  out.y0 = std::max(y0, r.y0), out.y1 = std::min(y1, r.y1);
+  out.edges = 0; // the box is all
+  for (int i = 0; i < 4; ++i) out.a[i] = out.b[i] = 0, out.c[i] = 0;
+  return out.x0 < out.x1 && out.y0 < out.y1;
+}
+
+/// Planes of the corner's values, the same everywhere.
+void set_constant_planes(const RasterDraw& draw, const ShadedVertices::Slot* corner, RasterPrimitive& out) {
+  const float *v = corner->v, w = v[3];
+  auto attributes = [&](const Varying& a) {
+    for (int k = 0; k < a.components; ++k) {
+      const float value = corner[a.slot].v[a.first + k];
+      out.plane[a.plane + k] = {a.flat ? value : value * w, 0, 0};
+    }
+  };
+  out.plane[kPlaneZ] = {v[2], 0, 0};
+  out.plane[kPlaneW] = {w, 0, 0};
+  for (int i = 0; i < draw.varying_count; ++i) attributes(draw.varying[i]);
+  for (int u = 0; u < kBlockTextureUnits; ++u)
+    if (draw.unit_plane[u] >= 0) attributes(coordinates_of_unit(draw, u));
+  out.w_is_one = w == 1.0f;
+  out.depth_offset = 0;
+}
+
 } // namespace
+
+bool setup_rectangle(const RasterDraw& draw, const PixelRectangle& rectangle, RasterPrimitive& out) {
+  if (!set_box(*draw.raster, rectangle.x0, rectangle.y0, rectangle.x1, rectangle.y1, out)) return false;
+  set_constant_planes(draw, rectangle.corner, out);
+  out.back = false;
+  return true;
+}
 
 bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, bool back, RasterPrimitive& out) {
   const RasterConstants& r = *draw.raster;
@@ -36,28 +72,12 @@ bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, boo
     y0 = n & 1 ? (y >> 8) - (n - 1) / 2 : ((y + 128) >> 8) - n / 2;
     x1 = x0 + n, y1 = y0 + n;
   }
-  out.x0 = std::max(x0, r.x0), out.x1 = std::min(x1, r.x1);
-  out.y0 = std::max(y0, r.y0), out.y1 = std::min(y1, r.y1);
-  if (out.x0 >= out.x1 || out.y0 >= out.y1) return false;
-  out.edges = 0; // the box is all
-  for (int i = 0; i < 4; ++i) out.a[i] = out.b[i] = 0, out.c[i] = 0;
-
+  if (!set_box(r, x0, y0, x1, y1, out)) return false;
+  set_constant_planes(draw, corner, out);
+  out.back = back;
   const float w = v[3];
-  auto attributes = [&](const Varying& a) {
-    for (int k = 0; k < a.components; ++k) {
-      const float value = corner[a.slot].v[a.first + k];
-      out.plane[a.plane + k] = {a.flat ? value : value * w, 0, 0};
-    }
-  };
-  out.plane[kPlaneZ] = {v[2], 0, 0};
-  out.plane[kPlaneW] = {w, 0, 0};
-  for (int i = 0; i < draw.varying_count; ++i) attributes(draw.varying[i]);
   for (int u = 0; u < kBlockTextureUnits; ++u) {
-    if (draw.unit_plane[u] < 0) continue;
-    if (!(r.sprite_units >> u & 1)) {
-      attributes(coordinates_of_unit(draw, u));
-      continue;
-    }
+    if (draw.unit_plane[u] < 0 || !(r.sprite_units >> u & 1)) continue;
     // Across the square s and t go from 0 to 1.
     const float gradient = 256.0f / static_cast<float>(fixed_width), gy = r.sprite_lower_left ? -gradient : gradient;
     const float x = v[0] - 0.5f, y = v[1] - 0.5f;
@@ -67,9 +87,6 @@ bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, boo
     p[2] = {0, 0, 0};
     p[3] = {w, 0, 0};
   }
-  out.w_is_one = w == 1.0f;
-  out.depth_offset = 0;
-  out.back = back;
   return true;
 }
 

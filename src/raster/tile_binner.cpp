@@ -156,4 +156,9 @@ void TileBinner::points(const DrawRecord&, const AssembledPoints& batch) {
   }
 }
 
+void TileBinner::rectangle(const PixelRectangle& rectangle) {
+  RasterPrimitive* p = new_primitive();
+  if (setup_rectangle(*draw_, rectangle, *p)) bin(*p);
+}
+
 } // namespace softgl

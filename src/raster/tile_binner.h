@@ -9,6 +9,8 @@
 
 namespace softgl {
 
+struct PixelRectangle; // frame/draw_record.h
+
 /// Memory that a binner works in; one per worker. All of it is zero at first.
 struct BinnerScratch {
   TriangleOutput output;
@@ -32,6 +34,7 @@ public:
   void triangles(const DrawRecord& draw, const AssembledTriangles& batch) override;
   void lines(const DrawRecord& draw, const AssembledLines& batch) override;
   void points(const DrawRecord& draw, const AssembledPoints& batch) override;
+  void rectangle(const PixelRectangle& rectangle);
 
 private:
   RasterPrimitive* new_primitive();

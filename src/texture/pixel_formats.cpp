@@ -349,6 +349,30 @@ void pack_pixels(const PixelFormat& f, const uint8_t (*rgba)[4], int count, bool
 void pack_pixels(const PixelFormat& f, const uint16_t (*rgba)[4], int count, bool swap, void* row) { pack(f, rgba, count, swap, row); }
 void pack_pixels(const PixelFormat& f, const float (*rgba)[4], int count, bool swap, void* row) { pack(f, rgba, count, swap, row); }
 
+void unpack_indexes(const PixelFormat& f, const void* row, int bit_offset, int count, bool swap, bool lsb_first, uint32_t* index) {
+  auto p = static_cast<const unsigned char*>(row);
+  for (int i = 0; i < count; ++i, p += f.bytes) {
+    switch (f.channel) {
+    case PixelChannel::UnsignedByte: index[i] = *p; break;
+    case PixelChannel::Byte: index[i] = uint32_t(int32_t(int8_t(*p))); break;
+    case PixelChannel::UnsignedShort: index[i] = load<uint16_t>(p, swap); break;
+    case PixelChannel::Short: index[i] = uint32_t(int32_t(load<int16_t>(p, swap))); break;
+    case PixelChannel::UnsignedInt: case PixelChannel::Int: index[i] = load<uint32_t>(p, swap); break;
+    case PixelChannel::Float: {
+      const float v = load<float>(p, swap);
+      index[i] = v > -2147483648.0f && v < 2147483648.0f ? uint32_t(int32_t(v)) : 0;
+      break;
+    }
+    case PixelChannel::Bitmap: {
+      const int bit = bit_offset + i;
+      index[i] = (p[bit >> 3] >> (lsb_first ? bit & 7 : 7 - (bit & 7))) & 1;
+      break;
+    }
+    default: index[i] = 0;
+    }
+  }
+}
+
 void unpack_depth(const PixelFormat& f, const void* row, int count, bool swap, float* depth) {
   auto p = static_cast<const unsigned char*>(row);
   for (int i = 0; i < count; ++i, p += f.bytes) {

@@ -50,6 +50,10 @@ void pack_pixels(const PixelFormat& format, const uint8_t (*rgba)[4], int count,
 void pack_pixels(const PixelFormat& format, const uint16_t (*rgba)[4], int count, bool swap_bytes, void* row);
 void pack_pixels(const PixelFormat& format, const float (*rgba)[4], int count, bool swap_bytes, void* row);
 
+/// Indexes (GL_COLOR_INDEX, GL_STENCIL_INDEX): whole numbers, of floats their integer part. `bit_offset` and `lsb_first`
+/// are of GL_BITMAP only.
+void unpack_indexes(const PixelFormat& format, const void* row, int bit_offset, int count, bool swap_bytes, bool lsb_first, uint32_t* index);
+
 /// Depth as floats in [0,1] before the pixel transfer, and from floats in [0,1].
 void unpack_depth(const PixelFormat& format, const void* row, int count, bool swap_bytes, float* depth);
 void pack_depth(const PixelFormat& format, const float* depth, int count, bool swap_bytes, void* row);

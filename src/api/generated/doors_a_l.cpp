@@ -107,7 +107,16 @@ SOFTGL_EXPORT void APIENTRY glBindTextureEXT(GLenum target, GLuint texture) try 
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glBitmap(GLsizei, GLsizei, GLfloat, GLfloat, GLfloat, GLfloat, const GLubyte*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glBitmap(GLsizei width, GLsizei height, GLfloat xorig, GLfloat yorig, GLfloat xmove, GLfloat ymove, const GLubyte* bitmap) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_Bitmap(c, width, height, xorig, yorig, xmove, ymove, bitmap);
+    if (!may_execute(c)) return;
+  }
+  gl::Bitmap(c, width, height, xorig, yorig, xmove, ymove, bitmap);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glBlendColor(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) try {
   Context& c = *current_context;
   if (c.guard) [[unlikely]] {
@@ -462,7 +471,16 @@ SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage3DARB(GLenum target, GLint le
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glCopyPixels(GLint, GLint, GLsizei, GLsizei, GLenum) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glCopyPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum type) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_CopyPixels(c, x, y, width, height, type);
+    if (!may_execute(c)) return;
+  }
+  gl::CopyPixels(c, x, y, width, height, type);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glCopyTexImage1D(GLenum target, GLint level, GLenum internalformat, GLint x, GLint y, GLsizei width, GLint border) try {
   Context& c = *current_context;
   if (c.guard) [[unlikely]] {
@@ -644,7 +662,16 @@ SOFTGL_EXPORT void APIENTRY glDrawElements(GLenum mode, GLsizei count, GLenum ty
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glDrawPixels(GLsizei, GLsizei, GLenum, GLenum, const void*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glDrawPixels(GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_DrawPixels(c, width, height, format, type, pixels);
+    if (!may_execute(c)) return;
+  }
+  gl::DrawPixels(c, width, height, format, type, pixels);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glDrawRangeElements(GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices) try {
   Context& c = *current_context;
   if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;

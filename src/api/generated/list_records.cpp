@@ -298,6 +298,32 @@ void compile_PixelZoom(Context& c, GLfloat xfactor, GLfloat yfactor) {
     if (may_execute(c)) gl::PixelZoom(c, xfactor, yfactor);
   }
 }
+void compile_DrawPixels(Context& c, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels) {
+  const void* kept = keep_image(c, 2, width, height, 1, format, type, pixels);
+  const DrawPixelsArguments kept_call{width, height, format, type, static_cast<const void*>(kept)};
+  new (record(c, uint16_t(Opcode::DrawPixels), sizeof kept_call)) DrawPixelsArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::DrawPixels(c, width, height, format, type, pixels);
+  }
+}
+void compile_CopyPixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type) {
+  const CopyPixelsArguments kept_call{x, y, width, height, type};
+  new (record(c, uint16_t(Opcode::CopyPixels), sizeof kept_call)) CopyPixelsArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::CopyPixels(c, x, y, width, height, type);
+  }
+}
+void compile_Bitmap(Context& c, GLsizei width, GLsizei height, GLfloat xorig, GLfloat yorig, GLfloat xmove, GLfloat ymove, const GLubyte* bitmap) {
+  const void* kept = keep_image(c, 2, width, height, 1, GL_COLOR_INDEX, GL_BITMAP, bitmap);
+  const BitmapArguments kept_call{width, height, xorig, yorig, xmove, ymove, static_cast<const GLubyte*>(kept)};
+  new (record(c, uint16_t(Opcode::Bitmap), sizeof kept_call)) BitmapArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::Bitmap(c, width, height, xorig, yorig, xmove, ymove, bitmap);
+  }
+}
 void compile_ReadBuffer(Context& c, GLenum src) {
   const ReadBufferArguments kept_call{src};
   new (record(c, uint16_t(Opcode::ReadBuffer), sizeof kept_call)) ReadBufferArguments(kept_call);
@@ -875,6 +901,20 @@ void play_command(Context& c, uint16_t opcode, const void* arguments) {
       const auto& r = *static_cast<const PixelZoomArguments*>(arguments);
       return gl::PixelZoom(c, r.xfactor, r.yfactor);
     }
+    case Opcode::DrawPixels: {
+      const auto& r = *static_cast<const DrawPixelsArguments*>(arguments);
+      const TightUnpacking tight(c);
+      return gl::DrawPixels(c, r.width, r.height, r.format, r.type, r.pixels);
+    }
+    case Opcode::CopyPixels: {
+      const auto& r = *static_cast<const CopyPixelsArguments*>(arguments);
+      return gl::CopyPixels(c, r.x, r.y, r.width, r.height, r.type);
+    }
+    case Opcode::Bitmap: {
+      const auto& r = *static_cast<const BitmapArguments*>(arguments);
+      const TightUnpacking tight(c);
+      return gl::Bitmap(c, r.width, r.height, r.xorig, r.yorig, r.xmove, r.ymove, r.bitmap);
+    }
     case Opcode::ReadBuffer: {
       const auto& r = *static_cast<const ReadBufferArguments*>(arguments);
       return gl::ReadBuffer(c, r.src);
@@ -1141,6 +1181,9 @@ const char* opcode_name(uint16_t opcode) {
       "PixelMapuiv",
       "PixelMapusv",
       "PixelZoom",
+      "DrawPixels",
+      "CopyPixels",
+      "Bitmap",
       "ReadBuffer",
       "TexImage1D",
       "TexImage2D",

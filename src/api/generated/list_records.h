@@ -46,6 +46,9 @@ enum class Opcode : uint16_t {
   PixelMapuiv,
   PixelMapusv,
   PixelZoom,
+  DrawPixels,
+  CopyPixels,
+  Bitmap,
   ReadBuffer,
   TexImage1D,
   TexImage2D,
@@ -100,7 +103,7 @@ enum class Opcode : uint16_t {
   PushAttrib,
   PopAttrib,
 };
-constexpr int kOpcodes = 89;
+constexpr int kOpcodes = 92;
 
 struct RectArguments { GLfloat x1; GLfloat y1; GLfloat x2; GLfloat y2; };
 struct MatrixModeArguments { GLenum mode; };
@@ -135,6 +138,9 @@ struct PixelMapfvArguments { GLenum map; GLsizei mapsize; const GLfloat* values;
 struct PixelMapuivArguments { GLenum map; GLsizei mapsize; const GLuint* values; };
 struct PixelMapusvArguments { GLenum map; GLsizei mapsize; const GLushort* values; };
 struct PixelZoomArguments { GLfloat xfactor; GLfloat yfactor; };
+struct DrawPixelsArguments { GLsizei width; GLsizei height; GLenum format; GLenum type; const void* pixels; };
+struct CopyPixelsArguments { GLint x; GLint y; GLsizei width; GLsizei height; GLenum type; };
+struct BitmapArguments { GLsizei width; GLsizei height; GLfloat xorig; GLfloat yorig; GLfloat xmove; GLfloat ymove; const GLubyte* bitmap; };
 struct ReadBufferArguments { GLenum src; };
 struct TexImage1DArguments { GLenum target; GLint level; GLint internalformat; GLsizei width; GLint border; GLenum format; GLenum type; const void* pixels; };
 struct TexImage2DArguments { GLenum target; GLint level; GLint internalformat; GLsizei width; GLsizei height; GLint border; GLenum format; GLenum type; const void* pixels; };
@@ -224,6 +230,9 @@ void compile_PixelMapfv(Context& c, GLenum map, GLsizei mapsize, const GLfloat* 
 void compile_PixelMapuiv(Context& c, GLenum map, GLsizei mapsize, const GLuint* values);
 void compile_PixelMapusv(Context& c, GLenum map, GLsizei mapsize, const GLushort* values);
 void compile_PixelZoom(Context& c, GLfloat xfactor, GLfloat yfactor);
+void compile_DrawPixels(Context& c, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels);
+void compile_CopyPixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type);
+void compile_Bitmap(Context& c, GLsizei width, GLsizei height, GLfloat xorig, GLfloat yorig, GLfloat xmove, GLfloat ymove, const GLubyte* bitmap);
 void compile_ReadBuffer(Context& c, GLenum src);
 void compile_TexImage1D(Context& c, GLenum target, GLint level, GLint internalformat, GLsizei width, GLint border, GLenum format, GLenum type, const void* pixels);
 void compile_TexImage2D(Context& c, GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels);

@@ -15,6 +15,7 @@ DOOR(glBindBuffer);
 DOOR(glBindBufferARB);
 DOOR(glBindTexture);
 DOOR(glBindTextureEXT);
+DOOR(glBitmap);
 DOOR(glBlendColor);
 DOOR(glBlendColorEXT);
 DOOR(glBlendEquation);
@@ -85,6 +86,7 @@ DOOR(glCompressedTexSubImage2D);
 DOOR(glCompressedTexSubImage2DARB);
 DOOR(glCompressedTexSubImage3D);
 DOOR(glCompressedTexSubImage3DARB);
+DOOR(glCopyPixels);
 DOOR(glCopyTexImage1D);
 DOOR(glCopyTexImage2D);
 DOOR(glCopyTexSubImage1D);
@@ -105,6 +107,7 @@ DOOR(glDrawArrays);
 DOOR(glDrawArraysEXT);
 DOOR(glDrawBuffer);
 DOOR(glDrawElements);
+DOOR(glDrawPixels);
 DOOR(glDrawRangeElements);
 DOOR(glDrawRangeElementsEXT);
 DOOR(glEdgeFlag);
@@ -547,6 +550,7 @@ const NamedDoor kNamedDoors[] = {
     {"glBindBufferARB", door_glBindBufferARB},
     {"glBindTexture", door_glBindTexture},
     {"glBindTextureEXT", door_glBindTextureEXT},
+    {"glBitmap", door_glBitmap},
     {"glBlendColor", door_glBlendColor},
     {"glBlendColorEXT", door_glBlendColorEXT},
     {"glBlendEquation", door_glBlendEquation},
@@ -617,6 +621,7 @@ const NamedDoor kNamedDoors[] = {
     {"glCompressedTexSubImage2DARB", door_glCompressedTexSubImage2DARB},
     {"glCompressedTexSubImage3D", door_glCompressedTexSubImage3D},
     {"glCompressedTexSubImage3DARB", door_glCompressedTexSubImage3DARB},
+    {"glCopyPixels", door_glCopyPixels},
     {"glCopyTexImage1D", door_glCopyTexImage1D},
     {"glCopyTexImage2D", door_glCopyTexImage2D},
     {"glCopyTexSubImage1D", door_glCopyTexSubImage1D},
@@ -637,6 +642,7 @@ const NamedDoor kNamedDoors[] = {
     {"glDrawArraysEXT", door_glDrawArraysEXT},
     {"glDrawBuffer", door_glDrawBuffer},
     {"glDrawElements", door_glDrawElements},
+    {"glDrawPixels", door_glDrawPixels},
     {"glDrawRangeElements", door_glDrawRangeElements},
     {"glDrawRangeElementsEXT", door_glDrawRangeElementsEXT},
     {"glEdgeFlag", door_glEdgeFlag},
