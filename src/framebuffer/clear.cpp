@@ -44,6 +44,7 @@ namespace gl {
 void Clear(Context& c, GLbitfield mask) {
   if (mask & ~GLbitfield(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT))
     return set_error(c, GL_INVALID_VALUE);
+  if (c.state.render_mode.mode != GL_RENDER) return;
   c.framebuffer.unresolved = true; // OSMesa: also when nothing is cleared in the end
   const Surface& surface = c.framebuffer.surface;
   const State& s = c.state;

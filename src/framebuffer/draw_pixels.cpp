@@ -6,6 +6,7 @@
 
 #include "api/generated/commands.h"
 #include "framebuffer/read_surface.h"
+#include "geometry/feedback.h"
 #include "pixel_image.h"
 #include "state/context.h"
 #include "texture/pixel_formats.h"
@@ -233,7 +234,9 @@ void DrawPixels(Context& c, GLsizei width, GLsizei height, GLenum format, GLenum
   if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
   if (const GLenum error = check_pixel_format(format, type)) return set_error(c, error);
   if (!has_buffer(c, format)) return set_error(c, GL_INVALID_OPERATION);
-  if (!c.state.raster_position.valid || width == 0 || height == 0 || !pixels) return;
+  if (!c.state.raster_position.valid) return;
+  if (c.state.render_mode.mode != GL_RENDER) return feed_back_pixels(c, GL_DRAW_PIXEL_TOKEN);
+  if (width == 0 || height == 0 || !pixels) return;
   const ClientImage image(c, pixels, width, height, format, type);
   draw_in_view(c, place_at_raster_position(c, width, height), [&](const Placement& p) {
     switch (format) {
@@ -249,7 +252,9 @@ void CopyPixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLe
   if (type != GL_COLOR && type != GL_DEPTH && type != GL_STENCIL) return set_error(c, GL_INVALID_ENUM);
   if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
   if (!has_buffer(c, type) || (type == GL_COLOR && c.state.pixel_mode.read_buffer == GL_NONE)) return set_error(c, GL_INVALID_OPERATION);
-  if (!c.state.raster_position.valid || width == 0 || height == 0) return;
+  if (!c.state.raster_position.valid) return;
+  if (c.state.render_mode.mode != GL_RENDER) return feed_back_pixels(c, GL_COPY_PIXEL_TOKEN);
+  if (width == 0 || height == 0) return;
   flush_rendering(c); // before anything lies in the frame's arena
   draw_in_view(c, place_at_raster_position(c, width, height), [&](const Placement& p) {
     copy_pixels(c, p, x, y, type);
@@ -260,7 +265,8 @@ void Bitmap(Context& c, GLsizei width, GLsizei height, GLfloat xorig, GLfloat yo
   if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
   RasterPosition& position = c.state.raster_position;
   if (!position.valid) return;
-  if (width > 0 && height > 0 && bitmap) {
+  if (c.state.render_mode.mode != GL_RENDER) feed_back_pixels(c, GL_BITMAP_TOKEN);
+  else if (width > 0 && height > 0 && bitmap) {
     // Positions that are whole numbers but for a rounding error stay what they are, as in OSMesa.
     auto pixel = [](float v) { return std::floor(v + 0.0001f); };
     const ClientImage image(c, bitmap, width, height, GL_COLOR_INDEX, GL_BITMAP);

@@ -23,7 +23,8 @@ struct AssembledTriangles {
 /// Lines from corner 0 to corner 1; corner 1 is the provoking vertex. Already cut by the line stipple.
 struct AssembledLines {
   int32_t count = 0;
-  uint64_t back = 0; // bit i: line i is an edge of a back-facing polygon
+  uint64_t back = 0;   // bit i: line i is an edge of a back-facing polygon
+  uint64_t begins = 0; // bit i: the stipple begins anew with line i (feedback wants to know)
   const ShadedVertices::Slot* corner[2][kAssemblyBatch];
 };
 

@@ -232,11 +232,14 @@ private:
 
   template <class Elements> void lines(const Elements& e, uint32_t step, uint32_t steps) {
     AssembledLines batch;
+    bool begins = false;
     auto emit = [&](const Slot* a, const Slot* b) {
       if (batch.count == kAssemblyBatch) {
         sink_.lines(draw_, batch);
-        batch.count = 0;
+        batch.count = 0, batch.begins = 0;
       }
+      batch.begins |= uint64_t(begins) << batch.count;
+      begins = false;
       batch.corner[0][batch.count] = a;
       batch.corner[1][batch.count] = b;
       ++batch.count;
@@ -251,6 +254,7 @@ private:
       const uint32_t v[2] = {e[element[0]], e[element[1]]};
       const Slot* end[2];
       if (stippled && separate) stipple.reset();
+      begins = begins || separate || (at == 0 && range_.begins);
       if (!clip_line(v, end)) continue;
       if (!stippled) emit(end[0], end[1]);
       else if (at < step) stipple.skip(end);

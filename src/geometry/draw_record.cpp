@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "fragment/fragment_snapshot.h"
+#include "geometry/feedback.h"
 #include "raster/raster_snapshot.h"
 #include "state/context.h"
 #include "vertex_snapshot.h"
@@ -102,6 +103,7 @@ void take_snapshots(Context& c, const DrawCall& call) {
 void submit(Context& c, const DrawCall& call) {
   const bool has_position = call.source && call.source->present >> kPosition & 1;
   if (!has_position || call.primitive_count == 0 || call.vertex_count == 0 || c.framebuffer.surface.width == 0) return;
+  if (c.state.render_mode.mode != GL_RENDER) return feed_back(c, call);
   take_snapshots(c, call);
   const SnapshotCache& cache = c.snapshots;
   c.frame.append(c.frame.arena().make<DrawRecord>(call, cache.layout, cache.vertex, cache.raster, cache.fragment_of_draw));

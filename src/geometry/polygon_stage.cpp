@@ -60,7 +60,7 @@ void PolygonStage::triangle(const PolygonTriangle& t) {
     ++triangles_.count;
     break;
   case PolygonMode::Line:
-    if (t.begins) stipple_.reset();
+    if (t.begins) stipple_.reset(), line_begins_ = true;
     if (t.boundary & 4) line(corner[2], corner[0]);
     if (t.boundary & 1) line(corner[0], corner[1]);
     if (t.boundary & 2) line(corner[1], corner[2]);
@@ -81,6 +81,8 @@ void PolygonStage::line(const Slot* a, const Slot* b) {
   auto emit = [&](const Slot* from, const Slot* to) {
     begin(Pending::Lines, lines_.count);
     lines_.back |= uint64_t(back_) << lines_.count;
+    lines_.begins |= uint64_t(line_begins_) << lines_.count;
+    line_begins_ = false;
     lines_.corner[0][lines_.count] = from, lines_.corner[1][lines_.count] = to;
     ++lines_.count;
   };
@@ -108,7 +110,7 @@ void PolygonStage::finish() {
   }
   pending_ = Pending::None;
   triangles_.count = 0;
-  lines_.count = 0, lines_.back = 0;
+  lines_.count = 0, lines_.back = 0, lines_.begins = 0;
   points_.count = 0, points_.back = 0;
 }
 

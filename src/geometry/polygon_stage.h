@@ -42,7 +42,7 @@ private:
   PrimitiveSink& sink_;
   const uint32_t slots_;
   LineStipple stipple_;
-  bool counting_ = false, back_ = false;
+  bool counting_ = false, back_ = false, line_begins_ = false;
   Pending pending_ = Pending::None;
   AssembledTriangles triangles_;
   AssembledLines lines_;

@@ -4,7 +4,8 @@
 
 #include "api/generated/commands.h"
 #include "base/float_environment.h"
-#include "fragment_program.h"
+#include "fragment_key.h"
+#include "geometry/feedback.h"
 #include "geometry/geometry.h"
 #include "state/context.h"
 #include "vertex_snapshot.h"
@@ -48,26 +49,13 @@ void take_current_attributes(const State& s, RasterPosition& position) {
 }
 
 /// What the vertex program makes of the current attributes at `object`: colours if there is lighting, and coordinates.
-void shade_attributes(Context& c, const Vec4& object, const ClipPlaneConstants* planes, RasterPosition& position) {
+void shade_attributes(Context& c, const Vec4& object, RasterPosition& position) {
   Arena& arena = c.frame.arena();
   const State& s = c.state;
-  inverse(c.matrices.modelview.top()); // analyses it
-  FragmentProgram program{}; // the key alone: fragments that need everything
-  program.key.secondary = 1;
-  program.key.texture_units = (1u << kMaxTextureUnits) - 1;
-  SnapshotCache cache;
-  cache.fragment = &program;
-  cache.eye_space = needs_eye_space(c, uint32_t(program.key.texture_units));
-  cache.transform = make_transform(c, cache.eye_space, arena);
-  cache.clip_planes = planes;
-  for (int u = 0; u < kMaxTextureUnits; ++u) cache.coordinates[u] = make_coordinates(c, u, arena);
-  int8_t source[5][2];
-  std::memset(source, -1, sizeof source);
-  if (s.lighting.enabled) {
-    find_material_sources(c, 0, source);
-    cache.lighting = make_lighting(c, source, &s.current.slot[kColor][0], cache.eye_space, false, arena);
-  }
-  cache.layout = make_layout(c, program.key, source, false);
+  FragmentKey key{}; // of fragments that need everything
+  key.secondary = 1;
+  key.texture_units = (1u << kMaxTextureUnits) - 1;
+  const OwnSnapshot own = make_own_snapshot(c, key, 0, &s.current.slot[kColor][0], false, arena);
 
   Vec4 constant[kMaterial0];
   std::memcpy(constant, s.current.slot, sizeof constant);
@@ -77,16 +65,16 @@ void shade_attributes(Context& c, const Vec4& object, const ClipPlaneConstants* 
   call.source = &none;
   call.constant = constant;
   call.vertex_count = 1;
-  const DrawRecord draw{call, cache.layout, make_vertex_program(c, cache, arena), nullptr, nullptr};
-  ShadedVertices out{arena.allocate_array<ShadedVertices::Slot>(64 * cache.layout.slots + 4), arena.allocate_array<uint16_t>(64 + 32), 0, 1};
+  const DrawRecord draw{call, own.layout, &own.program, nullptr, nullptr};
+  ShadedVertices out{arena.allocate_array<ShadedVertices::Slot>(64 * own.layout.slots + 4), arena.allocate_array<uint16_t>(64 + 32), 0, 1};
   const FloatEnvironment environment;
   shade_vertices(draw, 0, 1, out);
   auto value = [&](int slot) { const float* v = out.slot[slot].v; return Vec4(v[0], v[1], v[2], v[3]); };
   if (s.lighting.enabled) {
-    position.color = value(cache.layout.color);
-    position.secondary_color = Vec4(glm::vec3(value(cache.layout.secondary)), 1);
+    position.color = value(own.layout.color);
+    position.secondary_color = Vec4(glm::vec3(value(own.layout.secondary)), 1);
   }
-  for (int u = 0; u < kMaxTextureUnits; ++u) position.texcoord[u] = value(cache.layout.texcoord[u]);
+  for (int u = 0; u < kMaxTextureUnits; ++u) position.texcoord[u] = value(own.layout.texcoord[u]);
 }
 
 } // namespace
@@ -106,7 +94,8 @@ void RasterPos(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
     position.distance = s.fog.coordinate_source == GL_FOG_COORDINATE ? s.current.slot[kFogCoordinate].x
                                                                      : std::sqrt((eye.x * eye.x + eye.y * eye.y) + eye.z * eye.z);
     take_current_attributes(s, position);
-    shade_attributes(c, object, planes, position);
+    shade_attributes(c, object, position);
+    feed_back_raster_position(c);
   }
   c.frame.arena().rewind(mark);
 }

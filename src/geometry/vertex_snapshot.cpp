@@ -96,7 +96,6 @@ const ClipPlaneConstants* make_clip_planes(Context& c, Arena& arena) {
 
 const PolygonConstants* make_polygon_constants(const Context& c, Arena& arena) {
   const PolygonState& p = c.state.polygon;
-  if (!polygons_before_raster(c.state)) return nullptr;
   auto* k = arena.make<PolygonConstants>();
   k->ccw_is_front = p.front_face == GL_CCW;
   k->mode[0] = polygon_mode(p.seen_mode(!k->ccw_is_front));
@@ -199,13 +198,33 @@ const VertexProgram* make_vertex_program(const Context& c, const SnapshotCache& 
   p->point_attenuated = cache.layout.point >= 0;
   p->point = {point.size, point.size_min, point.size_max,
               {point.distance_attenuation.x, point.distance_attenuation.y, point.distance_attenuation.z}};
-  p->polygons = make_polygon_constants(c, arena);
+  p->polygons = polygons_before_raster(s) ? make_polygon_constants(c, arena) : nullptr;
   p->line_stipple = s.line.stipple && s.line.stipple_pattern != 0xffff;
   p->stipple_pattern = s.line.stipple_pattern;
   p->stipple_factor = uint16_t(s.line.stipple_factor);
   // Points that are neither sprites nor smooth are at least a pixel large.
   if (!point.sprite && !point.smooth && p->point.minimum < 1) p->point.minimum = 1;
   return p;
+}
+
+OwnSnapshot make_own_snapshot(Context& c, const FragmentKey& key, uint32_t present, const float color[4], bool points, Arena& arena) {
+  inverse(c.matrices.modelview.top()); // analyses it
+  FragmentProgram fragment{};
+  fragment.key = key;
+  SnapshotCache cache;
+  cache.fragment = &fragment;
+  cache.eye_space = needs_eye_space(c, uint32_t(key.texture_units));
+  cache.transform = make_transform(c, cache.eye_space, arena);
+  cache.clip_planes = make_clip_planes(c, arena);
+  for (int u = 0; u < kMaxTextureUnits; ++u) cache.coordinates[u] = key.texture_units >> u & 1 ? make_coordinates(c, u, arena) : nullptr;
+  int8_t source[5][2];
+  std::memset(source, -1, sizeof source);
+  if (c.state.lighting.enabled) {
+    find_material_sources(c, present, source);
+    cache.lighting = make_lighting(c, source, color, cache.eye_space, false, arena);
+  }
+  cache.layout = make_layout(c, key, source, points);
+  return {cache.layout, *make_vertex_program(c, cache, arena)};
 }
 
 } // namespace softgl

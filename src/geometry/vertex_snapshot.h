@@ -1,4 +1,4 @@
-// From State to the constants of a vertex program. Only this, light_snapshot.cpp, draw_record.cpp and
+// From State to the constants of a vertex program. Only this, light_snapshot.cpp, draw_record.cpp, feedback.cpp and
 // raster_position.cpp see Context.
 #pragma once
 
@@ -18,7 +18,6 @@ bool needs_eye_space(const Context& context, uint32_t texture_units);
 const TransformConstants* make_transform(Context& context, bool eye_space, Arena& arena);
 /// Null when no clip plane is enabled.
 const ClipPlaneConstants* make_clip_planes(Context& context, Arena& arena);
-/// Null where the raster culls, colours and offsets polygons.
 const PolygonConstants* make_polygon_constants(const Context& context, Arena& arena);
 /// Null when the unit's coordinates are passed through.
 const CoordinateConstants* make_coordinates(const Context& context, int unit, Arena& arena);
@@ -31,6 +30,14 @@ const LightingConstants* make_lighting(const Context& context, const int8_t sour
 
 /// The slots that fragments of the key need; `source` is what find_material_sources() said, `points`: points are drawn.
 ShadedLayout make_layout(const Context& context, const FragmentKey& key, const int8_t source[5][2], bool points);
+/// Layout and vertex program of a draw that the frame does not get: for fragments of `key`, which are not lit. Shares nothing with
+/// the context's cache.
+struct OwnSnapshot {
+  ShadedLayout layout;
+  VertexProgram program;
+};
+OwnSnapshot make_own_snapshot(Context& context, const FragmentKey& key, uint32_t present, const float color[4], bool points, Arena& arena);
+
 /// Of the cache's snapshots, layout and fragment key.
 const VertexProgram* make_vertex_program(const Context& context, const SnapshotCache& cache, Arena& arena);
 

@@ -237,12 +237,21 @@ struct HintState {
 struct ListState {
   GLuint base = 0;
 };
+constexpr int kMaxNameStackDepth = 64;
+
 /// Selection and feedback (table 6.32). In no attribute group.
 struct RenderModeState {
   GLenum mode = GL_RENDER;
   GLsizei feedback_size = 0, selection_size = 0;
   GLenum feedback_type = GL_2D;
   GLint name_stack_depth = 0;
+  GLuint name[kMaxNameStackDepth] = {};
+  GLfloat* feedback_buffer = nullptr;
+  GLuint* selection_buffer = nullptr;
+  uint64_t written = 0; // values, those that found no room counted too
+  GLint hits = 0;
+  bool hit = false;     // since the name stack changed last
+  float least_depth = 1, greatest_depth = 0; // of that hit
 };
 
 struct BufferObject; // vertex/buffer_objects.h

@@ -745,7 +745,14 @@ SOFTGL_EXPORT void APIENTRY glEvalMesh1(GLenum, GLint, GLint) { unbuilt_command(
 SOFTGL_EXPORT void APIENTRY glEvalMesh2(GLenum, GLint, GLint, GLint, GLint) { unbuilt_command(); }
 SOFTGL_EXPORT void APIENTRY glEvalPoint1(GLint) { unbuilt_command(); }
 SOFTGL_EXPORT void APIENTRY glEvalPoint2(GLint, GLint) { unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glFeedbackBuffer(GLsizei, GLenum, GLfloat*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glFeedbackBuffer(GLsizei size, GLenum type, GLfloat* buffer) try {
+  Context& c = *current_context;
+  if ((!buffer && size > 0)) [[unlikely]] return ignore_call(c);
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::FeedbackBuffer(c, size, type, buffer);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glFinish() try {
   Context& c = *current_context;
   if (c.guard && !may_execute(c)) [[unlikely]] return;
@@ -912,7 +919,16 @@ SOFTGL_EXPORT void APIENTRY glIndexPointerEXT(GLenum type, GLsizei stride, GLsiz
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glInitNames() { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glInitNames() try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_InitNames(c);
+    if (!may_execute(c)) return;
+  }
+  gl::InitNames(c);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glInterleavedArrays(GLenum format, GLsizei stride, const void* pointer) try {
   Context& c = *current_context;
   if (!pointer) [[unlikely]] return ignore_call(c);
@@ -1085,7 +1101,16 @@ SOFTGL_EXPORT void APIENTRY glLoadMatrixf(const GLfloat* m) try {
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glLoadName(GLuint) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glLoadName(GLuint name) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_LoadName(c, name);
+    if (!may_execute(c)) return;
+  }
+  gl::LoadName(c, name);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixd(const GLdouble* m) try {
   Context& c = *current_context;
   if (!m) [[unlikely]] return ignore_call(c);

@@ -222,7 +222,16 @@ SOFTGL_EXPORT void APIENTRY glOrtho(GLdouble left, GLdouble right, GLdouble bott
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPassThrough(GLfloat) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glPassThrough(GLfloat token) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_PassThrough(c, token);
+    if (!may_execute(c)) return;
+  }
+  gl::PassThrough(c, token);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glPixelMapfv(GLenum map, GLsizei mapsize, const GLfloat* values) try {
   Context& c = *current_context;
   if ((!values && mapsize > 0)) [[unlikely]] return ignore_call(c);
@@ -466,7 +475,16 @@ SOFTGL_EXPORT void APIENTRY glPopMatrix() try {
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPopName() { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glPopName() try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_PopName(c);
+    if (!may_execute(c)) return;
+  }
+  gl::PopName(c);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glPrioritizeTextures(GLsizei n, const GLuint* textures, const GLfloat* priorities) try {
   Context& c = *current_context;
   if ((!textures && n > 0) || (!priorities && n > 0)) [[unlikely]] return ignore_call(c);
@@ -516,7 +534,16 @@ SOFTGL_EXPORT void APIENTRY glPushMatrix() try {
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glPushName(GLuint) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glPushName(GLuint name) try {
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_PushName(c, name);
+    if (!may_execute(c)) return;
+  }
+  gl::PushName(c, name);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glRasterPos2d(GLdouble x, GLdouble y) try {
   Context& c = *current_context;
   if (c.guard) [[unlikely]] {
@@ -870,7 +897,14 @@ SOFTGL_EXPORT void APIENTRY glRectsv(const GLshort* v1, const GLshort* v2) try {
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT GLint APIENTRY glRenderMode(GLenum) { unbuilt_command(); return 0; }
+SOFTGL_EXPORT GLint APIENTRY glRenderMode(GLenum mode) try {
+  Context& c = *current_context;
+  if (c.guard && !may_execute(c)) [[unlikely]] return 0;
+  return gl::RenderMode(c, mode);
+} catch (...) {
+  out_of_memory();
+  return 0;
+}
 SOFTGL_EXPORT void APIENTRY glRotated(GLdouble angle, GLdouble x, GLdouble y, GLdouble z) try {
   Context& c = *current_context;
   if (c.guard) [[unlikely]] {
@@ -955,7 +989,14 @@ SOFTGL_EXPORT void APIENTRY glSecondaryColorPointerEXT(GLint size, GLenum type, 
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glSelectBuffer(GLsizei, GLuint*) { unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glSelectBuffer(GLsizei size, GLuint* buffer) try {
+  Context& c = *current_context;
+  if ((!buffer && size > 0)) [[unlikely]] return ignore_call(c);
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::SelectBuffer(c, size, buffer);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glShadeModel(GLenum mode) try {
   Context& c = *current_context;
   if (c.guard) [[unlikely]] {

@@ -709,6 +709,44 @@ void compile_ClearAccum(Context& c, GLfloat red, GLfloat green, GLfloat blue, GL
     if (may_execute(c)) gl::ClearAccum(c, red, green, blue, alpha);
   }
 }
+void compile_InitNames(Context& c) {
+  record(c, uint16_t(Opcode::InitNames), 0);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::InitNames(c);
+  }
+}
+void compile_LoadName(Context& c, GLuint name) {
+  const LoadNameArguments kept_call{name};
+  new (record(c, uint16_t(Opcode::LoadName), sizeof kept_call)) LoadNameArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::LoadName(c, name);
+  }
+}
+void compile_PushName(Context& c, GLuint name) {
+  const PushNameArguments kept_call{name};
+  new (record(c, uint16_t(Opcode::PushName), sizeof kept_call)) PushNameArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::PushName(c, name);
+  }
+}
+void compile_PopName(Context& c) {
+  record(c, uint16_t(Opcode::PopName), 0);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::PopName(c);
+  }
+}
+void compile_PassThrough(Context& c, GLfloat token) {
+  const PassThroughArguments kept_call{token};
+  new (record(c, uint16_t(Opcode::PassThrough), sizeof kept_call)) PassThroughArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::PassThrough(c, token);
+  }
+}
 void compile_ListBase(Context& c, GLuint base) {
   const ListBaseArguments kept_call{base};
   new (record(c, uint16_t(Opcode::ListBase), sizeof kept_call)) ListBaseArguments(kept_call);
@@ -1109,6 +1147,24 @@ void play_command(Context& c, uint16_t opcode, const void* arguments) {
       const auto& r = *static_cast<const ClearAccumArguments*>(arguments);
       return gl::ClearAccum(c, r.red, r.green, r.blue, r.alpha);
     }
+    case Opcode::InitNames: {
+      return gl::InitNames(c);
+    }
+    case Opcode::LoadName: {
+      const auto& r = *static_cast<const LoadNameArguments*>(arguments);
+      return gl::LoadName(c, r.name);
+    }
+    case Opcode::PushName: {
+      const auto& r = *static_cast<const PushNameArguments*>(arguments);
+      return gl::PushName(c, r.name);
+    }
+    case Opcode::PopName: {
+      return gl::PopName(c);
+    }
+    case Opcode::PassThrough: {
+      const auto& r = *static_cast<const PassThroughArguments*>(arguments);
+      return gl::PassThrough(c, r.token);
+    }
     case Opcode::ListBase: {
       const auto& r = *static_cast<const ListBaseArguments*>(arguments);
       return gl::ListBase(c, r.base);
@@ -1231,6 +1287,11 @@ const char* opcode_name(uint16_t opcode) {
       "ClearDepth",
       "ClearStencil",
       "ClearAccum",
+      "InitNames",
+      "LoadName",
+      "PushName",
+      "PopName",
+      "PassThrough",
       "ListBase",
       "Hint",
       "Enable",

@@ -96,6 +96,11 @@ enum class Opcode : uint16_t {
   ClearDepth,
   ClearStencil,
   ClearAccum,
+  InitNames,
+  LoadName,
+  PushName,
+  PopName,
+  PassThrough,
   ListBase,
   Hint,
   Enable,
@@ -103,7 +108,7 @@ enum class Opcode : uint16_t {
   PushAttrib,
   PopAttrib,
 };
-constexpr int kOpcodes = 92;
+constexpr int kOpcodes = 97;
 
 struct RectArguments { GLfloat x1; GLfloat y1; GLfloat x2; GLfloat y2; };
 struct MatrixModeArguments { GLenum mode; };
@@ -188,6 +193,9 @@ struct ClearIndexArguments { GLfloat value; };
 struct ClearDepthArguments { GLdouble depth; };
 struct ClearStencilArguments { GLint s; };
 struct ClearAccumArguments { GLfloat red; GLfloat green; GLfloat blue; GLfloat alpha; };
+struct LoadNameArguments { GLuint name; };
+struct PushNameArguments { GLuint name; };
+struct PassThroughArguments { GLfloat token; };
 struct ListBaseArguments { GLuint base; };
 struct HintArguments { GLenum target; GLenum mode; };
 struct EnableArguments { GLenum cap; };
@@ -280,6 +288,11 @@ void compile_ClearIndex(Context& c, GLfloat value);
 void compile_ClearDepth(Context& c, GLdouble depth);
 void compile_ClearStencil(Context& c, GLint s);
 void compile_ClearAccum(Context& c, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha);
+void compile_InitNames(Context& c);
+void compile_LoadName(Context& c, GLuint name);
+void compile_PushName(Context& c, GLuint name);
+void compile_PopName(Context& c);
+void compile_PassThrough(Context& c, GLfloat token);
 void compile_ListBase(Context& c, GLuint base);
 void compile_Hint(Context& c, GLenum target, GLenum mode);
 void compile_Enable(Context& c, GLenum cap);

@@ -118,6 +118,7 @@ DOOR(glEnable);
 DOOR(glEnableClientState);
 DOOR(glEnd);
 DOOR(glEndList);
+DOOR(glFeedbackBuffer);
 DOOR(glFinish);
 DOOR(glFlush);
 DOOR(glFogCoordPointer);
@@ -189,6 +190,7 @@ DOOR(glIndexs);
 DOOR(glIndexsv);
 DOOR(glIndexub);
 DOOR(glIndexubv);
+DOOR(glInitNames);
 DOOR(glInterleavedArrays);
 DOOR(glIsBuffer);
 DOOR(glIsBufferARB);
@@ -209,6 +211,7 @@ DOOR(glListBase);
 DOOR(glLoadIdentity);
 DOOR(glLoadMatrixd);
 DOOR(glLoadMatrixf);
+DOOR(glLoadName);
 DOOR(glLoadTransposeMatrixd);
 DOOR(glLoadTransposeMatrixdARB);
 DOOR(glLoadTransposeMatrixf);
@@ -309,6 +312,7 @@ DOOR(glNormal3sv);
 DOOR(glNormalPointer);
 DOOR(glNormalPointerEXT);
 DOOR(glOrtho);
+DOOR(glPassThrough);
 DOOR(glPixelMapfv);
 DOOR(glPixelMapuiv);
 DOOR(glPixelMapusv);
@@ -332,11 +336,13 @@ DOOR(glPolygonStipple);
 DOOR(glPopAttrib);
 DOOR(glPopClientAttrib);
 DOOR(glPopMatrix);
+DOOR(glPopName);
 DOOR(glPrioritizeTextures);
 DOOR(glPrioritizeTexturesEXT);
 DOOR(glPushAttrib);
 DOOR(glPushClientAttrib);
 DOOR(glPushMatrix);
+DOOR(glPushName);
 DOOR(glRasterPos2d);
 DOOR(glRasterPos2dv);
 DOOR(glRasterPos2f);
@@ -371,6 +377,7 @@ DOOR(glRecti);
 DOOR(glRectiv);
 DOOR(glRects);
 DOOR(glRectsv);
+DOOR(glRenderMode);
 DOOR(glRotated);
 DOOR(glRotatef);
 DOOR(glSampleCoverage);
@@ -412,6 +419,7 @@ DOOR(glSecondaryColor3usv);
 DOOR(glSecondaryColor3usvEXT);
 DOOR(glSecondaryColorPointer);
 DOOR(glSecondaryColorPointerEXT);
+DOOR(glSelectBuffer);
 DOOR(glShadeModel);
 DOOR(glStencilFunc);
 DOOR(glStencilMask);
@@ -653,6 +661,7 @@ const NamedDoor kNamedDoors[] = {
     {"glEnableClientState", door_glEnableClientState},
     {"glEnd", door_glEnd},
     {"glEndList", door_glEndList},
+    {"glFeedbackBuffer", door_glFeedbackBuffer},
     {"glFinish", door_glFinish},
     {"glFlush", door_glFlush},
     {"glFogCoordPointer", door_glFogCoordPointer},
@@ -724,6 +733,7 @@ const NamedDoor kNamedDoors[] = {
     {"glIndexsv", door_glIndexsv},
     {"glIndexub", door_glIndexub},
     {"glIndexubv", door_glIndexubv},
+    {"glInitNames", door_glInitNames},
     {"glInterleavedArrays", door_glInterleavedArrays},
     {"glIsBuffer", door_glIsBuffer},
     {"glIsBufferARB", door_glIsBufferARB},
@@ -744,6 +754,7 @@ const NamedDoor kNamedDoors[] = {
     {"glLoadIdentity", door_glLoadIdentity},
     {"glLoadMatrixd", door_glLoadMatrixd},
     {"glLoadMatrixf", door_glLoadMatrixf},
+    {"glLoadName", door_glLoadName},
     {"glLoadTransposeMatrixd", door_glLoadTransposeMatrixd},
     {"glLoadTransposeMatrixdARB", door_glLoadTransposeMatrixdARB},
     {"glLoadTransposeMatrixf", door_glLoadTransposeMatrixf},
@@ -844,6 +855,7 @@ const NamedDoor kNamedDoors[] = {
     {"glNormalPointer", door_glNormalPointer},
     {"glNormalPointerEXT", door_glNormalPointerEXT},
     {"glOrtho", door_glOrtho},
+    {"glPassThrough", door_glPassThrough},
     {"glPixelMapfv", door_glPixelMapfv},
     {"glPixelMapuiv", door_glPixelMapuiv},
     {"glPixelMapusv", door_glPixelMapusv},
@@ -867,11 +879,13 @@ const NamedDoor kNamedDoors[] = {
     {"glPopAttrib", door_glPopAttrib},
     {"glPopClientAttrib", door_glPopClientAttrib},
     {"glPopMatrix", door_glPopMatrix},
+    {"glPopName", door_glPopName},
     {"glPrioritizeTextures", door_glPrioritizeTextures},
     {"glPrioritizeTexturesEXT", door_glPrioritizeTexturesEXT},
     {"glPushAttrib", door_glPushAttrib},
     {"glPushClientAttrib", door_glPushClientAttrib},
     {"glPushMatrix", door_glPushMatrix},
+    {"glPushName", door_glPushName},
     {"glRasterPos2d", door_glRasterPos2d},
     {"glRasterPos2dv", door_glRasterPos2dv},
     {"glRasterPos2f", door_glRasterPos2f},
@@ -906,6 +920,7 @@ const NamedDoor kNamedDoors[] = {
     {"glRectiv", door_glRectiv},
     {"glRects", door_glRects},
     {"glRectsv", door_glRectsv},
+    {"glRenderMode", door_glRenderMode},
     {"glRotated", door_glRotated},
     {"glRotatef", door_glRotatef},
     {"glSampleCoverage", door_glSampleCoverage},
@@ -947,6 +962,7 @@ const NamedDoor kNamedDoors[] = {
     {"glSecondaryColor3usvEXT", door_glSecondaryColor3usvEXT},
     {"glSecondaryColorPointer", door_glSecondaryColorPointer},
     {"glSecondaryColorPointerEXT", door_glSecondaryColorPointerEXT},
+    {"glSelectBuffer", door_glSelectBuffer},
     {"glShadeModel", door_glShadeModel},
     {"glStencilFunc", door_glStencilFunc},
     {"glStencilMask", door_glStencilMask},
