@@ -47,7 +47,7 @@ GLuint offset_at(GLenum type, const unsigned char* p) {
 }
 
 void stream_error(Context& c, GLenum code) {
-  if (c.builder.compiling) compile_error(c, code);
+  if (c.builder.compiling) compile_error(c, code, true);
   else set_error(c, code);
 }
 

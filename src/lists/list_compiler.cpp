@@ -186,9 +186,9 @@ ExecuteScope::~ExecuteScope() {
   std::swap(c.guard, c.lists.executing_guard);
 }
 
-void compile_error(Context& c, GLenum code) {
-  append_value(c, kPlayError, code);
-  if (c.lists.mode == GL_COMPILE_AND_EXECUTE) set_error(c, code);
+void compile_error(Context& c, GLenum code, bool allowed_inside) {
+  append_value(c, kPlayError, uint64_t(allowed_inside) << 32 | code);
+  if (c.lists.mode == GL_COMPILE_AND_EXECUTE) set_error(c, (c.lists.executing_guard & kInsideBeginEnd) && !allowed_inside ? GL_INVALID_OPERATION : code);
 }
 
 void close_compiled_run(Context& c) {

@@ -58,7 +58,9 @@ private:
 };
 
 // Called by the builder while a list is compiled.
-void compile_error(Context& context, GLenum code);      // is raised when the list is played
+/// `code` is raised when the list is played; between Begin and End GL_INVALID_OPERATION, also in place of GL_NO_ERROR, unless the
+/// command is `allowed_inside`.
+void compile_error(Context& context, GLenum code, bool allowed_inside = false);
 void close_compiled_run(Context& context);              // no primitive is open
 void close_loose_run(Context& context, bool with_end);  // the Begin of these vertices is in no known list
 void break_compiled_run(Context& context);              // a command that is allowed inside an open primitive follows

@@ -25,6 +25,7 @@ bool may_draw(Context& c, GLenum mode, GLsizei count) {
   if (c.builder.compiling && c.builder.mode != kNoPrimitive) return draw_error(c, GL_INVALID_OPERATION), false;
   if (mode > GL_POLYGON) return draw_error(c, GL_INVALID_ENUM), false;
   if (count < 0) return draw_error(c, GL_INVALID_VALUE), false;
+  if (c.builder.compiling) compile_error(c, GL_NO_ERROR); // also where nothing is to be drawn
   return true;
 }
 
@@ -171,7 +172,7 @@ void gl::MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum
 
 void gl::ArrayElement(Context& c, GLint i) try {
   if (c.guard & kNoContext) return;
-  if (i < 0) return draw_error(c, GL_INVALID_VALUE);
+  if (i < 0) return c.builder.compiling ? compile_error(c, GL_INVALID_VALUE, true) : set_error(c, GL_INVALID_VALUE);
   if (const ArrayCache* arrays = current_arrays(c)) emit_array_element(c, *arrays, uint32_t(i));
 } catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
 

@@ -228,7 +228,10 @@ void gl::End(Context& c) try {
   b.mode = kNoPrimitive;
   b.limit = nullptr;
   c.guard &= ~kInsideBeginEnd;
-  if (!kept) return;
+  if (!kept) {
+    if (b.compiling) compile_error(c, GL_NO_ERROR);
+    return;
+  }
   const bool independent = mode == GL_POINTS || mode == GL_LINES || mode == GL_TRIANGLES || mode == GL_QUADS;
   if (independent && !b.primitives.empty()) {
     PrimitiveRange& before = b.primitives.back();
