@@ -48,6 +48,7 @@ TEST_CASE("Errors of a list come when it is played", "[spec][lists]") {
        GL_INVALID_OPERATION},
       {"a command with a bad name", [](const Gl& gl) { gl.Enable(1); }, GL_INVALID_ENUM, GL_INVALID_OPERATION},
       {"fewer lists than none", [&](const Gl& gl) { gl.CallLists(-1, GL_UNSIGNED_INT, &index); }, GL_INVALID_VALUE, GL_INVALID_VALUE},
+      {"the same without a list", [](const Gl& gl) { gl.CallLists(-1, GL_INT, nullptr); }, GL_INVALID_VALUE, GL_INVALID_VALUE},
       {"a vertex", [](const Gl& gl) { gl.Vertex2f(0, 0); }, GL_NO_ERROR, GL_NO_ERROR},
   };
   for (const Case& c : cases) {

@@ -226,7 +226,6 @@ SOFTGL_EXPORT void APIENTRY glCallList(GLuint list) try {
 }
 SOFTGL_EXPORT void APIENTRY glCallLists(GLsizei n, GLenum type, const void* lists) try {
   Context& c = *current_context;
-  if (!lists) [[unlikely]] return;
   if (c.guard & kNoContext) [[unlikely]] return;
   gl::CallLists(c, n, type, lists);
 } catch (...) {
