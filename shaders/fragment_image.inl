@@ -17,11 +17,9 @@ template <class T, class Use> static inline void for_each_element(const Fragment
     use(i, element[image.row[within(block.y[i] - image.y0, image.rows)] + image.column[within(block.x[i] - image.x0, image.columns)]]);
 }
 
-struct PixelFloats { float v[4]; };
-
 static void stage_image_floats(FragmentBlock& block, const FragmentConstants& constants, int) {
   for_each_element<PixelFloats>(block, constants, [&](int i, const PixelFloats& e) {
-    for (int k = 0; k < 4; ++k) block.color[k][i] = e.v[k];
+    for (int k = 0; k < 4; ++k) block.color[k][i] = e.rgba[k];
   });
 }
 

@@ -5,8 +5,10 @@
 
 namespace softgl {
 
+struct PixelFloats { float rgba[4]; };
+
 enum class PixelElement : uint8_t {
-  Floats, // r g b a, four floats
+  Floats, // PixelFloats
   Bytes,  // r g b a, a word
   Depth,  // in the depth buffer's integers
   Bit     // a byte: 0 kills the fragment

@@ -7,6 +7,9 @@
 namespace softgl {
 namespace SOFTGL_ISA {
 
+/// True where a fragment's depth can be tested before its stages run.
+SOFTGL_INLINE bool tests_early(const FragmentProgram& program) { return !program.key.stencil && !program.writes_depth; }
+
 /// Strips of one primitive on their way through the fragment program.
 struct StripBatch {
   int32_t strips = 0;
@@ -80,7 +83,7 @@ static void staged_primitive(const RasterDraw& draw, const TileTarget& tile, con
   const FragmentKey& key = draw.program->key;
   const Compare function = Compare(key.depth_function);
   const float scale = depth_scale(key);
-  const bool early = Depth && !key.stencil && !draw.program->writes_depth;
+  const bool early = Depth && tests_early(*draw.program);
   const uint64_t* stipple = p.edges == 3 ? draw.raster->stipple : nullptr; // triangles only: not lines and points
   EdgeSteps<4> steps;
   if (!edges.inside) edge_steps<4>(edges, steps);
@@ -160,7 +163,7 @@ static void dense_primitive(const RasterDraw& draw, const TileTarget& tile, cons
   const FragmentKey& key = draw.program->key;
   const Compare function = Compare(key.depth_function);
   const float scale = depth_scale(key);
-  const bool early = Depth && !key.stencil && !draw.program->writes_depth;
+  const bool early = Depth && tests_early(*draw.program);
   EdgeSteps<4> steps;
   if (!edges.inside) edge_steps<4>(edges, steps);
   for (int by = edges.y0 & ~7; by < edges.y1; by += 8)

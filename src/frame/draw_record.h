@@ -10,10 +10,10 @@ struct VertexProgram;   // geometry/vertex_program.h: key, constants and stages 
 struct RasterConstants; // shaders/raster_constants.h: culling, offset, scissor, sizes
 struct FragmentProgram; // shaders/fragment_program.h: key, constants and stages of the fragments
 
-/// A rectangle of the window whose fragments all have the attributes of one vertex: y down, half open.
+/// A rectangle of the window whose fragments all have the attributes of one vertex.
 struct PixelRectangle {
   const ShadedVertices::Slot* corner;
-  int32_t x0, y0, x1, y1;
+  WindowBox box;
 };
 
 struct DrawRecord {

@@ -55,16 +55,6 @@ bool reads_in_order(const DrawRecord& draw) {
                      [](const PrimitiveRange& p) { return assembly_steps(p) == 0 || elements_of_steps(p, 0, 1).count > 0; });
 }
 
-ShadedVertices* allocate_vertices(const DrawRecord& draw, uint32_t first, uint32_t count, Arena& arena) {
-  auto* v = arena.make<ShadedVertices>();
-  v->first = first;
-  v->count = count;
-  const size_t rounded = (size_t(v->count) + 63) & ~size_t(63);
-  v->slot = static_cast<ShadedVertices::Slot*>(arena.allocate(rounded * draw.layout.slots * sizeof(ShadedVertices::Slot) + 64));
-  v->clip_mask = arena.allocate_array<uint16_t>(rounded + 32);
-  return v;
-}
-
 } // namespace
 
 struct Frame::Workers {

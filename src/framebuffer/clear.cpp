@@ -3,24 +3,23 @@
 #include <cmath>
 
 #include "api/generated/commands.h"
+#include "base/unit_range.h"
 #include "state/context.h"
 
 namespace softgl {
 namespace {
-
-float clamped(float v) { return v > 0.0f ? (v < 1.0f ? v : 1.0f) : 0.0f; }
 
 /// OSMesa 22.3.6: float to integer rounds to nearest even; where it clears by drawing a rectangle (a part of the surface or
 /// of its components), 5 and 6 bits are cut from the 8-bit value, as everything drawn is.
 void store_color(ColorFormat format, const Vec4& color, bool drawn, float (&value)[4]) {
   for (int i = 0; i < 4; ++i) {
     switch (format) {
-      case ColorFormat::Rgba8: value[i] = std::nearbyint(clamped(color[i]) * 255.0f); break;
-      case ColorFormat::Rgba16: value[i] = std::nearbyint(clamped(color[i]) * 65535.0f); break;
+      case ColorFormat::Rgba8: value[i] = std::nearbyint(unit_range(color[i]) * 255.0f); break;
+      case ColorFormat::Rgba16: value[i] = std::nearbyint(unit_range(color[i]) * 65535.0f); break;
       case ColorFormat::Rgb565: {
-        const int byte = int(std::nearbyint(clamped(color[i]) * 255.0f));
+        const int byte = int(std::nearbyint(unit_range(color[i]) * 255.0f));
         if (drawn) value[i] = float(i == 1 ? byte >> 2 : byte >> 3);
-        else value[i] = std::nearbyint(clamped(color[i]) * (i == 1 ? 63.0f : 31.0f));
+        else value[i] = std::nearbyint(unit_range(color[i]) * (i == 1 ? 63.0f : 31.0f));
         break;
       }
       case ColorFormat::RgbaFloat: value[i] = color[i]; break;
@@ -34,7 +33,7 @@ uint32_t store_depth(DepthFormat format, double depth, bool drawn) {
   const double one = largest_depth(format);
   if (!drawn) return uint32_t(std::nearbyint(depth * one));
   const float z = float(depth * 2.0 - 1.0) * 0.5f + 0.5f;
-  return uint32_t(std::nearbyint(clamped(z) * float(one)));
+  return uint32_t(std::nearbyint(unit_range(z) * float(one)));
 }
 
 } // namespace

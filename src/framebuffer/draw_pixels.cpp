@@ -98,9 +98,10 @@ struct ClientImage {
   }
 };
 
-uint32_t stored_depth(const Surface& surface, float depth) {
+/// Depths after the pixel transfer, as the surface stores them.
+void store_depths(const Surface& surface, const PixelTransfer& transfer, const float* depth, size_t count, uint32_t* stored) {
   const float one = float(largest_depth(surface.depth_format));
-  return uint32_t(std::lrint((depth > 0.0f ? (depth < 1.0f ? depth : 1.0f) : 0.0f) * one));
+  for (size_t i = 0; i < count; ++i) stored[i] = uint32_t(std::lrint(transfer.depth(depth[i]) * one));
 }
 
 /// Calls fill(row, elements of the row) for the rows in view of an image of T and returns the image.
@@ -110,19 +111,14 @@ template <class T, class Fill> T* fill_rows(Context& c, const Placement& p, Fill
   return element;
 }
 
-struct Rgba { float v[4]; };
 using FloatRow = float (*)[4];
 using ByteRow = uint8_t (*)[4];
 
-void submit_floats(Context& c, const Placement& p, const Rgba* element) {
-  submit_pixels(c, p.image(PixelElement::Floats, element, c.frame.arena()), p.box());
+/// `element` lies in the frame's arena.
+void submit_image(Context& c, const Placement& p, PixelElement kind, const void* element) {
+  submit_pixels(c, p.image(kind, element, c.frame.arena()), p.box());
 }
-void submit_bytes(Context& c, const Placement& p, const uint32_t* element) {
-  submit_pixels(c, p.image(PixelElement::Bytes, element, c.frame.arena()), p.box());
-}
-void submit_depths(Context& c, const Placement& p, const uint32_t* element) {
-  submit_pixels(c, p.image(PixelElement::Depth, element, c.frame.arena()), p.box());
-}
+
 /// One rectangle for every value that there is: so stencil values need nothing of their own behind here.
 void submit_stencils(Context& c, const Placement& p, const std::vector<uint8_t>& value) {
   if ((c.state.stencil.write_mask & 0xff) == 0) return;
@@ -140,11 +136,11 @@ void draw_colors(Context& c, const Placement& p, const ClientImage& image) {
   const PixelTransfer transfer(c);
   const int count = p.width_in_view();
   if (image.format.channel == PixelChannel::UnsignedByte && !transfer.changes_color()) {
-    return submit_bytes(c, p, fill_rows<uint32_t>(c, p, [&](int row, uint32_t* element) {
+    return submit_image(c, p, PixelElement::Bytes, fill_rows<uint32_t>(c, p, [&](int row, uint32_t* element) {
       unpack_pixels(image.format, image.at(p.columns.first, row), count, image.swap, reinterpret_cast<ByteRow>(element));
     }));
   }
-  submit_floats(c, p, fill_rows<Rgba>(c, p, [&](int row, Rgba* element) {
+  submit_image(c, p, PixelElement::Floats, fill_rows<PixelFloats>(c, p, [&](int row, PixelFloats* element) {
     auto* rgba = reinterpret_cast<FloatRow>(element);
     unpack_pixels(image.format, image.at(p.columns.first, row), count, image.swap, rgba);
     if (transfer.changes_color()) transfer.color(rgba, count);
@@ -154,18 +150,18 @@ void draw_colors(Context& c, const Placement& p, const ClientImage& image) {
 void draw_color_indexes(Context& c, const Placement& p, const ClientImage& image) {
   const PixelTransfer transfer(c);
   std::vector<uint32_t> index(size_t(p.width_in_view()));
-  submit_floats(c, p, fill_rows<Rgba>(c, p, [&](int row, Rgba* element) {
+  submit_image(c, p, PixelElement::Floats, fill_rows<PixelFloats>(c, p, [&](int row, PixelFloats* element) {
     image.indexes(p.columns.first, row, p.width_in_view(), index.data());
-    for (size_t i = 0; i < index.size(); ++i) transfer.index_to_color(index[i], element[i].v);
+    for (size_t i = 0; i < index.size(); ++i) transfer.index_to_color(index[i], element[i].rgba);
   }));
 }
 
 void draw_depths(Context& c, const Placement& p, const ClientImage& image) {
   const PixelTransfer transfer(c);
   std::vector<float> depth(size_t(p.width_in_view()));
-  submit_depths(c, p, fill_rows<uint32_t>(c, p, [&](int row, uint32_t* element) {
+  submit_image(c, p, PixelElement::Depth, fill_rows<uint32_t>(c, p, [&](int row, uint32_t* element) {
     unpack_depth(image.format, image.at(p.columns.first, row), p.width_in_view(), image.swap, depth.data());
-    for (size_t i = 0; i < depth.size(); ++i) element[i] = stored_depth(c.framebuffer.surface, transfer.depth(depth[i]));
+    store_depths(c.framebuffer.surface, transfer, depth.data(), depth.size(), element);
   }));
 }
 
@@ -196,18 +192,18 @@ void copy_pixels(Context& c, const Placement& p, GLint x, GLint y, GLenum type) 
     std::vector<float> depth(p.elements());
     read_depth_float(c, left, bottom, count, p.height_in_view(), depth.data());
     auto* element = c.frame.arena().allocate_array<uint32_t>(depth.size());
-    for (size_t i = 0; i < depth.size(); ++i) element[i] = stored_depth(c.framebuffer.surface, transfer.depth(depth[i]));
-    return submit_depths(c, p, element);
+    store_depths(c.framebuffer.surface, transfer, depth.data(), depth.size(), element);
+    return submit_image(c, p, PixelElement::Depth, element);
   }
   if (c.framebuffer.surface.color_format == ColorFormat::Rgba8 && !transfer.changes_color()) {
     auto* element = c.frame.arena().allocate_array<uint32_t>(p.elements());
     read_rgba8(c, left, bottom, count, p.height_in_view(), reinterpret_cast<ByteRow>(element));
-    return submit_bytes(c, p, element);
+    return submit_image(c, p, PixelElement::Bytes, element);
   }
-  auto* element = c.frame.arena().allocate_array<Rgba>(p.elements());
+  auto* element = c.frame.arena().allocate_array<PixelFloats>(p.elements());
   read_rgba_float(c, left, bottom, count, p.height_in_view(), reinterpret_cast<FloatRow>(element));
   if (transfer.changes_color()) transfer.color(reinterpret_cast<FloatRow>(element), int(p.elements()));
-  submit_floats(c, p, element);
+  submit_image(c, p, PixelElement::Floats, element);
 }
 
 bool has_buffer(const Context& c, GLenum format) {
@@ -277,7 +273,7 @@ void Bitmap(Context& c, GLsizei width, GLsizei height, GLfloat xorig, GLfloat yo
         image.indexes(p.columns.first, row, p.width_in_view(), index.data());
         for (size_t i = 0; i < index.size(); ++i) element[i] = uint8_t(index[i]);
       });
-      submit_pixels(c, p.image(PixelElement::Bit, bit, c.frame.arena()), p.box());
+      submit_image(c, p, PixelElement::Bit, bit);
     });
   }
   position.window.x += xmove;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "api/generated/commands.h"
+#include "base/unit_range.h"
 #include "frame/thread_pool.h"
 #include "framebuffer/read_surface.h"
 #include "state/context.h"
@@ -29,8 +30,6 @@ struct Target {
   unsigned char* pixels(int r) const { return row(r) + size_t(skipped) * format.bytes; }
 };
 
-float clamped(float v) { return v > 0.0f ? (v < 1.0f ? v : 1.0f) : 0.0f; }
-
 /// Whether colours go through floats: pixel transfer, sums of luminance, and what OSMesa converts that way.
 bool needs_floats(const Context& c, const PixelFormat& f) {
   if (PixelTransfer(c).changes_color() || f.luminance) return true;
@@ -48,10 +47,10 @@ void transfer(const Context& c, float (*rgba)[4], int count, bool clamp, bool lu
   for (int i = 0; i < count; ++i) {
     float* p = rgba[i];
     if (clamp)
-      for (int k = 0; k < 4; ++k) p[k] = clamped(p[k]);
+      for (int k = 0; k < 4; ++k) p[k] = unit_range(p[k]);
     if (luminance) {
       p[0] = p[0] + p[1] + p[2];
-      if (clamp) p[0] = clamped(p[0]);
+      if (clamp) p[0] = unit_range(p[0]);
     }
   }
 }

@@ -127,7 +127,7 @@ void append_rectangle(Context& c, const FragmentProgram* program, const WindowBo
   for (int at : {layout.color, layout.back_color}) set(at, p.color);
   for (int at : {layout.secondary, layout.back_secondary}) set(at, Vec4(Vec3(p.secondary_color), p.distance));
   for (int u = 0; u < kMaxTextureUnits; ++u) set(layout.texcoord[u], p.texcoord[u]);
-  const auto* rectangle = arena.make<PixelRectangle>(slot, box.x0, box.y0, box.x1, box.y1);
+  const auto* rectangle = arena.make<PixelRectangle>(slot, box);
   c.frame.append(arena.make<DrawRecord>(DrawCall{}, layout, nullptr, make_raster_constants(c, arena), program, rectangle));
   if (c.frame.over_budget()) flush_rendering(c);
 }

@@ -4,6 +4,7 @@
 
 #include "api/generated/commands.h"
 #include "base/float_environment.h"
+#include "base/unit_range.h"
 #include "fragment_program.h"
 #include "geometry/geometry.h"
 #include "raster/raster_snapshot.h"
@@ -30,7 +31,7 @@ void note_hit(RenderModeState& m, float depth) {
 }
 
 /// A depth of a hit record: [0,1] to the integers of 32 bits, to nearest.
-GLuint record_depth(float depth) { return GLuint(std::clamp(double(depth), 0.0, 1.0) * 4294967295.0 + 0.5); }
+GLuint record_depth(float depth) { return GLuint(double(unit_range(depth)) * 4294967295.0 + 0.5); }
 
 /// Writes the record of the hits since the name stack changed last, if there were any.
 void write_hit_record(RenderModeState& m) {
@@ -131,15 +132,11 @@ void feed_back(Context& c, const DrawCall& call) {
   const Arena::Mark mark = arena.mark();
   FragmentProgram fragment{};
   fragment.key.texture_units = 1;
-  bool points = false;
-  for (uint32_t i = 0; i < call.primitive_count; ++i) points |= call.primitives[i].mode == GL_POINTS;
-  OwnSnapshot own = make_own_snapshot(c, fragment.key, call.source->present, &call.constant[kColor][0], points, arena);
+  OwnSnapshot own = make_own_snapshot(c, fragment.key, call.source->present, &call.constant[kColor][0], arena);
   own.program.line_stipple = false; // whole lines are fed back
   own.program.polygons = make_polygon_constants(c, arena); // culled, coloured and offset ones
   const DrawRecord draw{call, own.layout, &own.program, make_raster_constants(c, arena), &fragment};
-  const size_t rounded = (size_t(call.vertex_count) + 63) & ~size_t(63);
-  ShadedVertices vertices{arena.allocate_array<Slot>(rounded * own.layout.slots + 4), arena.allocate_array<uint16_t>(rounded + 32), call.first_vertex,
-                          call.vertex_count};
+  const ShadedVertices& vertices = *allocate_vertices(draw, call.first_vertex, call.vertex_count, arena);
   {
     const FloatEnvironment environment;
     shade_vertices(draw, call.first_vertex, call.vertex_count, vertices);

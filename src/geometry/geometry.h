@@ -21,6 +21,8 @@ struct ElementRange {
 /// steps depend on nothing else; otherwise a range of none.
 ElementRange elements_of_steps(const PrimitiveRange& range, uint32_t first_step, uint32_t step_count);
 
+/// Memory for vertices [first, first + count) of the draw, and for what the kernels write behind them.
+ShadedVertices* allocate_vertices(const DrawRecord& draw, uint32_t first, uint32_t count, Arena& arena);
 /// Shades vertices [first, first + count) of the draw into `out`, whose own first and count describe its memory.
 /// `first` lies a multiple of 64 behind out.first. Safe from several threads for disjoint ranges.
 void shade_vertices(const DrawRecord& draw, uint32_t first, uint32_t count, const ShadedVertices& out);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/unit_range.h"
 #include "frame/draw_record.h"
 #include "raster_constants.h"
 
@@ -15,8 +16,6 @@ float depth_offset(const RasterConstants& r, const float e[3], const float f[3],
   const float dzdx = std::fabs(a * inverse), dzdy = std::fabs(b * inverse);
   return r.offset_units + (dzdx > dzdy ? dzdx : dzdy) * r.offset_factor;
 }
-
-float unit_range(float v) { return v > 0.0f ? (v < 1.0f ? v : 1.0f) : 0.0f; }
 
 } // namespace
 

@@ -4,6 +4,7 @@
 
 #include "api/generated/commands.h"
 #include "base/float_environment.h"
+#include "base/unit_range.h"
 #include "fragment_key.h"
 #include "geometry/feedback.h"
 #include "geometry/geometry.h"
@@ -55,7 +56,7 @@ void shade_attributes(Context& c, const Vec4& object, RasterPosition& position) 
   FragmentKey key{}; // of fragments that need everything
   key.secondary = 1;
   key.texture_units = (1u << kMaxTextureUnits) - 1;
-  const OwnSnapshot own = make_own_snapshot(c, key, 0, &s.current.slot[kColor][0], false, arena);
+  const OwnSnapshot own = make_own_snapshot(c, key, 0, &s.current.slot[kColor][0], arena);
 
   Vec4 constant[kMaterial0];
   std::memcpy(constant, s.current.slot, sizeof constant);
@@ -66,7 +67,7 @@ void shade_attributes(Context& c, const Vec4& object, RasterPosition& position) 
   call.constant = constant;
   call.vertex_count = 1;
   const DrawRecord draw{call, own.layout, &own.program, nullptr, nullptr};
-  ShadedVertices out{arena.allocate_array<ShadedVertices::Slot>(64 * own.layout.slots + 4), arena.allocate_array<uint16_t>(64 + 32), 0, 1};
+  const ShadedVertices& out = *allocate_vertices(draw, 0, 1, arena);
   const FloatEnvironment environment;
   shade_vertices(draw, 0, 1, out);
   auto value = [&](int slot) { const float* v = out.slot[slot].v; return Vec4(v[0], v[1], v[2], v[3]); };
@@ -103,13 +104,13 @@ void RasterPos(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
 void WindowPos(Context& c, GLfloat x, GLfloat y, GLfloat z) {
   const State& s = c.state;
   RasterPosition& position = c.state.raster_position;
-  const float depth = z > 0 ? (z < 1 ? z : 1.0f) : 0.0f;
-  position.window = Vec4(x, y, depth * float(s.viewport.far_depth - s.viewport.near_depth) + float(s.viewport.near_depth), 1);
+  position.window = Vec4(x, y, unit_range(z) * float(s.viewport.far_depth - s.viewport.near_depth) + float(s.viewport.near_depth), 1);
   position.distance = s.fog.coordinate_source == GL_FOG_COORDINATE ? s.current.slot[kFogCoordinate].x : 0.0f;
   take_current_attributes(s, position);
   position.color = glm::clamp(position.color, 0.0f, 1.0f);
   position.secondary_color = glm::clamp(position.secondary_color, 0.0f, 1.0f);
   position.valid = true;
+  feed_back_raster_position(c);
 }
 
 } // namespace gl

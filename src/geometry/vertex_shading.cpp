@@ -12,6 +12,16 @@ VertexJob make_vertex_job(const DrawRecord& draw) {
           reinterpret_cast<const float(*)[4]>(call.constant), call.first_vertex + call.vertex_count};
 }
 
+ShadedVertices* allocate_vertices(const DrawRecord& draw, uint32_t first, uint32_t count, Arena& arena) {
+  auto* v = arena.make<ShadedVertices>();
+  v->first = first;
+  v->count = count;
+  const size_t rounded = (size_t(count) + 63) & ~size_t(63);
+  v->slot = static_cast<ShadedVertices::Slot*>(arena.allocate(rounded * draw.layout.slots * sizeof(ShadedVertices::Slot) + 64));
+  v->clip_mask = arena.allocate_array<uint16_t>(rounded + 32);
+  return v;
+}
+
 void shade_vertices(const DrawRecord& draw, uint32_t first, uint32_t count, const ShadedVertices& out) {
   const VertexJob job = make_vertex_job(draw);
   const uint32_t offset = first - out.first;

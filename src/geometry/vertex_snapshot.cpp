@@ -5,6 +5,7 @@
 
 #include "fragment_program.h"
 #include "state/context.h"
+#include "state/polygons.h"
 
 namespace softgl {
 namespace {
@@ -207,7 +208,7 @@ const VertexProgram* make_vertex_program(const Context& c, const SnapshotCache& 
   return p;
 }
 
-OwnSnapshot make_own_snapshot(Context& c, const FragmentKey& key, uint32_t present, const float color[4], bool points, Arena& arena) {
+OwnSnapshot make_own_snapshot(Context& c, const FragmentKey& key, uint32_t present, const float color[4], Arena& arena) {
   inverse(c.matrices.modelview.top()); // analyses it
   FragmentProgram fragment{};
   fragment.key = key;
@@ -223,7 +224,7 @@ OwnSnapshot make_own_snapshot(Context& c, const FragmentKey& key, uint32_t prese
     find_material_sources(c, present, source);
     cache.lighting = make_lighting(c, source, color, cache.eye_space, false, arena);
   }
-  cache.layout = make_layout(c, key, source, points);
+  cache.layout = make_layout(c, key, source, false);
   return {cache.layout, *make_vertex_program(c, cache, arena)};
 }
 

@@ -30,13 +30,13 @@ const LightingConstants* make_lighting(const Context& context, const int8_t sour
 
 /// The slots that fragments of the key need; `source` is what find_material_sources() said, `points`: points are drawn.
 ShadedLayout make_layout(const Context& context, const FragmentKey& key, const int8_t source[5][2], bool points);
-/// Layout and vertex program of a draw that the frame does not get: for fragments of `key`, which are not lit. Shares nothing with
-/// the context's cache.
+/// Layout and vertex program of a draw that the frame does not get: for fragments of `key`, which are not lit; without
+/// sizes of points. Shares nothing with the context's cache.
 struct OwnSnapshot {
   ShadedLayout layout;
   VertexProgram program;
 };
-OwnSnapshot make_own_snapshot(Context& context, const FragmentKey& key, uint32_t present, const float color[4], bool points, Arena& arena);
+OwnSnapshot make_own_snapshot(Context& context, const FragmentKey& key, uint32_t present, const float color[4], Arena& arena);
 
 /// Of the cache's snapshots, layout and fragment key.
 const VertexProgram* make_vertex_program(const Context& context, const SnapshotCache& cache, Arena& arena);

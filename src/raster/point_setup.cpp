@@ -17,9 +17,9 @@ int32_t snap(float x) {
 }
 
 /// Clips the box to the pixels that may change. False: nothing is left.
-bool set_box(const RasterConstants& r, int32_t x0, int32_t y0, int32_t x1, int32_t y1, RasterPrimitive& out) {
-  out.x0 = std::max(x0, r.x0), out.x1 = std::min(x1, r.x1);
-  out.y0 = std::max(y0, r.y0), out.y1 = std::min(y1, r.y1);
+bool set_box(const RasterConstants& r, const WindowBox& box, RasterPrimitive& out) {
+  out.x0 = std::max(box.x0, r.x0), out.x1 = std::min(box.x1, r.x1);
+  out.y0 = std::max(box.y0, r.y0), out.y1 = std::min(box.y1, r.y1);
   out.edges = 0; // the box is all
   for (int i = 0; i < 4; ++i) out.a[i] = out.b[i] = 0, out.c[i] = 0;
   return out.x0 < out.x1 && out.y0 < out.y1;
@@ -46,7 +46,7 @@ void set_constant_planes(const RasterDraw& draw, const ShadedVertices::Slot* cor
 } // namespace
 
 bool setup_rectangle(const RasterDraw& draw, const PixelRectangle& rectangle, RasterPrimitive& out) {
-  if (!set_box(*draw.raster, rectangle.x0, rectangle.y0, rectangle.x1, rectangle.y1, out)) return false;
+  if (!set_box(*draw.raster, rectangle.box, out)) return false;
   set_constant_planes(draw, rectangle.corner, out);
   out.back = false;
   return true;
@@ -72,7 +72,7 @@ bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, boo
     y0 = n & 1 ? (y >> 8) - (n - 1) / 2 : ((y + 128) >> 8) - n / 2;
     x1 = x0 + n, y1 = y0 + n;
   }
-  if (!set_box(r, x0, y0, x1, y1, out)) return false;
+  if (!set_box(r, {x0, y0, x1, y1}, out)) return false;
   set_constant_planes(draw, corner, out);
   out.back = back;
   const float w = v[3];

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "state/context.h"
+#include "state/polygons.h"
 #include "state/shading.h"
 
 namespace softgl {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "api/generated/commands.h"
+#include "base/unit_range.h"
 #include "state/context.h"
 
 namespace softgl {
@@ -17,8 +18,6 @@ bool holds_indexes(GLenum map) { return map == GL_PIXEL_MAP_I_TO_I || map == GL_
 /// Maps that are looked up by an index: their sizes are powers of two.
 bool takes_indexes(GLenum map) { return map <= GL_PIXEL_MAP_I_TO_A; }
 
-float clamped(float v) { return v > 0 ? (v < 1 ? v : 1.0f) : 0.0f; }
-
 /// `value(v)` is what the map shall hold where the client has v.
 template <class T, class Value> void set_map(Context& c, GLenum map, GLsizei size, const T* values, Value value) {
   if (size < 1 || size > kMaxMapSize || (is_map(map) && takes_indexes(map) && (size & (size - 1)) != 0)) return set_error(c, GL_INVALID_VALUE);
@@ -28,7 +27,7 @@ template <class T, class Value> void set_map(Context& c, GLenum map, GLsizei siz
   c.state.pixel_maps.size[i] = size;
   for (GLsizei k = 0; k < size; ++k) {
     const float v = value(values[k]);
-    c.state.pixel_maps.value[i][k] = map == GL_PIXEL_MAP_S_TO_S ? std::round(v) : map == GL_PIXEL_MAP_I_TO_I ? v : clamped(v);
+    c.state.pixel_maps.value[i][k] = map == GL_PIXEL_MAP_S_TO_S ? std::round(v) : map == GL_PIXEL_MAP_I_TO_I ? v : unit_range(v);
   }
 }
 

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/unit_range.h"
 #include "state/context.h"
 
 namespace softgl {
 namespace {
-
-float unit_range(float v) { return v > 0.0f ? (v < 1.0f ? v : 1.0f) : 0.0f; }
 
 constexpr int map_number(GLenum map) { return int(map - GL_PIXEL_MAP_I_TO_I); }
 

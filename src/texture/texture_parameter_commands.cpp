@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "api/generated/commands.h"
+#include "base/unit_range.h"
 #include "state/context.h"
 #include "texture/texture_targets.h"
 
@@ -11,7 +12,6 @@ namespace softgl::gl {
 
 namespace {
 
-float clamp01(float v) { return v > 0 ? (v < 1 ? v : 1.0f) : 0.0f; }
 
 bool wrap_allowed(GLenum mode, TextureTarget target) {
   switch (mode) {
@@ -51,8 +51,8 @@ void TexParameter(Context& c, GLenum target, GLenum pname, const GLfloat* params
     if (token != GL_NEAREST && token != GL_LINEAR) return set_error(c, GL_INVALID_ENUM);
     p.mag_filter = token;
     break;
-  case GL_TEXTURE_BORDER_COLOR: p.border_color = {clamp01(params[0]), clamp01(params[1]), clamp01(params[2]), clamp01(params[3])}; break;
-  case GL_TEXTURE_PRIORITY: p.priority = clamp01(value); break;
+  case GL_TEXTURE_BORDER_COLOR: p.border_color = {unit_range(params[0]), unit_range(params[1]), unit_range(params[2]), unit_range(params[3])}; break;
+  case GL_TEXTURE_PRIORITY: p.priority = unit_range(value); break;
   case GL_TEXTURE_MIN_LOD: p.min_lod = value; break;
   case GL_TEXTURE_MAX_LOD: p.max_lod = value; break;
   case GL_TEXTURE_LOD_BIAS: p.lod_bias = value; break;

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "spec/state_snapshot.h"
 #include "support/runner.h"
 
 namespace softgl::test {
@@ -54,6 +55,23 @@ TEST_CASE("A polygon's pattern begins at the window's lower left corner, with th
         REQUIRE(lit(p, x, y) == ((px == 0 && py == 0) || (py == 3 && (px == 1 || px == 7)) || (px == 30 && py == 31)));
       }
   }
+}
+
+// OSMesa writes a byte behind its memory then (reference/DEVIATIONS.md).
+TEST_CASE("A polygon's pattern may begin inside a byte", "[spec][polygon]") {
+  const Gl& gl = softgl_library();
+  CurrentContext context(gl);
+  std::array<GLubyte, 8 * 32> bits{};
+  const auto set = [&](int x, int y) { bits[size_t(8 * y + x / 8)] |= GLubyte(1u << (x % 8)); };
+  set(5, 0);           // column 0 of row 0
+  set(5 + 31, 31);     // column 31 of row 31
+  gl.PixelStorei(GL_UNPACK_LSB_FIRST, 1);
+  gl.PixelStorei(GL_UNPACK_ROW_LENGTH, 64);
+  gl.PixelStorei(GL_UNPACK_SKIP_PIXELS, 5);
+  gl.PolygonStipple(bits.data());
+  GLubyte read[128] = {};
+  gl.GetPolygonStipple(read);
+  for (int i = 0; i < 128; ++i) CHECK(int(read[i]) == (i == 0 ? 0x80 : i == 127 ? 0x01 : 0));
 }
 
 TEST_CASE("Lines and points have no polygon's pattern, those of polygons neither", "[spec][polygon]") {

@@ -180,6 +180,15 @@ void random_fog(Stage& s) {
   gl.Fogf(GL_FOG_END, s.random.chance(8) ? start : s.random.real(-1, 6));
 }
 
+void random_unpacking(Stage& s) {
+  const bool other = s.random.chance(30);
+  s.gl.PixelStorei(GL_UNPACK_ALIGNMENT, s.random.pick({1, 2, 4, 8}));
+  s.gl.PixelStorei(GL_UNPACK_ROW_LENGTH, other ? s.random.pick({0, 40, 45}) : 0);
+  s.gl.PixelStorei(GL_UNPACK_SKIP_ROWS, other ? s.random.integer(0, 3) : 0);
+  s.gl.PixelStorei(GL_UNPACK_SKIP_PIXELS, other ? s.random.integer(0, 9) : 0);
+  s.gl.PixelStorei(GL_UNPACK_LSB_FIRST, other && s.random.chance(50));
+}
+
 int vertices_of(GLenum mode, int n) {
   switch (mode) {
   case GL_POINTS: return n;

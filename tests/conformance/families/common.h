@@ -25,6 +25,9 @@ void random_blending(Stage& s);
 void random_alpha_test(Stage& s);
 void random_fog(Stage& s);
 
+/// How images of at most 36 pixels a row lie in memory.
+void random_unpacking(Stage& s);
+
 /// Where the vertices of a primitive lie.
 enum class Spread { Any, View, Tiny, Sliver, Grid, Huge, Beyond };
 

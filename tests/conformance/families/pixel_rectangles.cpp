@@ -20,15 +20,6 @@ static void random_raster_position(Stage& s) {
   else gl.WindowPos3f(std::floor(x), std::floor(y), z);
 }
 
-static void random_unpacking(Stage& s) {
-  const bool other = s.random.chance(30);
-  s.gl.PixelStorei(GL_UNPACK_ALIGNMENT, s.random.pick({1, 2, 4, 8}));
-  s.gl.PixelStorei(GL_UNPACK_ROW_LENGTH, other ? s.random.pick({0, 40, 45}) : 0);
-  s.gl.PixelStorei(GL_UNPACK_SKIP_ROWS, other ? s.random.integer(0, 3) : 0);
-  s.gl.PixelStorei(GL_UNPACK_SKIP_PIXELS, other ? s.random.integer(0, 9) : 0);
-  s.gl.PixelStorei(GL_UNPACK_LSB_FIRST, other && s.random.chance(50));
-}
-
 /// Tests and blending that the fragments of rectangles go through as all others do.
 static void random_fragment_operations(Stage& s) {
   random_depth(s, 40);
@@ -89,8 +80,13 @@ static void draw_images(Stage& s) {
   }
 }
 
+static void random_copy(Stage& s, GLenum type) {
+  const int width = std::min(s.random.integer(1, 40), s.width), height = std::min(s.random.integer(1, 40), s.height);
+  const int x = s.random.integer(0, s.width - width), y = s.random.integer(0, s.height - height);
+  s.gl.CopyPixels(x, y, width, height, type);
+}
+
 static void draw_copies(Stage& s) {
-  const Gl& gl = s.gl;
   random_canvas(s);
   backdrop(s);
   PrimitiveOptions options;
@@ -101,9 +97,7 @@ static void draw_copies(Stage& s) {
     random_fragment_operations(s);
     random_raster_position(s);
     random_zoom(s);
-    const int width = s.random.integer(1, 40), height = s.random.integer(1, 40);
-    const int x = s.random.integer(0, std::max(s.width - width, 0)), y = s.random.integer(0, std::max(s.height - height, 0));
-    gl.CopyPixels(x, y, std::min(width, s.width), std::min(height, s.height), GL_COLOR);
+    random_copy(s, GL_COLOR);
   }
 }
 
@@ -124,11 +118,10 @@ static void draw_stencil_images(Stage& s) {
     random_raster_position(s);
     random_zoom(s);
     random_unpacking(s);
-    const int width = s.random.integer(1, 30), height = s.random.integer(1, 30);
     if (s.random.chance(30)) {
-      const int x = s.random.integer(0, std::max(s.width - width, 0)), y = s.random.integer(0, std::max(s.height - height, 0));
-      gl.CopyPixels(x, y, std::min(width, s.width), std::min(height, s.height), GL_STENCIL);
+      random_copy(s, GL_STENCIL);
     } else {
+      const int width = s.random.integer(1, 30), height = s.random.integer(1, 30);
       const std::vector<GLubyte> pixels = random_bytes(s, 48 * 48 * 4);
       gl.DrawPixels(width, height, GL_STENCIL_INDEX, s.random.pick({GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_UNSIGNED_INT}), pixels.data());
     }

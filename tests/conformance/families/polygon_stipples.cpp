@@ -9,12 +9,9 @@ static void random_pattern(Stage& s) {
   std::vector<GLubyte> pattern(4096);
   const int period = s.random.pick({1, 4, 16, 4096}); // short ones show rows and columns
   for (size_t i = 0; i < pattern.size(); i++) pattern[i] = i < size_t(period) ? GLubyte(s.random.bits()) : pattern[i - size_t(period)];
-  const bool stored_otherwise = s.random.chance(40);
-  gl.PixelStorei(GL_UNPACK_LSB_FIRST, stored_otherwise && s.random.chance(50));
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, stored_otherwise ? s.random.pick({1, 2, 4, 8}) : 4);
-  gl.PixelStorei(GL_UNPACK_ROW_LENGTH, stored_otherwise ? s.random.pick({0, 33, 100}) : 0);
-  gl.PixelStorei(GL_UNPACK_SKIP_ROWS, stored_otherwise ? s.random.integer(0, 9) : 0);
-  gl.PixelStorei(GL_UNPACK_SKIP_PIXELS, stored_otherwise ? s.random.integer(0, 9) : 0);
+  random_unpacking(s);
+  // OSMesa 22.3.6 writes a byte behind its stipple where this is no multiple of 8 (tests/spec/polygon_stipple_test.cpp).
+  gl.PixelStorei(GL_UNPACK_SKIP_PIXELS, s.random.pick({0, 0, 8, 16}));
   gl.PolygonStipple(pattern.data());
 }
 
