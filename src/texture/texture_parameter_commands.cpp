@@ -12,7 +12,6 @@ namespace softgl::gl {
 
 namespace {
 
-
 bool wrap_allowed(GLenum mode, TextureTarget target) {
   switch (mode) {
   case GL_CLAMP: case GL_CLAMP_TO_EDGE: case GL_CLAMP_TO_BORDER: return true;
