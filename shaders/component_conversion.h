@@ -7,9 +7,11 @@
 
 namespace softgl {
 
-/// One component of an array as float (GL 1.5, table 2.9): unsigned types with OSMesa's rounding of arrays, signed ones as
-/// the entry points convert them (OSMesa's arrays divide by 2^(b-1) - 1, see reference/DEVIATIONS.md).
-static inline float convert_component(const unsigned char* p, ComponentType type, bool normalized, int component) {
+/// One component of an array as float (GL 1.5, table 2.9): unsigned types with OSMesa's rounding of arrays,
+/// signed ones as the entry points convert them (OSMesa's arrays divide by 2^(b-1) - 1, see
+/// reference/DEVIATIONS.md).
+static inline float convert_component(const unsigned char* p, ComponentType type, bool normalized,
+                                      int component) {
   switch (type) {
   case ComponentType::Float: {
     float v;

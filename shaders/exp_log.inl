@@ -1,5 +1,6 @@
-// exp2, log2 and pow with the polynomials and operation order of OSMesa 22.3.6 (llvmpipe without FMA), so that fog,
-// spot lights and highlights have its bits. log2: absolute error <= 5.6e-7; exp2: relative error <= 2.6e-7.
+// exp2, log2 and pow with the polynomials and operation order of OSMesa 22.3.6 (llvmpipe without FMA), so
+// that fog, spot lights and highlights have its bits. log2: absolute error <= 5.6e-7; exp2: relative error
+// <= 2.6e-7.
 #pragma once
 
 #include "lane_math.h"
@@ -16,7 +17,8 @@ static inline __attribute__((always_inline)) float exp2_lane(float x) {
   const float scale = bits_float((int32_t(whole) + 127) << 23);
   const float f2 = f * f;
   const float even = f2 * (f2 * 0.00898934009049466391101f + 0.240153617044375388211f) + 1.0f;
-  const float odd = f2 * (f2 * 0.00187757667519147912699f + 0.0558263180532956664775f) + 0.693153073200168932794f;
+  const float odd =
+      f2 * (f2 * 0.00187757667519147912699f + 0.0558263180532956664775f) + 0.693153073200168932794f;
   return scale * (odd * f + even);
 }
 
@@ -28,7 +30,8 @@ static inline __attribute__((always_inline)) float log2_positive_lane(float x) {
   const float y = (mantissa - 1.0f) / (mantissa + 1.0f);
   const float z = y * y;
   const float z2 = z * z;
-  const float even = z2 * (z2 * 0.406718052498846252698f + 0.577440339438736392009f) + 2.88539009343309178325f;
+  const float even =
+      z2 * (z2 * 0.406718052498846252698f + 0.577440339438736392009f) + 2.88539009343309178325f;
   const float odd = z2 * 0.403343858251329912514f + 0.961791550404184197881f;
   return y * (odd * z + even) + exponent;
 }

@@ -1,5 +1,5 @@
-// Blending and logic operations on RGBA8 words, kWidth pixels at a time, in the 8-bit arithmetic of OSMesa 22.3.6.
-// A vector of words is two vectors of 16-bit halves: red and blue, green and alpha.
+// Blending and logic operations on RGBA8 words, kWidth pixels at a time, in the 8-bit arithmetic of
+// OSMesa 22.3.6. A vector of words is two vectors of 16-bit halves: red and blue, green and alpha.
 #pragma once
 
 #include "fragment_program.h"
@@ -48,11 +48,13 @@ SOFTGL_INLINE ShortV alpha_of(const Halves& h) {
   return (ShortV)(a | (a << 16));
 }
 
-SOFTGL_INLINE Halves factor_of(BlendFactor factor, const Halves& s, const Halves& d, const uint8_t* constant) {
+SOFTGL_INLINE Halves factor_of(BlendFactor factor, const Halves& s, const Halves& d,
+                               const uint8_t* constant) {
   const ShortV full = ShortV{} + uint16_t(255);
   auto both = [](ShortV v) { return Halves{v, v}; };
   auto inverse = [&](const Halves& h) { return Halves{full - h.rb, full - h.ga}; };
-  const Halves color = {(ShortV)splat(int32_t(constant[0] | constant[2] << 16)), (ShortV)splat(int32_t(constant[1] | constant[3] << 16))};
+  const Halves color = {(ShortV)splat(int32_t(constant[0] | constant[2] << 16)),
+                        (ShortV)splat(int32_t(constant[1] | constant[3] << 16))};
   const ShortV constant_alpha = ShortV{} + uint16_t(constant[3]);
   switch (factor) {
   case BlendFactor::Zero: return both(ShortV{});
@@ -98,7 +100,8 @@ static IntV blend_words(const FragmentKey& key, const FragmentConstants& k, IntV
   const Halves s = split(source), d = split(target);
   Halves sf = factor_of(BlendFactor(key.blend_source_rgb), s, d, k.blend_color_8);
   Halves df = factor_of(BlendFactor(key.blend_destination_rgb), s, d, k.blend_color_8);
-  if (key.blend_source_alpha != key.blend_source_rgb) sf = with_alpha(sf, factor_of(BlendFactor(key.blend_source_alpha), s, d, k.blend_color_8));
+  if (key.blend_source_alpha != key.blend_source_rgb)
+    sf = with_alpha(sf, factor_of(BlendFactor(key.blend_source_alpha), s, d, k.blend_color_8));
   if (key.blend_destination_alpha != key.blend_destination_rgb)
     df = with_alpha(df, factor_of(BlendFactor(key.blend_destination_alpha), s, d, k.blend_color_8));
   const auto equation = BlendEquation(key.blend_equation);
@@ -110,12 +113,15 @@ SOFTGL_INLINE IntV blend_over(IntV source, IntV target) {
   const Halves s = split(source), d = split(target);
   const ShortV a = alpha_of(s), b = (ShortV{} + uint16_t(255)) - a;
   const ShortV top = ShortV{} + uint16_t(255);
-  return join({lesser(multiply_8(s.rb, a) + multiply_8(d.rb, b), top), lesser(multiply_8(s.ga, a) + multiply_8(d.ga, b), top)});
+  return join({lesser(multiply_8(s.rb, a) + multiply_8(d.rb, b), top),
+               lesser(multiply_8(s.ga, a) + multiply_8(d.ga, b), top)});
 }
 SOFTGL_INLINE bool is_over(const FragmentKey& key) {
-  const auto source = uint64_t(BlendFactor::SourceAlpha), destination = uint64_t(BlendFactor::OneMinusSourceAlpha);
+  const auto source = uint64_t(BlendFactor::SourceAlpha),
+             destination = uint64_t(BlendFactor::OneMinusSourceAlpha);
   return key.blend && key.blend_equation == uint64_t(BlendEquation::Add) && key.blend_source_rgb == source &&
-         key.blend_source_alpha == source && key.blend_destination_rgb == destination && key.blend_destination_alpha == destination;
+         key.blend_source_alpha == source && key.blend_destination_rgb == destination &&
+         key.blend_destination_alpha == destination;
 }
 
 /// GL 1.5, 4.1.9; `operation` counts from GL_CLEAR.

@@ -1,4 +1,5 @@
-// The lighting of fragments (GL_WIN_phong_shading): the kernel that lights vertices, with fragments as its lanes.
+// The lighting of fragments (GL_WIN_phong_shading): the kernel that lights vertices, with fragments as its
+// lanes.
 #pragma once
 
 #include <string.h>
@@ -9,8 +10,8 @@
 namespace softgl {
 namespace SOFTGL_ISA {
 
-/// Colours from the block's normals, eye positions and materials. They are clamped to [0,1] as those of vertices are
-/// (GL 1.5, 2.14.6), so that nothing behind sees what is not a number.
+/// Colours from the block's normals, eye positions and materials. They are clamped to [0,1] as those of
+/// vertices are (GL 1.5, 2.14.6), so that nothing behind sees what is not a number.
 static void stage_light(FragmentBlock& block, const FragmentConstants& constants, int) {
   const LightingConstants& k = *constants.lighting;
   LightingBlock& b = block.lighting;
@@ -19,7 +20,9 @@ static void stage_light(FragmentBlock& block, const FragmentConstants& constants
     unit_lanes(b.normal, b.normal, n);
     if (k.local_viewer) unit_lanes(b.eye, b.eye_unit, n);
   }
-  light_block(b, k, material_lanes(k, [&](int slot) { return slot == kColor ? block.color : block.material[slot - kMaterial0]; }));
+  light_block(b, k, material_lanes(k, [&](int slot) {
+                return slot == kColor ? block.color : block.material[slot - kMaterial0];
+              }));
 
   const int32_t* back = block.back;
   auto finish = [&](const float* front_color, const float* back_color, float* out) {

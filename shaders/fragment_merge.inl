@@ -1,5 +1,5 @@
-// The end of a fragment: stencil, depth, blending, logic operation, masks. Works on vectors of fragments, no two of the
-// same pixel, whose destination pixels lie side by side: in the tile, or gathered from it.
+// The end of a fragment: stencil, depth, blending, logic operation, masks. Works on vectors of fragments, no
+// two of the same pixel, whose destination pixels lie side by side: in the tile, or gathered from it.
 #pragma once
 
 #include "fragment_blend.inl"
@@ -9,11 +9,12 @@
 namespace softgl {
 namespace SOFTGL_ISA {
 
-/// Source fragments and the gathered pixels under them. Colours of Rgba8 and Rgb565 surfaces are RGBA8 words here.
+/// Source fragments and the gathered pixels under them. Colours of Rgba8 and Rgb565 surfaces are RGBA8 words
+/// here.
 struct alignas(64) MergeBlock {
   int32_t lanes; // a multiple of 16
   uint32_t live[kLanes];
-  uint32_t depth[kLanes], color[kLanes]; // source
+  uint32_t depth[kLanes], color[kLanes];          // source
   uint32_t depth_stencil[kLanes], target[kLanes]; // destination, in and out
 };
 
@@ -33,7 +34,8 @@ SOFTGL_INLINE IntV compare_words(Compare function, IntV value, IntV other) {
 }
 
 /// GL 1.5, 4.1.5: the stencil values where `where` is set.
-SOFTGL_INLINE IntV stencil_result(StencilOperation operation, const FragmentConstants& k, IntV where, IntV s) {
+SOFTGL_INLINE IntV stencil_result(StencilOperation operation, const FragmentConstants& k, IntV where,
+                                  IntV s) {
   IntV n = s;
   switch (operation) {
   case StencilOperation::Keep: return s;
@@ -74,7 +76,9 @@ struct Merger {
     const IntV depth = words & 0xffffff;
     if (key.stencil) {
       IntV s = (IntV)((UintV)words >> 24);
-      const IntV passes = live & compare_words(Compare(key.stencil_function), splat(int32_t(k.stencil_reference & k.stencil_value_mask)), s & int32_t(k.stencil_value_mask));
+      const IntV passes = live & compare_words(Compare(key.stencil_function),
+                                               splat(int32_t(k.stencil_reference & k.stencil_value_mask)),
+                                               s & int32_t(k.stencil_value_mask));
       s = stencil_result(StencilOperation(key.stencil_fail), k, live & ~passes, s);
       live = passes & compare_words(depth_function, z, depth);
       s = stencil_result(StencilOperation(key.stencil_depth_fail), k, passes & ~live, s);
@@ -91,9 +95,12 @@ struct Merger {
   /// RGBA8 words to `place`.
   SOFTGL_MEMBER void color(IntV live, IntV source, uint32_t* place) const {
     const IntV target = load(place);
-    if (over) source = blend_over(source, target);
-    else if (key.logic_op) source = logic_words(unsigned(key.blend_source_rgb), source, target);
-    else if (key.blend) source = blend_words(key, *program.constants, source, target);
+    if (over)
+      source = blend_over(source, target);
+    else if (key.logic_op)
+      source = logic_words(unsigned(key.blend_source_rgb), source, target);
+    else if (key.blend)
+      source = blend_words(key, *program.constants, source, target);
     store(place, choose(live & mask, source, target));
   }
 };
@@ -110,7 +117,8 @@ SOFTGL_INLINE uint16_t cut_565(uint32_t c) {
 }
 
 /// The factor of channel c (3 = alpha) of one pixel; `one` is the number that stands for 1.
-template <class T> SOFTGL_INLINE T factor_of_channel(BlendFactor f, int c, const T* s, const T* d, const T* constant, T one) {
+template <class T>
+SOFTGL_INLINE T factor_of_channel(BlendFactor f, int c, const T* s, const T* d, const T* constant, T one) {
   switch (f) {
   case BlendFactor::Zero: return 0;
   case BlendFactor::One: return one;
@@ -132,11 +140,15 @@ template <class T> SOFTGL_INLINE T factor_of_channel(BlendFactor f, int c, const
 }
 
 SOFTGL_INLINE float combine_products(BlendEquation equation, float a, float b) {
-  return equation == BlendEquation::Subtract ? a - b : equation == BlendEquation::ReverseSubtract ? b - a : a + b;
+  return equation == BlendEquation::Subtract          ? a - b
+         : equation == BlendEquation::ReverseSubtract ? b - a
+                                                      : a + b;
 }
 /// 16-bit sums saturate.
 SOFTGL_INLINE int64_t combine_products(BlendEquation equation, int64_t a, int64_t b) {
-  const int64_t v = equation == BlendEquation::Subtract ? a - b : equation == BlendEquation::ReverseSubtract ? b - a : a + b;
+  const int64_t v = equation == BlendEquation::Subtract          ? a - b
+                    : equation == BlendEquation::ReverseSubtract ? b - a
+                                                                 : a + b;
   return v < 0 ? 0 : v > 65535 ? 65535 : v;
 }
 SOFTGL_INLINE float product(float a, float b) { return a * b; }
@@ -147,11 +159,18 @@ SOFTGL_INLINE int64_t product(int64_t a, int64_t b) {
 }
 
 /// Blending of one pixel of a float (T = float) or 16-bit (T = int64_t) surface.
-template <class T> static void blend_wide(const FragmentKey& key, const T* constant, T one, const T* s, const T* d, T* out) {
+template <class T>
+static void blend_wide(const FragmentKey& key, const T* constant, T one, const T* s, const T* d, T* out) {
   const auto equation = BlendEquation(key.blend_equation);
   for (int c = 0; c < 4; ++c) {
-    if (equation == BlendEquation::Min) { out[c] = s[c] < d[c] ? s[c] : d[c]; continue; }
-    if (equation == BlendEquation::Max) { out[c] = s[c] > d[c] ? s[c] : d[c]; continue; }
+    if (equation == BlendEquation::Min) {
+      out[c] = s[c] < d[c] ? s[c] : d[c];
+      continue;
+    }
+    if (equation == BlendEquation::Max) {
+      out[c] = s[c] > d[c] ? s[c] : d[c];
+      continue;
+    }
     const auto sf = BlendFactor(c == 3 ? key.blend_source_alpha : key.blend_source_rgb);
     const auto df = BlendFactor(c == 3 ? key.blend_destination_alpha : key.blend_destination_rgb);
     out[c] = combine_products(equation, product(s[c], factor_of_channel(sf, c, s, d, constant, one)),
@@ -165,24 +184,40 @@ SOFTGL_INLINE uint16_t unorm_16(float v) {
 }
 
 SOFTGL_INLINE uint16_t logic_16(unsigned operation, uint16_t s, uint16_t d) {
-  const uint16_t results[16] = {0, uint16_t(s & d), uint16_t(s & ~d), s, uint16_t(~s & d), d, uint16_t(s ^ d), uint16_t(s | d),
-                                uint16_t(~(s | d)), uint16_t(~(s ^ d)), uint16_t(~d), uint16_t(s | ~d), uint16_t(~s),
-                                uint16_t(~s | d), uint16_t(~(s & d)), 0xffff};
+  const uint16_t results[16] = {0,
+                                uint16_t(s & d),
+                                uint16_t(s & ~d),
+                                s,
+                                uint16_t(~s & d),
+                                d,
+                                uint16_t(s ^ d),
+                                uint16_t(s | d),
+                                uint16_t(~(s | d)),
+                                uint16_t(~(s ^ d)),
+                                uint16_t(~d),
+                                uint16_t(s | ~d),
+                                uint16_t(~s),
+                                uint16_t(~s | d),
+                                uint16_t(~(s & d)),
+                                0xffff};
   return results[operation];
 }
 
 /// One pixel of a 16-bit or float surface.
-static void store_wide(const FragmentProgram& program, ColorFormat format, const float source[4], void* color, size_t pixel) {
+static void store_wide(const FragmentProgram& program, ColorFormat format, const float source[4], void* color,
+                       size_t pixel) {
   const FragmentKey& key = program.key;
   const FragmentConstants& k = *program.constants;
   if (format == ColorFormat::Rgba16) {
     uint16_t* target = static_cast<uint16_t*>(color) + 4 * pixel;
     int64_t s[4], d[4], out[4], constant[4];
-    for (int c = 0; c < 4; ++c) out[c] = s[c] = unorm_16(source[c]), d[c] = target[c], constant[c] = unorm_16(k.blend_color[c]);
+    for (int c = 0; c < 4; ++c)
+      out[c] = s[c] = unorm_16(source[c]), d[c] = target[c], constant[c] = unorm_16(k.blend_color[c]);
     if (key.blend) blend_wide<int64_t>(key, constant, 65535, s, d, out);
     for (int c = 0; c < 4; ++c) {
       if (!(key.color_mask >> c & 1)) continue;
-      target[c] = key.logic_op ? logic_16(unsigned(key.blend_source_rgb), uint16_t(out[c]), target[c]) : uint16_t(out[c]);
+      target[c] = key.logic_op ? logic_16(unsigned(key.blend_source_rgb), uint16_t(out[c]), target[c])
+                               : uint16_t(out[c]);
     }
     return;
   }

@@ -18,10 +18,12 @@ struct FragmentProgram {
   const FragmentConstants* constants;
   int32_t step_count;
   FragmentStep step[kMaxSteps];
-  uint8_t r_units;    // units whose stages read the r coordinate too (three-dimensional, cube map and compared textures)
-  uint8_t lod_units;  // units whose stages read differences of coordinates across a 2x2 quad, to find a level or a filter
-  bool writes_depth;  // a stage sets the depth, which cannot be tested before
-  bool reads_quads;   // a stage looks at the other pixels of its 2x2 quad: blocks must be strips
+  uint8_t r_units;   // units whose stages read the r coordinate too (three-dimensional, cube map and compared
+                     // textures)
+  uint8_t lod_units; // units whose stages read differences of coordinates across a 2x2 quad, to find a level
+                     // or a filter
+  bool writes_depth; // a stage sets the depth, which cannot be tested before
+  bool reads_quads;  // a stage looks at the other pixels of its 2x2 quad: blocks must be strips
 
   void add(FragmentStage stage, int32_t unit = 0) { step[step_count++] = {stage, unit}; }
 };

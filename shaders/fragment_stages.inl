@@ -61,20 +61,36 @@ static void stage_fog_exp2(FragmentBlock& block, const FragmentConstants& consta
 }
 
 /// Compares in place: live[i] stays where value[i] `function` reference holds.
-template <class T> SOFTGL_INLINE void keep_if(Compare function, uint32_t* live, const T* value, T reference, int lanes) {
+template <class T>
+SOFTGL_INLINE void keep_if(Compare function, uint32_t* live, const T* value, T reference, int lanes) {
   switch (function) {
-  case Compare::Never: for (int i = 0; i < lanes; ++i) live[i] = 0; break;
-  case Compare::Less: for (int i = 0; i < lanes; ++i) live[i] &= uint32_t(mask_of(value[i] < reference)); break;
-  case Compare::Equal: for (int i = 0; i < lanes; ++i) live[i] &= uint32_t(mask_of(value[i] == reference)); break;
-  case Compare::LessEqual: for (int i = 0; i < lanes; ++i) live[i] &= uint32_t(mask_of(value[i] <= reference)); break;
-  case Compare::Greater: for (int i = 0; i < lanes; ++i) live[i] &= uint32_t(mask_of(value[i] > reference)); break;
-  case Compare::NotEqual: for (int i = 0; i < lanes; ++i) live[i] &= uint32_t(mask_of(value[i] != reference)); break;
-  case Compare::GreaterEqual: for (int i = 0; i < lanes; ++i) live[i] &= uint32_t(mask_of(value[i] >= reference)); break;
+  case Compare::Never:
+    for (int i = 0; i < lanes; ++i) live[i] = 0;
+    break;
+  case Compare::Less:
+    for (int i = 0; i < lanes; ++i) live[i] &= uint32_t(mask_of(value[i] < reference));
+    break;
+  case Compare::Equal:
+    for (int i = 0; i < lanes; ++i) live[i] &= uint32_t(mask_of(value[i] == reference));
+    break;
+  case Compare::LessEqual:
+    for (int i = 0; i < lanes; ++i) live[i] &= uint32_t(mask_of(value[i] <= reference));
+    break;
+  case Compare::Greater:
+    for (int i = 0; i < lanes; ++i) live[i] &= uint32_t(mask_of(value[i] > reference));
+    break;
+  case Compare::NotEqual:
+    for (int i = 0; i < lanes; ++i) live[i] &= uint32_t(mask_of(value[i] != reference));
+    break;
+  case Compare::GreaterEqual:
+    for (int i = 0; i < lanes; ++i) live[i] &= uint32_t(mask_of(value[i] >= reference));
+    break;
   case Compare::Always: break;
   }
 }
 
-/// GL 1.5, 4.1.4. OSMesa 22.3.6 compares the alpha that an 8-bit buffer would store; floats for other buffers.
+/// GL 1.5, 4.1.4. OSMesa 22.3.6 compares the alpha that an 8-bit buffer would store; floats for other
+/// buffers.
 static void stage_alpha_test_8(FragmentBlock& block, const FragmentConstants& constants, int unit) {
   alignas(64) int32_t alpha[kLanes];
   for (int i = 0; i < block.lanes; i += kWidth) store(alpha + i, color_byte(load(block.color[3] + i)));

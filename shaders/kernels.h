@@ -1,4 +1,5 @@
-// The one entry of this folder: per family of kernels a struct of function pointers, filled once per instruction set.
+// The one entry of this folder: per family of kernels a struct of function pointers, filled once per
+// instruction set.
 #pragma once
 
 #include <stdint.h>
@@ -10,51 +11,56 @@
 
 namespace softgl {
 
-struct RasterDraw;      // raster_draw.h
+struct RasterDraw; // raster_draw.h
 struct RasterPrimitive;
 struct SmallFragments;
 struct SmallTriangle;
 struct TileTarget;
-struct TriangleInput;   // raster_triangles.h
+struct TriangleInput; // raster_triangles.h
 struct TriangleOutput;
 
 /// Eye space to shaded vertices (vertex_kernels.cpp).
 struct VertexKernels {
   const char* isa;
   /// Vertices [first, first + count) to `out` (layout.slots each) and `mask`.
-  void (*shade)(const VertexJob& job, uint32_t first, uint32_t count, ShadedVertices::Slot* out, uint16_t* mask);
+  void (*shade)(const VertexJob& job, uint32_t first, uint32_t count, ShadedVertices::Slot* out,
+                uint16_t* mask);
 };
 
 /// Window space to pixels (raster_kernels.cpp).
 struct RasterKernels {
   const char* isa;
   /// Culls and classifies a batch and shades its fragments if it is tiny.
-  void (*prepare_triangles)(const RasterDraw& draw, const TriangleInput& in, TriangleOutput& out, FragmentBlock& scratch);
+  void (*prepare_triangles)(const RasterDraw& draw, const TriangleInput& in, TriangleOutput& out,
+                            FragmentBlock& scratch);
   /// Sets up the large triangles of a prepared batch into *record[i].
-  void (*setup_triangles)(const RasterDraw& draw, const TriangleInput& in, const TriangleOutput& batch, RasterPrimitive* const* record);
+  void (*setup_triangles)(const RasterDraw& draw, const TriangleInput& in, const TriangleOutput& batch,
+                          RasterPrimitive* const* record);
   /// Draws primitives or small triangles, or merges finished fragments, into one tile in order.
-  void (*tile_primitives)(const TileTarget& tile, const RasterDraw& draw, const RasterPrimitive* const* primitive,
-                          int32_t count, FragmentBlock& scratch);
-  void (*tile_triangles)(const TileTarget& tile, const RasterDraw& draw, const SmallTriangle* triangle, int32_t count,
-                         FragmentBlock& scratch);
-  void (*tile_fragments)(const TileTarget& tile, const RasterDraw& draw, const SmallFragments& fragments, int32_t count);
+  void (*tile_primitives)(const TileTarget& tile, const RasterDraw& draw,
+                          const RasterPrimitive* const* primitive, int32_t count, FragmentBlock& scratch);
+  void (*tile_triangles)(const TileTarget& tile, const RasterDraw& draw, const SmallTriangle* triangle,
+                         int32_t count, FragmentBlock& scratch);
+  void (*tile_fragments)(const TileTarget& tile, const RasterDraw& draw, const SmallFragments& fragments,
+                         int32_t count);
   // Stages of fragment programs.
-  FragmentStage light;        // colours from normals, eye positions and materials
+  FragmentStage light; // colours from normals, eye positions and materials
   FragmentStage color_sum, color_sum_clamped, fog_linear, fog_exp, fog_exp2;
   FragmentStage alpha_test_8, alpha_test_float; // `unit` is the comparison
-  FragmentStage image[4];     // by PixelElement; in front of all others
+  FragmentStage image[4];                       // by PixelElement; in front of all others
 };
 
 /// Texture sampling and environment (texture_kernels.cpp).
 struct TextureKernels {
   const char* isa;
-  // Sampling leaves the texel in the unit's coordinates (s, t, r, ds_dx = r, g, b, a); the environments read it there.
+  // Sampling leaves the texel in the unit's coordinates (s, t, r, ds_dx = r, g, b, a); the environments read
+  // it there.
   FragmentStage choose_face;    // of cube maps, before sampling
   FragmentStage sample_fixed;   // 8 bits per component, REPEAT or CLAMP_TO_EDGE
   FragmentStage modulate_fixed; // the same and GL_MODULATE; leaves no texel
   FragmentStage sample_float;   // everything else
   FragmentStage replace, modulate;
-  FragmentStage combine;        // all units' environments in one, and the colour sum
+  FragmentStage combine; // all units' environments in one, and the colour sum
 };
 
 } // namespace softgl

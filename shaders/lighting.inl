@@ -1,6 +1,7 @@
-// The lighting kernel (GL 1.5, 2.14.1) with the operation order of OSMesa 22.3.6's vertex program on llvmpipe without
-// FMA: dot products are (z + y) + x, a light adds ambient, then diffuse, then specular, and nothing is clamped here.
-// Stages are short loops on purpose: one loop per light costs 1.4 times as much (register pressure, long chains).
+// The lighting kernel (GL 1.5, 2.14.1) with the operation order of OSMesa 22.3.6's vertex program on llvmpipe
+// without FMA: dot products are (z + y) + x, a light adds ambient, then diffuse, then specular, and nothing
+// is clamped here. Stages are short loops on purpose: one loop per light costs 1.4 times as much (register
+// pressure, long chains).
 #pragma once
 
 #include "exp_log.inl"
@@ -11,12 +12,14 @@ namespace SOFTGL_ISA {
 
 #define SOFTGL_FOR_LANES(i, n) _Pragma("GCC ivdep") for (int i = 0; i < (n); ++i)
 
-static inline __attribute__((always_inline)) float dot3(float ax, float ay, float az, float bx, float by, float bz) {
+static inline __attribute__((always_inline)) float dot3(float ax, float ay, float az, float bx, float by,
+                                                        float bz) {
   return (az * bz + ay * by) + ax * bx;
 }
 
-/// v / |v|. A vector whose squared length is not a positive finite number has no direction and becomes zero: the zero
-/// vector, what is not finite, and what lies beyond 1e-19 and 1.8e19, where squares leave the range of a float.
+/// v / |v|. A vector whose squared length is not a positive finite number has no direction and becomes zero:
+/// the zero vector, what is not finite, and what lies beyond 1e-19 and 1.8e19, where squares leave the range
+/// of a float.
 static inline void unit_lanes(const float (*in)[kLanes], float (*out)[kLanes], int n) {
   SOFTGL_FOR_LANES(i, n) {
     const float x = in[0][i], y = in[1][i], z = in[2][i];
@@ -30,20 +33,22 @@ static inline void unit_lanes(const float (*in)[kLanes], float (*out)[kLanes], i
 }
 
 /// The material parameters that vary; `lanes_of` gives the four components of a slot as lanes.
-template <class LanesOf> static inline MaterialLanes material_lanes(const LightingConstants& k, LanesOf lanes_of) {
+template <class LanesOf>
+static inline MaterialLanes material_lanes(const LightingConstants& k, LanesOf lanes_of) {
   MaterialLanes lanes = {};
   for (int parameter = 0; parameter < 5; ++parameter)
     for (int face = 0; face <= int(k.two_sided); ++face) {
       const int slot = k.material_source[parameter][face];
       if (slot < 0) continue;
-      const float (*from)[kLanes] = lanes_of(slot);
+      const float(*from)[kLanes] = lanes_of(slot);
       for (int c = 0; c < 4; ++c) lanes.component[parameter][face][c] = from[c];
     }
   return lanes;
 }
 
 /// c = model ambient * ambient + emission, alpha of diffuse.
-static inline void light_scene_color(LightingBlock& b, const LightingConstants& k, const MaterialLanes& lanes, int face, int n) {
+static inline void light_scene_color(LightingBlock& b, const LightingConstants& k, const MaterialLanes& lanes,
+                                     int face, int n) {
   for (int c = 0; c < 3; ++c) {
     float* out = b.color[face][c];
     const float* ambient = lanes.component[0][face][c];
@@ -103,10 +108,10 @@ static inline void light_positional_vector(LightingBlock& b, const LightConstant
   }
 }
 
-/// The same for fragments, which have no bytes of OSMesa's to match, only a colour to give: a light that is at the fragment
-/// itself, or not a finite way off, shines from nowhere (unit_lanes) and leaves its ambient term. Without a constant part in
-/// the attenuation that would be infinite; the limit keeps products with any colour finite, and saturates any that is not
-/// black.
+/// The same for fragments, which have no bytes of OSMesa's to match, only a colour to give: a light that is
+/// at the fragment itself, or not a finite way off, shines from nowhere (unit_lanes) and leaves its ambient
+/// term. Without a constant part in the attenuation that would be infinite; the limit keeps products with any
+/// colour finite, and saturates any that is not black.
 static inline void light_fragment_vector(LightingBlock& b, const LightConstants& l, int n) {
   constexpr float kBrightest = 1e18f, kFarthest2 = 3e38f;
   const float *ex = b.eye[0], *ey = b.eye[1], *ez = b.eye[2];
@@ -156,7 +161,8 @@ static inline void light_spot(LightingBlock& b, const LightConstants& l, int n) 
   }
 }
 
-/// Half vector with a local viewer: nrm(L - nrm(eye)), or towards +z for a positional light seen from infinity.
+/// Half vector with a local viewer: nrm(L - nrm(eye)), or towards +z for a positional light seen from
+/// infinity.
 static inline void light_half_vector(LightingBlock& b, bool local_viewer, int n) {
   const float *vx = b.light_vector[0], *vy = b.light_vector[1], *vz = b.light_vector[2];
   float *hx = b.half_vector[0], *hy = b.half_vector[1], *hz = b.half_vector[2];
@@ -181,7 +187,8 @@ static inline void light_half_vector(LightingBlock& b, bool local_viewer, int n)
 }
 
 /// diffuse[0] = n.L (not clamped yet), specular[0] = n.h where it is wanted.
-static inline void light_dots(LightingBlock& b, const LightConstants& l, bool infinite_half, bool highlight, int n) {
+static inline void light_dots(LightingBlock& b, const LightConstants& l, bool infinite_half, bool highlight,
+                              int n) {
   const float *nx = b.normal[0], *ny = b.normal[1], *nz = b.normal[2];
   float* nl = b.diffuse[0];
   if (l.positional) {
@@ -202,23 +209,27 @@ static inline void light_dots(LightingBlock& b, const LightConstants& l, bool in
   }
 }
 
-/// Fragments with the exponent zero: anything to the power of zero is 1, also n.h = 0, which pow_lane makes 0 as OSMesa does
-/// at vertices.
-static inline void light_zero_exponents(LightingBlock& b, const LightingConstants& k, const MaterialLanes& lanes, int n) {
+/// Fragments with the exponent zero: anything to the power of zero is 1, also n.h = 0, which pow_lane makes 0
+/// as OSMesa does at vertices.
+static inline void light_zero_exponents(LightingBlock& b, const LightingConstants& k,
+                                        const MaterialLanes& lanes, int n) {
   const float* nl = b.diffuse[0];
   float* nh = b.specular[0];
   for (int face = 0; face <= int(k.two_sided); ++face) {
-    const float *shininess = lanes.component[4][face][0], constant = k.material[4][face][0], one = face ? -1.0f : 1.0f;
+    const float *shininess = lanes.component[4][face][0], constant = k.material[4][face][0],
+                one = face ? -1.0f : 1.0f;
     if (!shininess && constant != 0.0f) continue;
     SOFTGL_FOR_LANES(i, n) {
-      const int32_t zero = mask_of((shininess ? shininess[i] : constant) == 0.0f), lit = mask_of(nl[i] * one > 0.0f);
+      const int32_t zero = mask_of((shininess ? shininess[i] : constant) == 0.0f),
+                    lit = mask_of(nl[i] * one > 0.0f);
       nh[i] = select(zero & lit, one, nh[i]);
     }
   }
 }
 
-/// specular[0] = v.r of the front face, -v.r where the back face is lit, as n.h would be: r = 2 (n.s) n - s is the vector s
-/// to the light mirrored at the unit normal, v points to the viewer. v.r is the same for n and -n.
+/// specular[0] = v.r of the front face, -v.r where the back face is lit, as n.h would be: r = 2 (n.s) n - s
+/// is the vector s to the light mirrored at the unit normal, v points to the viewer. v.r is the same for n
+/// and -n.
 static inline void light_reflection(LightingBlock& b, bool local_viewer, int n) {
   const float *nx = b.normal[0], *ny = b.normal[1], *nz = b.normal[2];
   const float *sx = b.light_vector[0], *sy = b.light_vector[1], *sz = b.light_vector[2];
@@ -227,7 +238,8 @@ static inline void light_reflection(LightingBlock& b, bool local_viewer, int n) 
   float* out = b.specular[0];
   if (local_viewer) { // v = -eye_unit
     SOFTGL_FOR_LANES(i, n) {
-      const float nv = -dot3(nx[i], ny[i], nz[i], ux[i], uy[i], uz[i]), sv = -dot3(sx[i], sy[i], sz[i], ux[i], uy[i], uz[i]);
+      const float nv = -dot3(nx[i], ny[i], nz[i], ux[i], uy[i], uz[i]),
+                  sv = -dot3(sx[i], sy[i], sz[i], ux[i], uy[i], uz[i]);
       const float vr = 2.0f * nl[i] * nv - sv;
       out[i] = select(mask_of(nl[i] > 0.0f), vr, -vr);
     }
@@ -240,7 +252,8 @@ static inline void light_reflection(LightingBlock& b, bool local_viewer, int n) 
 }
 
 /// Specular factors from n.L and n.h. Front and back highlight are never both lit, so one power serves both.
-static inline void light_highlight(LightingBlock& b, const LightingConstants& k, const MaterialLanes& lanes, int n) {
+static inline void light_highlight(LightingBlock& b, const LightingConstants& k, const MaterialLanes& lanes,
+                                   int n) {
   const float* nl = b.diffuse[0];
   float *front = b.specular[0], *back = b.specular[1];
   const float* shininess[2] = {lanes.component[4][0][0], lanes.component[4][1][0]};
@@ -251,7 +264,8 @@ static inline void light_highlight(LightingBlock& b, const LightingConstants& k,
       SOFTGL_FOR_LANES(i, n) front[i] = keep(~mask_of(0.0f >= nl[i]), pow_lane(maximum(front[i], 0.0f), e));
     } else {
       const float* e = shininess[0];
-      SOFTGL_FOR_LANES(i, n) front[i] = keep(~mask_of(0.0f >= nl[i]), pow_lane(maximum(front[i], 0.0f), e[i]));
+      SOFTGL_FOR_LANES(i, n)
+      front[i] = keep(~mask_of(0.0f >= nl[i]), pow_lane(maximum(front[i], 0.0f), e[i]));
     }
     return;
   }
@@ -276,8 +290,8 @@ static inline void light_highlight(LightingBlock& b, const LightingConstants& k,
   }
 }
 
-/// Exponent zero: 1 where the face is lit. With an attenuated light OSMesa raises the n.L of vertices to the power n.L
-/// instead.
+/// Exponent zero: 1 where the face is lit. With an attenuated light OSMesa raises the n.L of vertices to the
+/// power n.L instead.
 static inline void light_zero_highlight(LightingBlock& b, bool two_sided, bool attenuated, int n) {
   const float* nl = b.diffuse[0];
   float *front = b.specular[0], *back = b.specular[1];
@@ -309,12 +323,13 @@ static inline void light_factors(LightingBlock& b, bool two_sided, bool attenuat
 }
 
 /// Adds one light's three terms to a face's colours, material constant over the draw.
-static inline void light_add_constant(LightingBlock& b, const LightingConstants& k, const LightConstants& l, int face,
-                                      bool attenuated, int n) {
+static inline void light_add_constant(LightingBlock& b, const LightingConstants& k, const LightConstants& l,
+                                      int face, bool attenuated, int n) {
   const float *diffuse = b.diffuse[face], *specular = b.specular[face], *att = b.attenuation;
   for (int c = 0; c < 3; ++c) {
     float* color = b.color[face][c];
-    const float amb = l.ambient_product[face][c], dif = l.diffuse_product[face][c], spe = l.specular_product[face][c];
+    const float amb = l.ambient_product[face][c], dif = l.diffuse_product[face][c],
+                spe = l.specular_product[face][c];
     if (k.separate_specular) {
       float* secondary = b.secondary[face][c];
       if (attenuated) {
@@ -337,10 +352,13 @@ static inline void light_add_varying(LightingBlock& b, const LightingConstants& 
   alignas(64) float amb[kLanes], dif[kLanes], spe[kLanes];
   const float *diffuse = b.diffuse[face], *specular = b.specular[face], *att = b.attenuation;
   for (int c = 0; c < 3; ++c) {
-    const struct { const float* lane; float light, product; float* out; } term[3] = {
-        {lanes.component[0][face][c], l.ambient[c], l.ambient_product[face][c], amb},
-        {lanes.component[1][face][c], l.diffuse[c], l.diffuse_product[face][c], dif},
-        {lanes.component[2][face][c], l.specular[c], l.specular_product[face][c], spe}};
+    const struct {
+      const float* lane;
+      float light, product;
+      float* out;
+    } term[3] = {{lanes.component[0][face][c], l.ambient[c], l.ambient_product[face][c], amb},
+                 {lanes.component[1][face][c], l.diffuse[c], l.diffuse_product[face][c], dif},
+                 {lanes.component[2][face][c], l.specular[c], l.specular_product[face][c], spe}};
     for (const auto& t : term) {
       float* out = t.out;
       const float *lane = t.lane, light = t.light, product = t.product;
@@ -371,8 +389,10 @@ static inline void light_block(LightingBlock& b, const LightingConstants& k, con
     const LightConstants& l = k.light[j];
     const bool attenuated = l.spot || (l.positional && l.attenuated);
     const bool infinite_half = !l.positional && !k.local_viewer;
-    if (l.positional) (k.for_fragments ? light_fragment_vector : light_positional_vector)(b, l, n);
-    else if (l.spot || k.local_viewer || k.reflection) light_directional_vector(b, l, n);
+    if (l.positional)
+      (k.for_fragments ? light_fragment_vector : light_positional_vector)(b, l, n);
+    else if (l.spot || k.local_viewer || k.reflection)
+      light_directional_vector(b, l, n);
     if (l.spot) light_spot(b, l, n);
     const bool half = !shininess_zero && !k.reflection;
     if (half && !infinite_half) light_half_vector(b, k.local_viewer, n);
@@ -386,8 +406,10 @@ static inline void light_block(LightingBlock& b, const LightingConstants& k, con
     }
     light_factors(b, two_sided, attenuated, n);
     for (int face = 0; face <= int(two_sided); ++face) {
-      if (k.varies[face]) light_add_varying(b, k, lanes, l, face, attenuated, n);
-      else light_add_constant(b, k, l, face, attenuated, n);
+      if (k.varies[face])
+        light_add_varying(b, k, lanes, l, face, attenuated, n);
+      else
+        light_add_constant(b, k, l, face, attenuated, n);
     }
   }
 }

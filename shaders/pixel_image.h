@@ -5,7 +5,9 @@
 
 namespace softgl {
 
-struct PixelFloats { float rgba[4]; };
+struct PixelFloats {
+  float rgba[4];
+};
 
 enum class PixelElement : uint8_t {
   Floats, // PixelFloats

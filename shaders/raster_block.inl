@@ -30,7 +30,8 @@ struct BlockPlane {
 };
 SOFTGL_INLINE BlockPlane block_plane(const Plane& p, int32_t x) {
   BlockPlane b;
-  for (int i = 0; i < (kWidth < 8 ? 2 : 1); ++i) b.column[i] = splat(p.gx) * (splat(float(x)) + row_of_eight(i)) + splat(p.a);
+  for (int i = 0; i < (kWidth < 8 ? 2 : 1); ++i)
+    b.column[i] = splat(p.gx) * (splat(float(x)) + row_of_eight(i)) + splat(p.a);
   b.gy = splat(p.gy);
   return b;
 }

@@ -8,13 +8,14 @@ namespace SOFTGL_ISA {
 
 /// Positions and boxes of a batch, for a second look at them.
 struct SnappedBatch {
-  alignas(64) int32_t x[3][kSetupBatch], y[3][kSetupBatch]; // corners
-  alignas(64) int32_t column[kSetupBatch], row[kSetupBatch]; // the box's first pixel
+  alignas(64) int32_t x[3][kSetupBatch], y[3][kSetupBatch];            // corners
+  alignas(64) int32_t column[kSetupBatch], row[kSetupBatch];           // the box's first pixel
   alignas(64) int32_t last_column[kSetupBatch], last_row[kSetupBatch]; // counted from there
 };
 
 /// Sorts out the triangles of a batch that can be seen, small and large.
-static void classify_triangles(const RasterDraw& draw, const TriangleInput& in, SnappedBatch& batch, TriangleOutput& out) {
+static void classify_triangles(const RasterDraw& draw, const TriangleInput& in, SnappedBatch& batch,
+                               TriangleOutput& out) {
   const RasterConstants& r = *draw.raster;
   out.small = out.large = out.negative = 0;
   uint64_t beyond = 0; // small ones with more pixels a side than kTinyBox
@@ -26,23 +27,31 @@ static void classify_triangles(const RasterDraw& draw, const TriangleInput& in, 
     for (int k = 0; k < 3; ++k) {
       const ShadedVertices::Slot* const* corner = in.corner[k] + base;
       FloatV p[4];
-      if (lanes == kWidth) load_transposed([&](int i) __attribute__((always_inline)) { return corner[i]->v; }, p);
-      else load_transposed([&](int i) __attribute__((always_inline)) { return corner[i < lanes ? i : 0]->v; }, p);
+      if (lanes == kWidth)
+        load_transposed(
+            [&](int i) __attribute__((always_inline)) { return corner[i]->v; }, p);
+      else
+        load_transposed(
+            [&](int i) __attribute__((always_inline)) { return corner[i < lanes ? i : 0]->v; }, p);
       const FloatV sx = snap_scaled(p[0]), sy = snap_scaled(p[1]);
       valid &= (sx < kMaxSnapped) & (sx > -kMaxSnapped) & (sy < kMaxSnapped) & (sy > -kMaxSnapped);
-      x[k] = round_to_int(sx) & valid, y[k] = round_to_int(sy) & valid; // no sums of lanes that are out of range
+      x[k] = round_to_int(sx) & valid,
+      y[k] = round_to_int(sy) & valid; // no sums of lanes that are out of range
     }
     const IntV column = max_(first_column(x), splat(r.x0)), row = max_(first_row(y), splat(r.y0));
-    const IntV w = min_(last_column(x), splat(r.x1 - 1)) - column, h = min_(last_row(y), splat(r.y1 - 1)) - row;
+    const IntV w = min_(last_column(x), splat(r.x1 - 1)) - column,
+               h = min_(last_row(y), splat(r.y1 - 1)) - row;
     valid &= (w >= 0) & (h >= 0);
     uint32_t alive = sign_bits(valid) & ((lanes == 32 ? 0u : 1u << lanes) - 1u);
     if (alive == 0) continue;
 
-    // 32 bits hold the area, and edge functions relative to the box, of triangles up to 64 pixels wide and high.
+    // 32 bits hold the area, and edge functions relative to the box, of triangles up to 64 pixels wide and
+    // high.
     const IntV extent_fits = ((greatest(x) - least(x)) < (1 << 14)) & ((greatest(y) - least(y)) < (1 << 14));
     // Where they are larger it may wrap, which only unsigned numbers may do.
-    const IntV area = (IntV)((UintV)multiply(x[0] - x[1], y[2] - y[0]) - (UintV)multiply(x[2] - x[0], y[0] - y[1]));
-    const IntV negative = area < 0, positive = area > 0;
+    const IntV area =
+        (IntV)((UintV)multiply(x[0] - x[1], y[2] - y[0]) - (UintV)multiply(x[2] - x[0], y[0] - y[1]));
+    const IntV negative = area<0, positive = area> 0;
     const IntV kept = (negative & splat(r.cull & 2 ? 0 : -1)) | (positive & splat(r.cull & 1 ? 0 : -1));
     const uint32_t wide = alive & ~sign_bits(extent_fits);
     alive &= sign_bits(kept) | wide;
@@ -60,7 +69,8 @@ static void classify_triangles(const RasterDraw& draw, const TriangleInput& in, 
       }
     }
     if (alive == 0) continue;
-    const uint32_t small = draw.small ? alive & sign_bits(extent_fits & (w < kSmallBox) & (h < kSmallBox)) : 0;
+    const uint32_t small =
+        draw.small ? alive & sign_bits(extent_fits & (w < kSmallBox) & (h < kSmallBox)) : 0;
     if (small) {
       beyond |= uint64_t(small & sign_bits((w >= kTinyBox) | (h >= kTinyBox))) << base;
       box_pixels += multiply(w + 1, h + 1) & mask_of_bits(small);
@@ -71,7 +81,8 @@ static void classify_triangles(const RasterDraw& draw, const TriangleInput& in, 
       store(batch.column + base, column), store(batch.row + base, row);
       store(batch.last_column + base, w), store(batch.last_row + base, h);
     }
-    out.small |= uint64_t(small) << base, out.large |= uint64_t(alive & ~small) << base, out.negative |= uint64_t(negative_bits) << base;
+    out.small |= uint64_t(small) << base, out.large |= uint64_t(alive & ~small) << base,
+        out.negative |= uint64_t(negative_bits) << base;
   }
   int32_t sum = 0;
   for (int i = 0; i < kWidth; ++i) sum += box_pixels[i];
@@ -96,8 +107,8 @@ SOFTGL_INLINE uint64_t box_pixels(int32_t w, int32_t h) {
   return ((uint64_t(0xff) >> (7 - w)) * 0x0101010101010101u) & (~uint64_t(0) >> (8 * (7 - h)));
 }
 
-/// Finds the pixels of the small triangles of a tiny batch: bit 8 * dy + dx of their boxes. Those without any are small
-/// no more.
+/// Finds the pixels of the small triangles of a tiny batch: bit 8 * dy + dx of their boxes. Those without any
+/// are small no more.
 static void cover_tiny(const SnappedBatch& batch, int count, TriangleOutput& out) {
   const uint64_t small_before = out.small;
   out.small = 0;
@@ -105,14 +116,17 @@ static void cover_tiny(const SnappedBatch& batch, int count, TriangleOutput& out
     constexpr uint64_t kAll = (uint64_t(1) << (kWidth - 1) << 1) - 1;
     const uint32_t small = uint32_t(small_before >> base & kAll);
     if (!small) continue;
-    const IntV negative = mask_of_bits(uint32_t(out.negative >> base)), mine = mask_of_bits(small), zero = IntV{};
-    const IntV column = load(batch.column + base), row = load(batch.row + base), w = load(batch.last_column + base), h = load(batch.last_row + base);
+    const IntV negative = mask_of_bits(uint32_t(out.negative >> base)), mine = mask_of_bits(small),
+               zero = IntV{};
+    const IntV column = load(batch.column + base), row = load(batch.row + base),
+               w = load(batch.last_column + base), h = load(batch.last_row + base);
     IntV x[3], y[3];
     for (int k = 0; k < 3; ++k) x[k] = load(batch.x[k] + base), y[k] = load(batch.y[k] + base);
     // Edges accept nothing outside the box of the triangle, but they know of no scissor box.
     const IntV clipped = (column + w != last_column(x)) | (row + h != last_row(y));
     for (int k = 0; k < 3; ++k) x[k] -= column << 8, y[k] -= row << 8;
-    const IntV x0 = choose(negative, x[1], x[0]), y0 = choose(negative, y[1], y[0]), x1 = choose(negative, x[0], x[1]), y1 = choose(negative, y[0], y[1]);
+    const IntV x0 = choose(negative, x[1], x[0]), y0 = choose(negative, y[1], y[0]),
+               x1 = choose(negative, x[0], x[1]), y1 = choose(negative, y[0], y[1]);
     EdgeV e0 = edge_of(x0, y0, x1, y1), e1 = edge_of(x1, y1, x[2], y[2]), e2 = edge_of(x[2], y[2], x0, y0);
     int columns = 1, rows = 1;
     while (columns < kTinyBox && sign_bits((w >= columns) & mine)) ++columns;

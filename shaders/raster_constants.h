@@ -7,18 +7,19 @@ namespace softgl {
 
 struct RasterConstants {
   int32_t x0, y0, x1, y1; // pixels that may change: surface and scissor box intersected; y down, half open
-  uint8_t cull;           // bit 0: positive areas (counter-clockwise as GL sees them) are culled, bit 1: negative ones
-  uint8_t back;           // 1: positive areas are back-facing, 0: negative ones are
-  bool flat;              // corner 2's colours without interpolation
-  bool two_sided;         // the vertices carry back colours
-  bool offset;            // polygon offset of filled polygons
+  uint8_t cull; // bit 0: positive areas (counter-clockwise as GL sees them) are culled, bit 1: negative ones
+  uint8_t back; // 1: positive areas are back-facing, 0: negative ones are
+  bool flat;    // corner 2's colours without interpolation
+  bool two_sided; // the vertices carry back colours
+  bool offset;    // polygon offset of filled polygons
   bool point_sprite;
-  uint8_t sprite_units;      // texture units whose coordinates a point sprite replaces
-  bool sprite_lower_left;    // t is 0 at the bottom
+  uint8_t sprite_units;   // texture units whose coordinates a point sprite replaces
+  bool sprite_lower_left; // t is 0 at the bottom
   float offset_units;     // units times the resolvable step
   float offset_factor;
   float line_width, point_size;
-  const uint64_t* stipple; // null, or the pattern of polygons: 4 x 4 blocks of 8x8 pixels, again and again from the surface's corner on
+  const uint64_t* stipple; // null, or the pattern of polygons: 4 x 4 blocks of 8x8 pixels, again and again
+                           // from the surface's corner on
 };
 
 } // namespace softgl

@@ -7,8 +7,9 @@
 namespace softgl {
 namespace SOFTGL_ISA {
 
-/// A primitive's edges relative to one tile, in 32 bits: c is clamped to +-2^30, a and b stay below 2^23 and a tile has
-/// 64 pixels, so no sum overflows and no sign is lost. Edges that a primitive does not have accept everything.
+/// A primitive's edges relative to one tile, in 32 bits: c is clamped to +-2^30, a and b stay below 2^23 and
+/// a tile has 64 pixels, so no sum overflows and no sign is lost. Edges that a primitive does not have accept
+/// everything.
 struct TileEdges {
   int32_t c[4], a[4], b[4];           // at the tile's first pixel; inside iff c - a * dx + b * dy >= 0
   int32_t block_min[4], block_max[4]; // least and greatest change over an 8x8 block
@@ -23,7 +24,8 @@ SOFTGL_INLINE void set_edge(TileEdges& t, int i, int32_t c, int32_t a, int32_t b
 }
 
 /// False: no pixel of the tile is covered. Looks at the first `Edges` edges.
-template <int Edges> SOFTGL_INLINE bool clip_to_tile(const RasterPrimitive& p, int32_t tile_x, int32_t tile_y, TileEdges& t) {
+template <int Edges>
+SOFTGL_INLINE bool clip_to_tile(const RasterPrimitive& p, int32_t tile_x, int32_t tile_y, TileEdges& t) {
   t.x0 = p.x0 > tile_x ? p.x0 - tile_x : 0;
   t.y0 = p.y0 > tile_y ? p.y0 - tile_y : 0;
   t.x1 = p.x1 < tile_x + kTileSize ? p.x1 - tile_x : kTileSize;
@@ -72,7 +74,8 @@ template <int Edges> SOFTGL_INLINE void edge_steps(const TileEdges& t, EdgeSteps
 
 /// How a block of the tile lies: outside, cut by edges or inside; `e` are the edges at its first pixel.
 enum class BlockPlace { Outside, Cut, Inside };
-template <int Edges> SOFTGL_INLINE BlockPlace place_block(const TileEdges& t, int32_t x, int32_t y, int32_t e[4]) {
+template <int Edges>
+SOFTGL_INLINE BlockPlace place_block(const TileEdges& t, int32_t x, int32_t y, int32_t e[4]) {
   int32_t least = 0, greatest = 0; // only their signs matter
   for (int i = 0; i < Edges; ++i) {
     e[i] = t.c[i] - t.a[i] * x + t.b[i] * y;
@@ -83,7 +86,8 @@ template <int Edges> SOFTGL_INLINE BlockPlace place_block(const TileEdges& t, in
 }
 
 /// Coverage of the block at (x, y) of the tile.
-template <int Edges> SOFTGL_INLINE uint64_t block_coverage(const TileEdges& t, const EdgeSteps<Edges>& s, int32_t x, int32_t y) {
+template <int Edges>
+SOFTGL_INLINE uint64_t block_coverage(const TileEdges& t, const EdgeSteps<Edges>& s, int32_t x, int32_t y) {
   int32_t e[4];
   const BlockPlace place = place_block<Edges>(t, x, y, e);
   if (place == BlockPlace::Outside) return 0;

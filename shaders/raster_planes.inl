@@ -1,5 +1,5 @@
-// Attribute planes of triangles, lane = triangle, and the numbers that depth and colour are stored as. As OSMesa 22.3.6
-// computes: from positions that are not snapped.
+// Attribute planes of triangles, lane = triangle, and the numbers that depth and colour are stored as. As
+// OSMesa 22.3.6 computes: from positions that are not snapped.
 #pragma once
 
 #include "raster_triangles.h"
@@ -42,7 +42,8 @@ SOFTGL_INLINE PlaneV plane_of(const PlaneBasis& b, FloatV a0, FloatV a1, FloatV 
 SOFTGL_INLINE FloatV value_at(const PlaneV& p, FloatV x, FloatV y) { return p.gy * y + (p.gx * x + p.a); }
 
 /// max(|dz/dx|, |dz/dy|) * factor + units.
-SOFTGL_INLINE FloatV depth_offset(const PlaneBasis& b, FloatV z0, FloatV z1, FloatV z2, const RasterConstants& r) {
+SOFTGL_INLINE FloatV depth_offset(const PlaneBasis& b, FloatV z0, FloatV z1, FloatV z2,
+                                  const RasterConstants& r) {
   const FloatV dz01 = z0 - z1, dz20 = z2 - z0;
   const IntV absolute = splat(0x7fffffff);
   const FloatV zx = (FloatV)((IntV)((dz20 * b.raw_dy01 - b.raw_dy20 * dz01) * b.inverse_area) & absolute);
@@ -59,30 +60,43 @@ SOFTGL_INLINE IntV color_byte(FloatV c) { return round_to_int(unit_range(c) * 25
 /// An RGBA8 word; `a` is a byte in each lane.
 SOFTGL_INLINE IntV pack_bytes(FloatV r, FloatV g, FloatV b, IntV a) {
 #if defined(__AVX2__)
-  // Saturating packs clamp below: not a number and everything too negative become the most negative integer, then 0.
+  // Saturating packs clamp below: not a number and everything too negative become the most negative integer,
+  // then 0.
   const FloatV one = splat(1.0f);
-  const IntV ri = round_to_int(min_(one, r) * 255.0f), gi = round_to_int(min_(one, g) * 255.0f), bi = round_to_int(min_(one, b) * 255.0f);
+  const IntV ri = round_to_int(min_(one, r) * 255.0f), gi = round_to_int(min_(one, g) * 255.0f),
+             bi = round_to_int(min_(one, b) * 255.0f);
   return interleave_bytes(ri, gi, bi, a);
 #else
   return color_byte(r) | (color_byte(g) << 8) | (color_byte(b) << 16) | (a << 24);
 #endif
 }
-SOFTGL_INLINE IntV pack_color(FloatV r, FloatV g, FloatV b, FloatV a) { return pack_bytes(r, g, b, color_byte(a)); }
+SOFTGL_INLINE IntV pack_color(FloatV r, FloatV g, FloatV b, FloatV a) {
+  return pack_bytes(r, g, b, color_byte(a));
+}
 SOFTGL_INLINE IntV pack_opaque(FloatV r, FloatV g, FloatV b) { return pack_bytes(r, g, b, splat(255)); }
 
 /// Triangles of a batch.
-SOFTGL_INLINE void find_corners(const RasterDraw& draw, const TriangleInput& in, const TriangleOutput& batch, const uint8_t* number, SmallTriangle triangle[kWidth]) {
+SOFTGL_INLINE void find_corners(const RasterDraw& draw, const TriangleInput& in, const TriangleOutput& batch,
+                                const uint8_t* number, SmallTriangle triangle[kWidth]) {
   for (int i = 0; i < kWidth; ++i) {
     const int n = number[i], swapped = int(batch.negative >> n & 1);
-    triangle[i] = {{in.corner[swapped][n], in.corner[swapped ^ 1][n], in.corner[2][n]}, draw.raster->back != swapped};
+    triangle[i] = {{in.corner[swapped][n], in.corner[swapped ^ 1][n], in.corner[2][n]},
+                   draw.raster->back != swapped};
   }
 }
 
-/// Loads slot `slot` (`back_slot` where the triangle is back-facing) of the three corners of kWidth triangles.
+/// Loads slot `slot` (`back_slot` where the triangle is back-facing) of the three corners of kWidth
+/// triangles.
 SOFTGL_INLINE void load_slot(const SmallTriangle* t, int slot, int back_slot, FloatV out[3][4]) {
   for (int k = 0; k < 3; ++k) {
-    if (slot == back_slot) load_transposed([&](int i) __attribute__((always_inline)) { return t[i].corner[k][slot].v; }, out[k]);
-    else load_transposed([&](int i) __attribute__((always_inline)) { return t[i].corner[k][t[i].back ? back_slot : slot].v; }, out[k]);
+    if (slot == back_slot)
+      load_transposed(
+          [&](int i) __attribute__((always_inline)) { return t[i].corner[k][slot].v; }, out[k]);
+    else
+      load_transposed(
+          [&](int i)
+              __attribute__((always_inline)) { return t[i].corner[k][t[i].back ? back_slot : slot].v; },
+          out[k]);
   }
 }
 
@@ -111,7 +125,8 @@ struct CornerPlanes {
   SOFTGL_MEMBER PlaneV plane(const Varying& v, int component) const {
     const int k = v.first + component;
     if (v.flat) return {slot[2][k], FloatV{}, FloatV{}};
-    return plane_of(basis, slot[0][k] * position[0][3], slot[1][k] * position[1][3], slot[2][k] * position[2][3]);
+    return plane_of(basis, slot[0][k] * position[0][3], slot[1][k] * position[1][3],
+                    slot[2][k] * position[2][3]);
   }
 };
 

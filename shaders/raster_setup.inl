@@ -8,7 +8,8 @@ namespace softgl {
 namespace SOFTGL_ISA {
 
 /// Sets up the large triangles of a batch: planes and edges into *record[i].
-static void setup_triangles(const RasterDraw& draw, const TriangleInput& in, const TriangleOutput& batch, RasterPrimitive* const* record) {
+static void setup_triangles(const RasterDraw& draw, const TriangleInput& in, const TriangleOutput& batch,
+                            RasterPrimitive* const* record) {
   const RasterConstants& r = *draw.raster;
   StoredPlanes planes;
   alignas(64) int32_t x[3][kWidth], y[3][kWidth];
@@ -27,7 +28,8 @@ static void setup_triangles(const RasterDraw& draw, const TriangleInput& in, con
     store_planes(draw, made, planes);
     for (int i = 0; i < lanes; ++i) {
       RasterPrimitive& q = **record++;
-      for (int k = 0; k < draw.plane_count; ++k) q.plane[k] = {planes.plane[k][0][i], planes.plane[k][1][i], planes.plane[k][2][i]};
+      for (int k = 0; k < draw.plane_count; ++k)
+        q.plane[k] = {planes.plane[k][0][i], planes.plane[k][1][i], planes.plane[k][2][i]};
       q.w_is_one = q.plane[kPlaneW].a == 1.0f && q.plane[kPlaneW].gx == 0.0f && q.plane[kPlaneW].gy == 0.0f;
       q.depth_offset = planes.offset[i];
       q.edges = 3;
@@ -36,7 +38,8 @@ static void setup_triangles(const RasterDraw& draw, const TriangleInput& in, con
       for (int k = 0; k < 3; ++k) {
         const int j = k == 2 ? 0 : k + 1;
         const int32_t ea = y[k][i] - y[j][i], eb = x[k][i] - x[j][i];
-        const int64_t ec = int64_t(ea) * x[k][i] - int64_t(eb) * y[k][i] + ((ea < 0 || (ea == 0 && eb < 0)) ? 1 : 0);
+        const int64_t ec =
+            int64_t(ea) * x[k][i] - int64_t(eb) * y[k][i] + ((ea < 0 || (ea == 0 && eb < 0)) ? 1 : 0);
         q.a[k] = ea, q.b[k] = eb, q.c[k] = (ec - 1) >> 8;
         min_x = x[k][i] < min_x ? x[k][i] : min_x, max_x = x[k][i] > max_x ? x[k][i] : max_x;
         min_y = y[k][i] < min_y ? y[k][i] : min_y, max_y = y[k][i] > max_y ? y[k][i] : max_y;

@@ -18,7 +18,9 @@ struct ChosenPlanes {
   }
   SOFTGL_MEMBER PlaneV z() const { return at(kPlaneZ); }
   SOFTGL_MEMBER PlaneV w() const { return at(kPlaneW); }
-  SOFTGL_MEMBER FloatV offset(const RasterConstants& r) const { return r.offset ? permute(load(stored.offset), triangle) : FloatV{}; }
+  SOFTGL_MEMBER FloatV offset(const RasterConstants& r) const {
+    return r.offset ? permute(load(stored.offset), triangle) : FloatV{};
+  }
   SOFTGL_MEMBER IntV back() const { return (IntV)permute((FloatV)load(stored.back), triangle); }
   SOFTGL_MEMBER void select(const Varying&) {}
   SOFTGL_MEMBER PlaneV plane(const Varying& v, int component) const { return at(v.plane + component); }
@@ -43,8 +45,8 @@ struct OnePlanes {
 
 namespace { // so that no member is visible outside
 
-/// Where shaded fragments go. To be kept in a local variable: of members GCC believes that each store may change them (20 of
-/// 106 instructions).
+/// Where shaded fragments go. To be kept in a local variable: of members GCC believes that each store may
+/// change them (20 of 106 instructions).
 struct FragmentWords {
   uint16_t* pixel;
   uint32_t *depth, *color, *live;
@@ -53,16 +55,20 @@ struct FragmentWords {
   bool opaque;
 
   SOFTGL_MEMBER FragmentWords(const RasterDraw& draw, uint16_t* p, uint32_t* d, uint32_t* c, uint32_t* l)
-      : pixel(p), depth(d), color(c), live(l), scale(depth_scale(draw.program->key)), varying(draw.varying[0]), opaque(draw.opaque) {}
+      : pixel(p), depth(d), color(c), live(l), scale(depth_scale(draw.program->key)),
+        varying(draw.varying[0]), opaque(draw.opaque) {}
 };
 
-/// Shades fragments of small triangles, side by side in the order of the triangles. Staged: with stages of the program.
+/// Shades fragments of small triangles, side by side in the order of the triangles. Staged: with stages of
+/// the program.
 template <bool Staged> class SmallShader {
 public:
-  SmallShader(const RasterDraw& draw, FragmentBlock& block) : draw_(draw), block_(block), program_(*draw.program) {}
+  SmallShader(const RasterDraw& draw, FragmentBlock& block)
+      : draw_(draw), block_(block), program_(*draw.program) {}
 
   /// Fragments [f, f + kWidth) at px, py.
-  template <class Planes> SOFTGL_MEMBER void shade(const FragmentWords& words, Planes& planes, int32_t f, IntV px, IntV py) {
+  template <class Planes>
+  SOFTGL_MEMBER void shade(const FragmentWords& words, Planes& planes, int32_t f, IntV px, IntV py) {
     const FloatV x = to_float(px), y = to_float(py);
     const IntV depth = depth_bits(value_at(planes.z(), x, y) + planes.offset(*draw_.raster), words.scale);
     store(words.depth + f, depth);
@@ -93,7 +99,8 @@ public:
       const Varying v = coordinates_of_unit(draw_, u);
       planes.select(v);
       const PlaneV q[4] = {planes.plane(v, 0), planes.plane(v, 1), planes.plane(v, 2), planes.plane(v, 3)};
-      interpolate_unit(block_.unit[u], lane, coordinates_read(program_, u), plane_of_w(draw_, u, w), q, px, py);
+      interpolate_unit(block_.unit[u], lane, coordinates_read(program_, u), plane_of_w(draw_, u, w), q, px,
+                       py);
     }
     store(block_.x + lane, px), store(block_.y + lane, py);
     store(block_.depth + lane, depth);
@@ -106,9 +113,11 @@ public:
     block_.lanes = (lanes + kStripLanes - 1) & ~(kStripLanes - 1);
     for (int j = 0; j < kLanes; ++j) block_.live[j] = j < lanes ? ~uint32_t(0) : 0;
     // Lanes past the last fragment hold values of an earlier block or copies: finite, as far as those are.
-    for (int i = 0; i < program_.step_count; ++i) program_.step[i].stage(block_, *program_.constants, program_.step[i].unit);
+    for (int i = 0; i < program_.step_count; ++i)
+      program_.step[i].stage(block_, *program_.constants, program_.step[i].unit);
     for (int j = 0; j < lanes; j += kWidth) {
-      store(words.color + first_ + j, pack_color(load(block_.color[0] + j), load(block_.color[1] + j), load(block_.color[2] + j), load(block_.color[3] + j)));
+      store(words.color + first_ + j, pack_color(load(block_.color[0] + j), load(block_.color[1] + j),
+                                                 load(block_.color[2] + j), load(block_.color[3] + j)));
       store(words.live + first_ + j, load(block_.live + j));
     }
     first_ = end;

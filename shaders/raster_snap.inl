@@ -1,4 +1,5 @@
-// Window positions on the grid of 1/256 pixel, on which OSMesa 22.3.6 finds coverage. Pixel centres are whole pixels.
+// Window positions on the grid of 1/256 pixel, on which OSMesa 22.3.6 finds coverage. Pixel centres are whole
+// pixels.
 #pragma once
 
 #include "raster_triangles.h"
@@ -7,7 +8,8 @@
 namespace softgl {
 namespace SOFTGL_ISA {
 
-/// Coordinates up to 65536 pixels are rasterized; a viewport lies well inside. Beyond (or not a number): dropped.
+/// Coordinates up to 65536 pixels are rasterized; a viewport lies well inside. Beyond (or not a number):
+/// dropped.
 constexpr float kMaxSnapped = 16777216.0f;
 
 /// (v - 0.5) * 256, to be rounded to nearest even.

@@ -1,5 +1,5 @@
-// Which pixels small triangles cover in a tile: one span a row, lane = triangle. As OSMesa 22.3.6 computes: from positions
-// snapped to 1/256 pixel.
+// Which pixels small triangles cover in a tile: one span a row, lane = triangle. As OSMesa 22.3.6 computes:
+// from positions snapped to 1/256 pixel.
 #pragma once
 
 #include "raster_snap.inl"
@@ -7,17 +7,17 @@
 namespace softgl {
 namespace SOFTGL_ISA {
 
-/// Where the pixels of kWidth small triangles are, listed triangle by triangle: bits 0-5 x, 6-11 y in the tile, 12-15 the
-/// triangle.
+/// Where the pixels of kWidth small triangles are, listed triangle by triangle: bits 0-5 x, 6-11 y in the
+/// tile, 12-15 the triangle.
 struct SmallPixels {
   static constexpr int kMost = kWidth * kSmallBox * kSmallBox;
   alignas(64) uint16_t place[kMost + kSmallBox];
   int32_t end[kWidth]; // of each triangle's
 };
 
-/// A side that bounds spans. With t = (value + 0.5) / a pixels up to floor(t) are inside, or, on the left, from ceil(t) on:
-/// that is the test value - a * x >= 0 of whole numbers, since t is 1 / (2 |a|) > 2^-16 off every integer, and its rounding
-/// errors are below 2^-16 up to 128.
+/// A side that bounds spans. With t = (value + 0.5) / a pixels up to floor(t) are inside, or, on the left,
+/// from ceil(t) on: that is the test value - a * x >= 0 of whole numbers, since t is 1 / (2 |a|) > 2^-16 off
+/// every integer, and its rounding errors are below 2^-16 up to 128.
 struct SpanSide {
   FloatV value, step, inverse; // value + 0.5 at a row, its change from row to row, 1 / a
 
@@ -29,7 +29,8 @@ SOFTGL_INLINE SpanSide choose(IntV mask, const SpanSide& a, const SpanSide& b) {
   return {choose(mask, a.value, b.value), choose(mask, a.step, b.step), choose(mask, a.inverse, b.inverse)};
 }
 
-/// The edge from corner i to corner j of a triangle with positive area, at row `y`; `right` is set where it bounds the right.
+/// The edge from corner i to corner j of a triangle with positive area, at row `y`; `right` is set where it
+/// bounds the right.
 SOFTGL_INLINE SpanSide side_of(IntV xi, IntV yi, IntV xj, IntV yj, IntV y, IntV& right) {
   const IntV a = yi - yj, b = xi - xj;
   const IntV included = (a < 0) | ((a == 0) & (b < 0)); // all ones: centres on the edge are inside
@@ -40,8 +41,10 @@ SOFTGL_INLINE SpanSide side_of(IntV xi, IntV yi, IntV xj, IntV yj, IntV y, IntV&
   return {to_float(value) + 0.5f, to_float(b), choose(a == 0, splat(128.0f), splat(1.0f) / to_float(a))};
 }
 
-/// Lists the pixels of `count` triangles (at most kWidth, the other lanes repeat one of them); p: their corners' positions.
-static void list_pixels(const RasterConstants& r, const TileTarget& tile, const FloatV p[3][4], int count, SmallPixels& out) {
+/// Lists the pixels of `count` triangles (at most kWidth, the other lanes repeat one of them); p: their
+/// corners' positions.
+static void list_pixels(const RasterConstants& r, const TileTarget& tile, const FloatV p[3][4], int count,
+                        SmallPixels& out) {
   IntV x[3], y[3];
   for (int k = 0; k < 3; ++k) {
     x[k] = round_to_int(snap_scaled(p[k][0])) - 256 * tile.x;
@@ -53,13 +56,17 @@ static void list_pixels(const RasterConstants& r, const TileTarget& tile, const 
   const IntV first = max_(first_row(y), splat(top)), last = min_(last_row(y), splat(bottom - 1));
 
   IntV is_right[3];
-  const SpanSide side[3] = {side_of(x[0], y[0], x[1], y[1], first, is_right[0]), side_of(x[1], y[1], x[2], y[2], first, is_right[1]),
+  const SpanSide side[3] = {side_of(x[0], y[0], x[1], y[1], first, is_right[0]),
+                            side_of(x[1], y[1], x[2], y[2], first, is_right[1]),
                             side_of(x[2], y[2], x[0], y[0], first, is_right[2])};
-  // Going round, one side at least bounds each way (a level one counts as right); the third may be another of either.
-  const SpanSide open_right = {splat(float(1 << 20)), FloatV{}, splat(1.0f)}, open_left = {splat(float(1 << 20)), FloatV{}, splat(-1.0f)};
+  // Going round, one side at least bounds each way (a level one counts as right); the third may be another of
+  // either.
+  const SpanSide open_right = {splat(float(1 << 20)), FloatV{}, splat(1.0f)},
+                 open_left = {splat(float(1 << 20)), FloatV{}, splat(-1.0f)};
   SpanSide r0 = choose(is_right[0], side[0], choose(is_right[1], side[1], side[2]));
   SpanSide l0 = choose(is_right[0], choose(is_right[1], side[2], side[1]), side[0]);
-  const IntV third_right = (is_right[0] & is_right[1]) | (is_right[0] & is_right[2]) | (is_right[1] & is_right[2]);
+  const IntV third_right =
+      (is_right[0] & is_right[1]) | (is_right[0] & is_right[2]) | (is_right[1] & is_right[2]);
   const SpanSide third = choose(third_right, choose(is_right[0] & is_right[1], side[1], side[2]),
                                 choose(is_right[0] | is_right[1], side[2], side[1]));
   SpanSide r1 = choose(third_right, third, open_right), l1 = choose(third_right, open_left, third);
@@ -73,11 +80,14 @@ static void list_pixels(const RasterConstants& r, const TileTarget& tile, const 
 
   // Spans by row and lane: the first pixel's place, and how many there are in the upper half.
   alignas(64) uint32_t span[kSmallBox][kWidth];
-  alignas(64) static constexpr int32_t kLane[16] = {0, 1 << 12, 2 << 12, 3 << 12, 4 << 12, 5 << 12, 6 << 12, 7 << 12, 8 << 12, 9 << 12, 10 << 12, 11 << 12, 12 << 12, 13 << 12, 14 << 12, 15 << 12};
+  alignas(64) static constexpr int32_t kLane[16] = {0,        1 << 12,  2 << 12,  3 << 12, 4 << 12,  5 << 12,
+                                                    6 << 12,  7 << 12,  8 << 12,  9 << 12, 10 << 12, 11 << 12,
+                                                    12 << 12, 13 << 12, 14 << 12, 15 << 12};
   IntV place = load(kLane) + (first << 6) + 1; // of the pixel with number 0 of a row, counted from -1
   for (int32_t row = 0; row < all_rows; ++row) {
     const IntV end = floor_off_integers(min_(min_(r0.bound(), r1.bound()), most));
-    const IntV before = floor_off_integers(max_(max_(l0.bound(), l1.bound()), least)); // the last pixel outside
+    const IntV before =
+        floor_off_integers(max_(max_(l0.bound(), l1.bound()), least)); // the last pixel outside
     r0.next_row(), r1.next_row(), l0.next_row(), l1.next_row();
     const IntV pixels = max_(end - before, IntV{}) & (splat(row) < rows);
     store(span[row], (pixels << 16) | ((place + before) & 0xffff));

@@ -1,5 +1,5 @@
-// Primitives whose fragments go through the stages of their program: strips of wide ones, densely packed lanes of small
-// ones.
+// Primitives whose fragments go through the stages of their program: strips of wide ones, densely packed
+// lanes of small ones.
 #pragma once
 
 #include "raster_block.inl"
@@ -8,7 +8,9 @@ namespace softgl {
 namespace SOFTGL_ISA {
 
 /// True where a fragment's depth can be tested before its stages run.
-SOFTGL_INLINE bool tests_early(const FragmentProgram& program) { return !program.key.stencil && !program.writes_depth; }
+SOFTGL_INLINE bool tests_early(const FragmentProgram& program) {
+  return !program.key.stencil && !program.writes_depth;
+}
 
 /// Strips of one primitive on their way through the fragment program.
 struct StripBatch {
@@ -17,14 +19,16 @@ struct StripBatch {
 };
 
 /// Merges the strips of `block` whose colours are final.
-static void merge_strips(const RasterDraw& draw, const TileTarget& tile, FragmentBlock& block, const StripBatch& batch) {
+static void merge_strips(const RasterDraw& draw, const TileTarget& tile, FragmentBlock& block,
+                         const StripBatch& batch) {
   const Merger merger{*draw.program};
   const auto format = ColorFormat(merger.key.color_format);
   for (int s = 0; s < batch.strips; ++s) {
     const int first = s * kStripLanes, pixel = batch.pixel[s];
     if (tile.depth_stencil)
       for (int i = first; i < first + kStripLanes; i += kWidth)
-        store(block.live + i, merger.depth_stencil(load(block.live + i), load(block.depth + i), tile.depth_stencil + (pixel + i - first)));
+        store(block.live + i, merger.depth_stencil(load(block.live + i), load(block.depth + i),
+                                                   tile.depth_stencil + (pixel + i - first)));
     if (format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565) {
       uint32_t expanded[kStripLanes];
       uint32_t* words = format == ColorFormat::Rgba8 ? static_cast<uint32_t*>(tile.color) + pixel : expanded;
@@ -32,7 +36,10 @@ static void merge_strips(const RasterDraw& draw, const TileTarget& tile, Fragmen
       if (format == ColorFormat::Rgb565)
         for (int i = 0; i < kStripLanes; ++i) expanded[i] = expand_565(halves[i]);
       for (int i = first; i < first + kStripLanes; i += kWidth)
-        merger.color(load(block.live + i), pack_color(load(block.color[0] + i), load(block.color[1] + i), load(block.color[2] + i), load(block.color[3] + i)), words + (i - first));
+        merger.color(load(block.live + i),
+                     pack_color(load(block.color[0] + i), load(block.color[1] + i), load(block.color[2] + i),
+                                load(block.color[3] + i)),
+                     words + (i - first));
       if (format == ColorFormat::Rgb565)
         for (int i = 0; i < kStripLanes; ++i) halves[i] = cut_565(expanded[i]);
       continue;
@@ -45,17 +52,20 @@ static void merge_strips(const RasterDraw& draw, const TileTarget& tile, Fragmen
   }
 }
 
-static void run_strips(const RasterDraw& draw, const TileTarget& tile, const RasterPrimitive& p, FragmentBlock& block, StripBatch& batch) {
+static void run_strips(const RasterDraw& draw, const TileTarget& tile, const RasterPrimitive& p,
+                       FragmentBlock& block, StripBatch& batch) {
   block.lanes = batch.strips * kStripLanes;
   interpolate_block(draw, p, block);
   const FragmentProgram& program = *draw.program;
-  for (int i = 0; i < program.step_count; ++i) program.step[i].stage(block, *program.constants, program.step[i].unit);
+  for (int i = 0; i < program.step_count; ++i)
+    program.step[i].stage(block, *program.constants, program.step[i].unit);
   merge_strips(draw, tile, block, batch);
   batch.strips = 0;
 }
 
 /// Merges `count` fragments that share no pixel; depth, colour and live of m are set.
-static void merge_fragments(const TileTarget& tile, const FragmentProgram& program, const uint32_t* pixel, int32_t count, MergeBlock& m) {
+static void merge_fragments(const TileTarget& tile, const FragmentProgram& program, const uint32_t* pixel,
+                            int32_t count, MergeBlock& m) {
   const bool words = ColorFormat(program.key.color_format) == ColorFormat::Rgba8;
   auto* color = static_cast<uint32_t*>(tile.color);
   auto* halves = static_cast<uint16_t*>(tile.color);
@@ -63,28 +73,33 @@ static void merge_fragments(const TileTarget& tile, const FragmentProgram& progr
   for (int32_t i = 0; i < count; ++i) m.target[i] = words ? color[pixel[i]] : expand_565(halves[pixel[i]]);
   if (tile.depth_stencil)
     for (int32_t i = 0; i < count; ++i) m.depth_stencil[i] = tile.depth_stencil[pixel[i]];
-  for (int32_t i = count; i < m.lanes; ++i) m.live[i] = m.color[i] = m.target[i] = m.depth[i] = m.depth_stencil[i] = 0;
+  for (int32_t i = count; i < m.lanes; ++i)
+    m.live[i] = m.color[i] = m.target[i] = m.depth[i] = m.depth_stencil[i] = 0;
   const Merger merger{program};
   for (int i = 0; i < m.lanes; i += kWidth)
-    merger.color(merger.depth_stencil(load(m.live + i), load(m.depth + i), m.depth_stencil + i), load(m.color + i), m.target + i);
+    merger.color(merger.depth_stencil(load(m.live + i), load(m.depth + i), m.depth_stencil + i),
+                 load(m.color + i), m.target + i);
   for (int32_t i = 0; i < count; ++i) {
-    if (words) color[pixel[i]] = m.target[i];
-    else halves[pixel[i]] = cut_565(m.target[i]);
+    if (words)
+      color[pixel[i]] = m.target[i];
+    else
+      halves[pixel[i]] = cut_565(m.target[i]);
   }
   if (tile.depth_stencil && (program.key.depth_write || program.key.stencil))
     for (int32_t i = 0; i < count; ++i) tile.depth_stencil[pixel[i]] = m.depth_stencil[i];
 }
 
 /// A primitive whose fragments go through the stages of its program.
-template <bool Depth>
-static void staged_primitive(const RasterDraw& draw, const TileTarget& tile, const RasterPrimitive& p, FragmentBlock& block) {
+template <bool Depth> static void staged_primitive(const RasterDraw& draw, const TileTarget& tile,
+                                                   const RasterPrimitive& p, FragmentBlock& block) {
   TileEdges edges;
   if (!clip_to_tile<4>(p, tile.x, tile.y, edges)) return;
   const FragmentKey& key = draw.program->key;
   const Compare function = Compare(key.depth_function);
   const float scale = depth_scale(key);
   const bool early = Depth && tests_early(*draw.program);
-  const uint64_t* stipple = p.edges == 3 ? draw.raster->stipple : nullptr; // triangles only: not lines and points
+  const uint64_t* stipple =
+      p.edges == 3 ? draw.raster->stipple : nullptr; // triangles only: not lines and points
   EdgeSteps<4> steps;
   if (!edges.inside) edge_steps<4>(edges, steps);
   StripBatch batch;
@@ -105,7 +120,9 @@ static void staged_primitive(const RasterDraw& draw, const TileTarget& tile, con
           if constexpr (Depth) {
             const IntV zi = depth_bits(at(p.plane[kPlaneZ], px, py) + p.depth_offset, scale);
             store(block.depth + lane + i * kWidth, zi);
-            if (early) live &= compare_words(function, zi, load(tile.depth_stencil + pixel + s * kStripLanes + i * kWidth) & 0xffffff);
+            if (early)
+              live &= compare_words(
+                  function, zi, load(tile.depth_stencil + pixel + s * kStripLanes + i * kWidth) & 0xffffff);
           }
           store(block.live + lane + i * kWidth, live);
           store(block.x + lane + i * kWidth, round_to_int(px));
@@ -121,11 +138,12 @@ static void staged_primitive(const RasterDraw& draw, const TileTarget& tile, con
   if (batch.strips) run_strips(draw, tile, p, block, batch);
 }
 
-/// Primitives at most so wide and high are shaded with lane = fragment, packed densely: measured on 10-pixel textured
-/// triangles, strips leave five of six lanes dead.
+/// Primitives at most so wide and high are shaded with lane = fragment, packed densely: measured on 10-pixel
+/// textured triangles, strips leave five of six lanes dead.
 constexpr int kDenseBox = 16;
 
-/// Fragments of several small primitives of one draw, no two on the same pixel, on their way through the program.
+/// Fragments of several small primitives of one draw, no two on the same pixel, on their way through the
+/// program.
 struct DenseBatch {
   int32_t lanes = 0;
   uint32_t pixel[kLanes];
@@ -133,7 +151,8 @@ struct DenseBatch {
   uint64_t used[kTilePixels / 64] = {}; // pixels of the batch, by 8x8 block
 };
 
-static void run_dense(const RasterDraw& draw, const TileTarget& tile, FragmentBlock& block, DenseBatch& batch) {
+static void run_dense(const RasterDraw& draw, const TileTarget& tile, FragmentBlock& block,
+                      DenseBatch& batch) {
   const int32_t count = batch.lanes;
   if (count == 0) return;
   block.lanes = (count + kStripLanes - 1) & ~(kStripLanes - 1);
@@ -144,10 +163,12 @@ static void run_dense(const RasterDraw& draw, const TileTarget& tile, FragmentBl
   }
   interpolate_lanes(draw, batch.primitive, block);
   const FragmentProgram& program = *draw.program;
-  for (int i = 0; i < program.step_count; ++i) program.step[i].stage(block, *program.constants, program.step[i].unit);
+  for (int i = 0; i < program.step_count; ++i)
+    program.step[i].stage(block, *program.constants, program.step[i].unit);
   MergeBlock m;
   for (int i = 0; i < block.lanes; i += kWidth) {
-    store(m.color + i, pack_color(load(block.color[0] + i), load(block.color[1] + i), load(block.color[2] + i), load(block.color[3] + i)));
+    store(m.color + i, pack_color(load(block.color[0] + i), load(block.color[1] + i),
+                                  load(block.color[2] + i), load(block.color[3] + i)));
     store(m.depth + i, load(block.depth + i));
     store(m.live + i, load(block.live + i));
   }
@@ -156,8 +177,9 @@ static void run_dense(const RasterDraw& draw, const TileTarget& tile, FragmentBl
   memset(batch.used, 0, sizeof batch.used);
 }
 
-template <bool Depth>
-static void dense_primitive(const RasterDraw& draw, const TileTarget& tile, const RasterPrimitive& p, FragmentBlock& block, DenseBatch& batch) {
+template <bool Depth> static void dense_primitive(const RasterDraw& draw, const TileTarget& tile,
+                                                  const RasterPrimitive& p, FragmentBlock& block,
+                                                  DenseBatch& batch) {
   TileEdges edges;
   if (!clip_to_tile<4>(p, tile.x, tile.y, edges)) return;
   const FragmentKey& key = draw.program->key;
@@ -179,11 +201,13 @@ static void dense_primitive(const RasterDraw& draw, const TileTarget& tile, cons
         for (int i = 0; i < 64 / kWidth; ++i) {
           constexpr uint64_t kAll = (uint64_t(1) << (kWidth - 1) << 1) - 1;
           if (!(live >> (i * kWidth) & kAll)) continue;
-          const FloatV py = kWidth == 16 ? splat(float(tile.y + by + 2 * i)) + row_number(0) : splat(float(tile.y + by + (i * kWidth >> 3)));
+          const FloatV py = kWidth == 16 ? splat(float(tile.y + by + 2 * i)) + row_number(0)
+                                         : splat(float(tile.y + by + (i * kWidth >> 3)));
           const IntV zi = depth_bits(z.gy * py + z.column[kWidth < 8 ? i & 1 : 0] + p.depth_offset, scale);
           store(depth + i * kWidth, zi);
           if (early) {
-            const IntV passes = compare_words(function, zi, load(tile.depth_stencil + first + i * kWidth) & 0xffffff);
+            const IntV passes =
+                compare_words(function, zi, load(tile.depth_stencil + first + i * kWidth) & 0xffffff);
             live &= ~(uint64_t(~sign_bits(passes) & uint32_t(kAll)) << (i * kWidth));
           }
         }
@@ -204,8 +228,9 @@ static void dense_primitive(const RasterDraw& draw, const TileTarget& tile, cons
     }
 }
 
-template <bool Depth>
-static void staged_primitives(const TileTarget& tile, const RasterDraw& draw, const RasterPrimitive* const* primitive, int32_t count, FragmentBlock& block) {
+template <bool Depth> static void staged_primitives(const TileTarget& tile, const RasterDraw& draw,
+                                                    const RasterPrimitive* const* primitive, int32_t count,
+                                                    FragmentBlock& block) {
   const bool narrow = draw.small; // formats whose fragments are words
   DenseBatch batch;
   for (int32_t i = 0; i < count; ++i) {

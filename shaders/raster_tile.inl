@@ -1,4 +1,5 @@
-// What a tile worker does with the segments of its list: primitives by 8x8 blocks, finished fragments one by one.
+// What a tile worker does with the segments of its list: primitives by 8x8 blocks, finished fragments one by
+// one.
 #pragma once
 
 #include "raster_direct.inl"
@@ -10,28 +11,36 @@ namespace softgl {
 namespace SOFTGL_ISA {
 
 /// Draws primitives into a tile, in order.
-static void tile_primitives(const TileTarget& tile, const RasterDraw& draw, const RasterPrimitive* const* primitive, int32_t count,
-                            FragmentBlock& block) {
+static void tile_primitives(const TileTarget& tile, const RasterDraw& draw,
+                            const RasterPrimitive* const* primitive, int32_t count, FragmentBlock& block) {
   const FragmentKey& key = draw.program->key;
-  const bool depth = tile.depth_stencil && (Compare(key.depth_function) != Compare::Always || key.depth_write || key.stencil);
+  const bool depth = tile.depth_stencil &&
+                     (Compare(key.depth_function) != Compare::Always || key.depth_write || key.stencil);
   if (draw.direct) {
-    if (depth) direct_primitives<true>(tile, draw, primitive, count);
-    else direct_primitives<false>(tile, draw, primitive, count);
+    if (depth)
+      direct_primitives<true>(tile, draw, primitive, count);
+    else
+      direct_primitives<false>(tile, draw, primitive, count);
     return;
   }
-  if (depth) staged_primitives<true>(tile, draw, primitive, count, block);
-  else staged_primitives<false>(tile, draw, primitive, count, block);
+  if (depth)
+    staged_primitives<true>(tile, draw, primitive, count, block);
+  else
+    staged_primitives<false>(tile, draw, primitive, count, block);
 }
 
 /// Merges finished fragments into a tile, in order.
-static void tile_fragments(const TileTarget& tile, const RasterDraw& draw, const SmallFragments& fragments, int32_t count) {
+static void tile_fragments(const TileTarget& tile, const RasterDraw& draw, const SmallFragments& fragments,
+                           int32_t count) {
   const FragmentProgram& program = *draw.program;
   const FragmentKey& key = program.key;
-  // Whatever stages there were have run: often what is left is a depth test that can be told from whole words.
+  // Whatever stages there were have run: often what is left is a depth test that can be told from whole
+  // words.
   const Compare function = Compare(key.depth_function);
-  const bool less = function == Compare::Less && key.depth_write, less_equal = function == Compare::LessEqual && key.depth_write;
-  if (ColorFormat(key.color_format) == ColorFormat::Rgba8 && !key.stencil && !key.blend && !key.logic_op && draw.color_mask == ~uint32_t(0) &&
-      tile.depth_stencil && tile.one_stencil && (less || less_equal)) {
+  const bool less = function == Compare::Less && key.depth_write,
+             less_equal = function == Compare::LessEqual && key.depth_write;
+  if (ColorFormat(key.color_format) == ColorFormat::Rgba8 && !key.stencil && !key.blend && !key.logic_op &&
+      draw.color_mask == ~uint32_t(0) && tile.depth_stencil && tile.one_stencil && (less || less_equal)) {
     auto* color = static_cast<uint32_t*>(tile.color);
     uint32_t* words = tile.depth_stencil;
     const SmallFragments f = fragments;
@@ -45,8 +54,10 @@ static void tile_fragments(const TileTarget& tile, const RasterDraw& draw, const
         color[pixel] = f.color[i];
       }
     };
-    if (less) merge([](uint32_t word, uint32_t stored) { return word >= stored; });
-    else merge([](uint32_t word, uint32_t stored) { return word > stored; });
+    if (less)
+      merge([](uint32_t word, uint32_t stored) { return word >= stored; });
+    else
+      merge([](uint32_t word, uint32_t stored) { return word > stored; });
     return;
   }
   uint64_t used[kTilePixels / 64] = {}; // pixels of the batch being gathered
@@ -70,11 +81,13 @@ static void tile_fragments(const TileTarget& tile, const RasterDraw& draw, const
 }
 
 /// Shades small triangles and merges their fragments, in order.
-template <bool Staged>
-static void shade_triangles(const TileTarget& tile, const RasterDraw& draw, const SmallTriangle* triangle, int32_t count, FragmentBlock& block) {
+template <bool Staged> static void shade_triangles(const TileTarget& tile, const RasterDraw& draw,
+                                                   const SmallTriangle* triangle, int32_t count,
+                                                   FragmentBlock& block) {
   SmallPixels pixels;
   alignas(64) uint16_t pixel[SmallPixels::kMost + kWidth];
-  alignas(64) uint32_t depth[SmallPixels::kMost + kWidth], color[SmallPixels::kMost + kWidth], live[SmallPixels::kMost + kWidth];
+  alignas(64) uint32_t depth[SmallPixels::kMost + kWidth], color[SmallPixels::kMost + kWidth],
+      live[SmallPixels::kMost + kWidth];
   const FragmentWords words(draw, pixel, depth, color, live);
   const bool killing = Staged && draw.program->key.alpha_function != uint64_t(Compare::Always);
   for (; count > 0; triangle += kWidth, count -= kWidth) {
@@ -99,7 +112,8 @@ static void shade_triangles(const TileTarget& tile, const RasterDraw& draw, cons
     };
     for (int i = 0; i < kWidth; ++i) pixels.place[end + i] = pixels.place[0];
     if constexpr (kWidth > 4) {
-      for (int32_t f = 0; f < end; f += kWidth) shade(f, ChosenPlanes{stored, load_halves(pixels.place + f) >> 12});
+      for (int32_t f = 0; f < end; f += kWidth)
+        shade(f, ChosenPlanes{stored, load_halves(pixels.place + f) >> 12});
     } else {
       for (int i = 0, f = 0; i < lanes; f = pixels.end[i++])
         for (; f < pixels.end[i]; f += kWidth) shade(f, OnePlanes{stored, i});
@@ -117,9 +131,12 @@ static void shade_triangles(const TileTarget& tile, const RasterDraw& draw, cons
   }
 }
 
-static void tile_triangles(const TileTarget& tile, const RasterDraw& draw, const SmallTriangle* triangle, int32_t count, FragmentBlock& block) {
-  if (draw.program->step_count) shade_triangles<true>(tile, draw, triangle, count, block);
-  else shade_triangles<false>(tile, draw, triangle, count, block);
+static void tile_triangles(const TileTarget& tile, const RasterDraw& draw, const SmallTriangle* triangle,
+                           int32_t count, FragmentBlock& block) {
+  if (draw.program->step_count)
+    shade_triangles<true>(tile, draw, triangle, count, block);
+  else
+    shade_triangles<false>(tile, draw, triangle, count, block);
 }
 
 } // namespace SOFTGL_ISA

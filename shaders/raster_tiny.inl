@@ -12,21 +12,27 @@ namespace { // so that no member is visible outside
 /// Cuts tiny triangles at the borders of tiles and shades their fragments.
 class TinyBatch {
 public:
-  TinyBatch(const RasterDraw& draw, const TriangleInput& in, TriangleOutput& out) : draw_(draw), in_(in), out_(out) {}
+  TinyBatch(const RasterDraw& draw, const TriangleInput& in, TriangleOutput& out)
+      : draw_(draw), in_(in), out_(out) {}
 
   void run(FragmentBlock& block) {
     const bool grouped = kWidth > 4 && covered() * 4 >= 5 * __builtin_popcountll(out_.small);
-    if (draw_.program->step_count) grouped ? shade<true, true>(block) : shade<true, false>(block);
-    else grouped ? shade<false, true>(block) : shade<false, false>(block);
+    if (draw_.program->step_count)
+      grouped ? shade<true, true>(block) : shade<true, false>(block);
+    else
+      grouped ? shade<false, true>(block) : shade<false, false>(block);
     out_.run[out_.run_count].first = end_;
   }
 
 private:
-  SOFTGL_MEMBER uint64_t pixels_of(int t) const { return uint64_t(out_.rows4to7[t]) << 32 | out_.rows0to3[t]; }
+  SOFTGL_MEMBER uint64_t pixels_of(int t) const {
+    return uint64_t(out_.rows4to7[t]) << 32 | out_.rows0to3[t];
+  }
 
   int covered() const {
     int n = 0;
-    for (uint64_t bits = out_.small; bits; bits &= bits - 1) n += __builtin_popcountll(pixels_of(__builtin_ctzll(bits)));
+    for (uint64_t bits = out_.small; bits; bits &= bits - 1)
+      n += __builtin_popcountll(pixels_of(__builtin_ctzll(bits)));
     return n;
   }
 
@@ -50,8 +56,10 @@ private:
     uint64_t left = ~uint64_t(0), upper = left;
     if (x > 64 - kTinyBox) left = (0xffu >> (x - 56)) * 0x0101010101010101u;
     if (y > 64 - kTinyBox) upper >>= 8 * (y - 56);
-    const uint64_t part[4] = {pixels & left & upper, pixels & ~left & upper, pixels & left & ~upper, pixels & ~left & ~upper};
-    const uint32_t next_row = tile + uint32_t(in_.tiles_x), number[4] = {tile, tile + 1, next_row, next_row + 1};
+    const uint64_t part[4] = {pixels & left & upper, pixels & ~left & upper, pixels & left & ~upper,
+                              pixels & ~left & ~upper};
+    const uint32_t next_row = tile + uint32_t(in_.tiles_x),
+                   number[4] = {tile, tile + 1, next_row, next_row + 1};
 #pragma GCC unroll 1
     for (int k = 0; k < 4; ++k) {
       if (!part[k]) continue;
@@ -60,8 +68,9 @@ private:
     }
   }
 
-  /// Grouped: planes are made for kWidth triangles at a time, and lanes choose from them: 3 to 5 % of immediate mode's time
-  /// with three pixels a triangle. Where there are hardly more fragments than triangles they are made for each lane.
+  /// Grouped: planes are made for kWidth triangles at a time, and lanes choose from them: 3 to 5 % of
+  /// immediate mode's time with three pixels a triangle. Where there are hardly more fragments than triangles
+  /// they are made for each lane.
   template <bool Staged, bool Grouped> void shade(FragmentBlock& block) {
     constexpr int kMost = kMaxTinyFragments + kWidth;
     alignas(64) uint32_t place[kMost]; // y in the upper half
@@ -74,18 +83,21 @@ private:
       const uint32_t position = out_.position[t];
       const auto mine = uint8_t(Grouped ? count & (kWidth - 1) : t);
       if (Grouped) number[count] = uint8_t(t), first[count++] = end_;
-      each_tile(t, [&](uint64_t pixels) __attribute__((always_inline)) {
-        auto put = [&](int32_t at, uint32_t bit) { place[at] = position + ((bit & 56) << 13) + (bit & 7), owner[at] = mine; };
-        // Most have one pixel or two, which is hard to predict: two are always written.
-        for (;;) {
-          const uint64_t others = pixels & (pixels - 1);
-          put(end_, uint32_t(__builtin_ctzll(pixels)));
-          put(end_ + 1, uint32_t(__builtin_ctzll(others | uint64_t(1) << 63)));
-          end_ += 1 + (others != 0);
-          pixels = others & (others - 1);
-          if (!pixels) break;
-        }
-      });
+      each_tile(
+          t, [&](uint64_t pixels) __attribute__((always_inline)) {
+            auto put = [&](int32_t at, uint32_t bit) {
+              place[at] = position + ((bit & 56) << 13) + (bit & 7), owner[at] = mine;
+            };
+            // Most have one pixel or two, which is hard to predict: two are always written.
+            for (;;) {
+              const uint64_t others = pixels & (pixels - 1);
+              put(end_, uint32_t(__builtin_ctzll(pixels)));
+              put(end_ + 1, uint32_t(__builtin_ctzll(others | uint64_t(1) << 63)));
+              end_ += 1 + (others != 0);
+              pixels = others & (others - 1);
+              if (!pixels) break;
+            }
+          });
     }
     if (end_ == 0) return;
     for (int k = 0; k < kWidth; ++k) place[end_ + k] = place[0], owner[end_ + k] = owner[0];
@@ -105,7 +117,8 @@ private:
         CornerPlanes made(triangle);
         StoredPlanes planes;
         store_planes(draw_, made, planes);
-        for (int32_t f = first[group]; f < first[group + kWidth]; f += kWidth) vector(f, ChosenPlanes{planes, load_bytes(owner + f)});
+        for (int32_t f = first[group]; f < first[group + kWidth]; f += kWidth)
+          vector(f, ChosenPlanes{planes, load_bytes(owner + f)});
       }
     } else {
       for (int32_t f = 0; f < end; f += kWidth) {
@@ -128,7 +141,8 @@ private:
 } // namespace
 
 /// Sorts out the triangles of a batch, and shades them if they are tiny.
-static void prepare_triangles(const RasterDraw& draw, const TriangleInput& in, TriangleOutput& out, FragmentBlock& scratch) {
+static void prepare_triangles(const RasterDraw& draw, const TriangleInput& in, TriangleOutput& out,
+                              FragmentBlock& scratch) {
   SnappedBatch batch;
   classify_triangles(draw, in, batch, out);
   out.run_count = 0;

@@ -8,13 +8,21 @@ namespace softgl {
 constexpr int kTextureLevelLimit = 15;
 
 /// How a coordinate becomes a texel number; RepeatPowerOfTwo and Repeat differ in rounding, not in meaning.
-enum class TextureWrap : uint8_t { RepeatPowerOfTwo, Repeat, ClampToEdge, Clamp, ClampToBorder, MirroredRepeat };
+enum class TextureWrap : uint8_t {
+  RepeatPowerOfTwo,
+  Repeat,
+  ClampToEdge,
+  Clamp,
+  ClampToBorder,
+  MirroredRepeat
+};
 enum class TextureMip : uint8_t { None, Nearest, Linear };
 /// What a texel is made of: 4 bytes, 4 uint16_t, or one uint32_t of depth.
 enum class TextureTexel : uint8_t { Rgba8, Rgba16, Depth };
 enum class TextureShape : uint8_t { OneD, TwoD, ThreeD, Cube };
 
-/// One image. Row and slice strides count texels; rows are one texel longer and slices one row longer than the image.
+/// One image. Row and slice strides count texels; rows are one texel longer and slices one row longer than
+/// the image.
 struct TextureLevel {
   const unsigned char* face[6]; // face 0 only, unless it is a cube map
   int32_t width, height, depth;
@@ -27,14 +35,15 @@ struct TextureUnitConstants {
   TextureShape shape;
   TextureTexel texel;
   TextureWrap wrap[3];
-  bool counts_texels;     // coordinates are not fractions of the size (GL_ARB_texture_rectangle)
+  bool counts_texels; // coordinates are not fractions of the size (GL_ARB_texture_rectangle)
   bool min_linear, mag_linear;
   TextureMip mip;
-  // Level of detail. adjusts_lod: bias or limits are in force, which selects another formula (see texture_lod.inl).
+  // Level of detail. adjusts_lod: bias or limits are in force, which selects another formula (see
+  // texture_lod.inl).
   bool adjusts_lod, constant_lod, has_min_lod, has_max_lod;
   float lod_bias, min_lod, max_lod;
-  float border[4];        // what a border texel looks like in this base format
-  uint8_t shift[4];       // stored component >> shift is the integer that scale turns into [0,1]
+  float border[4];  // what a border texel looks like in this base format
+  uint8_t shift[4]; // stored component >> shift is the integer that scale turns into [0,1]
   float scale[4];
   // Depth textures: comparison of r with the texel (3.8.14), and where the result goes.
   bool compares;

@@ -1,5 +1,6 @@
-// Texture environments (GL 1.5, 3.8.13). MODULATE and REPLACE have kernels of their own for speed; all others are done by
-// a program for the whole chain of units (texture/combiner_chain.cpp), because OSMesa 22.3.6 orders additions over units.
+// Texture environments (GL 1.5, 3.8.13). MODULATE and REPLACE have kernels of their own for speed; all others
+// are done by a program for the whole chain of units (texture/combiner_chain.cpp), because OSMesa 22.3.6
+// orders additions over units.
 #pragma once
 
 #include "combiner_program.h"
@@ -35,13 +36,16 @@ static inline void environment_replace(FragmentBlock& block, const FragmentConst
 }
 
 /// A value of a combiner program; one that is the same for all fragments is spread out in `wide`.
-static inline const float* combiner_value(FragmentBlock& block, const FragmentConstants& constants, const float (*registers)[kLanes], int v, float* wide) {
+static inline const float* combiner_value(FragmentBlock& block, const FragmentConstants& constants,
+                                          const float (*registers)[kLanes], int v, float* wide) {
   if (v >= kCombinerRegister) return registers[v - kCombinerRegister];
   if (v < kCombinerEnvironment) return UnitTexels(block, v / 4).v[v % 4];
   if (v >= kCombinerPrimary && v < kCombinerSecondary) return block.color[v - kCombinerPrimary];
   if (v >= kCombinerSecondary && v < kCombinerConstant) return block.secondary[v - kCombinerSecondary];
-  const float number = v >= kCombinerConstant ? constants.combiner->constant[v - kCombinerConstant]
-                                              : constants.texture[(v - kCombinerEnvironment) / 4]->color[(v - kCombinerEnvironment) % 4];
+  const float number =
+      v >= kCombinerConstant
+          ? constants.combiner->constant[v - kCombinerConstant]
+          : constants.texture[(v - kCombinerEnvironment) / 4]->color[(v - kCombinerEnvironment) % 4];
   SOFTGL_FOR_LANES(block, i) wide[i] = number;
   return wide;
 }
@@ -53,7 +57,8 @@ static inline void environment_combine(FragmentBlock& block, const FragmentConst
   for (int n = 0; n < program.step_count; ++n) {
     const CombinerStep step = program.step[n];
     const float* __restrict a = combiner_value(block, constants, registers, step.a, wide[0]);
-    const float* __restrict b = step.b == step.a ? a : combiner_value(block, constants, registers, step.b, wide[1]);
+    const float* __restrict b =
+        step.b == step.a ? a : combiner_value(block, constants, registers, step.b, wide[1]);
     float* __restrict result = registers[step.result - kCombinerRegister];
     switch (step.operation) {
     case CombinerOperation::Copy: SOFTGL_FOR_LANES(block, i) result[i] = a[i]; break;

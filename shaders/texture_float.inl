@@ -1,5 +1,6 @@
-// Sampling in float: wide formats, and the wrap modes that fixed point does not cover. Operation order as in OSMesa
-// 22.3.6: coordinate * size - 0.5, weight = fraction, lerp = w * (b - a) + a along x, then y, then z, then levels.
+// Sampling in float: wide formats, and the wrap modes that fixed point does not cover. Operation order as in
+// OSMesa 22.3.6: coordinate * size - 0.5, weight = fraction, lerp = w * (b - a) + a along x, then y, then z,
+// then levels.
 #pragma once
 
 #include "texture_lod.inl"
@@ -21,8 +22,8 @@ static inline __attribute__((always_inline)) float mirror(float s) {
   return absolute(d + d);
 }
 
-static inline void float_linear_axis(const FragmentBlock& block, const TextureUnitConstants& t, int axis, const float* coordinate, const int32_t* sizes,
-                                     FloatAxis& out) {
+static inline void float_linear_axis(const FragmentBlock& block, const TextureUnitConstants& t, int axis,
+                                     const float* coordinate, const int32_t* sizes, FloatAxis& out) {
   const TextureWrap wrap = t.wrap[axis];
   for (int i = 0; i < block.lanes; ++i) {
     const int32_t n = sizes[i];
@@ -79,8 +80,8 @@ static inline void float_linear_axis(const FragmentBlock& block, const TextureUn
   }
 }
 
-static inline void float_nearest_axis(const FragmentBlock& block, const TextureUnitConstants& t, int axis, const float* coordinate, const int32_t* sizes,
-                                      int32_t* out) {
+static inline void float_nearest_axis(const FragmentBlock& block, const TextureUnitConstants& t, int axis,
+                                      const float* coordinate, const int32_t* sizes, int32_t* out) {
   const TextureWrap wrap = t.wrap[axis];
   const float below_one = 0.999999940395355224609375f;
   for (int i = 0; i < block.lanes; ++i) {
@@ -93,7 +94,8 @@ static inline void float_nearest_axis(const FragmentBlock& block, const TextureU
       out[i] = clamp_int(int32_t((f < below_one ? f : below_one) * size), 0, n - 1);
       break;
     }
-    case TextureWrap::ClampToEdge: case TextureWrap::Clamp: out[i] = clamp_int(int32_t(s * scale), 0, n - 1); break;
+    case TextureWrap::ClampToEdge:
+    case TextureWrap::Clamp: out[i] = clamp_int(int32_t(s * scale), 0, n - 1); break;
     case TextureWrap::ClampToBorder: out[i] = floor_to_int(s * scale); break;
     default: {
       const float m = mirror(s);
@@ -104,7 +106,8 @@ static inline void float_nearest_axis(const FragmentBlock& block, const TextureU
 }
 
 /// One texel as floats; the border outside.
-static inline void fetch_float(const TextureUnitConstants& t, const TextureLevel& level, int face, int32_t x, int32_t y, int32_t z, float* rgba) {
+static inline void fetch_float(const TextureUnitConstants& t, const TextureLevel& level, int face, int32_t x,
+                               int32_t y, int32_t z, float* rgba) {
   if (x < 0 || x >= level.width || y < 0 || y >= level.height || z < 0 || z >= level.depth) {
     for (int k = 0; k < 4; ++k) rgba[k] = t.border[k];
     return;
@@ -142,11 +145,14 @@ static inline bool depth_passes(uint8_t function, float r, float texel) {
   }
 }
 
-struct FloatTexels { alignas(64) float v[4][kLanes]; };
+struct FloatTexels {
+  alignas(64) float v[4][kLanes];
+};
 
 /// `nearest`, if there is one: lanes whose linear filter takes the texel of the greater weight alone.
-static inline void sample_float_level(const FragmentBlock& block, const BlockCoordinates& c, const TextureUnitConstants& t, const int32_t* levels,
-                                      int add, bool linear, const int32_t* nearest, FloatTexels& out) {
+static inline void sample_float_level(const FragmentBlock& block, const BlockCoordinates& c,
+                                      const TextureUnitConstants& t, const int32_t* levels, int add,
+                                      bool linear, const int32_t* nearest, FloatTexels& out) {
   alignas(64) int32_t width[kLanes], height[kLanes], depth[kLanes];
   const TextureLevel* level[kLanes];
   for (int i = 0; i < block.lanes; ++i) {
@@ -155,7 +161,8 @@ static inline void sample_float_level(const FragmentBlock& block, const BlockCoo
     level[i] = &t.level[l];
     width[i] = level[i]->width, height[i] = level[i]->height, depth[i] = level[i]->depth;
   }
-  const bool two = t.shape != TextureShape::OneD, three = t.shape == TextureShape::ThreeD, cube = t.shape == TextureShape::Cube;
+  const bool two = t.shape != TextureShape::OneD, three = t.shape == TextureShape::ThreeD,
+             cube = t.shape == TextureShape::Cube;
   if (!linear) {
     alignas(64) int32_t x[kLanes], y[kLanes], z[kLanes];
     float_nearest_axis(block, t, 0, c.s, width, x);
@@ -164,7 +171,8 @@ static inline void sample_float_level(const FragmentBlock& block, const BlockCoo
     for (int i = 0; i < block.lanes; ++i) {
       float v[4];
       fetch_float(t, *level[i], cube ? face_of(c, i) : 0, x[i], two ? y[i] : 0, three ? z[i] : 0, v);
-      if (t.compares) v[0] = v[1] = v[2] = v[3] = depth_passes(t.compare_function, saturate(c.r[i]), v[0]) ? 1.0f : 0.0f;
+      if (t.compares)
+        v[0] = v[1] = v[2] = v[3] = depth_passes(t.compare_function, saturate(c.r[i]), v[0]) ? 1.0f : 0.0f;
       for (int k = 0; k < 4; ++k) out.v[k][i] = v[k];
     }
     return;
@@ -196,14 +204,17 @@ static inline void sample_float_level(const FragmentBlock& block, const BlockCoo
           for (int k = 0; k < 4; ++k) line[a][k] = x.weight[i] * (v1[k] - v0[k]) + v0[k];
         }
       }
-      for (int k = 0; k < 4; ++k) plane[b][k] = two ? y.weight[i] * (line[1][k] - line[0][k]) + line[0][k] : line[0][k];
+      for (int k = 0; k < 4; ++k)
+        plane[b][k] = two ? y.weight[i] * (line[1][k] - line[0][k]) + line[0][k] : line[0][k];
     }
-    for (int k = 0; k < 4; ++k) out.v[k][i] = three ? z.weight[i] * (plane[1][k] - plane[0][k]) + plane[0][k] : plane[0][k];
+    for (int k = 0; k < 4; ++k)
+      out.v[k][i] = three ? z.weight[i] * (plane[1][k] - plane[0][k]) + plane[0][k] : plane[0][k];
   }
 }
 
-static inline void sample_float_levels(const FragmentBlock& block, const BlockCoordinates& c, const TextureUnitConstants& t, const LaneLevels& lod,
-                                       bool two_levels, bool linear, const int32_t* nearest, FloatTexels& out) {
+static inline void sample_float_levels(const FragmentBlock& block, const BlockCoordinates& c,
+                                       const TextureUnitConstants& t, const LaneLevels& lod, bool two_levels,
+                                       bool linear, const int32_t* nearest, FloatTexels& out) {
   sample_float_level(block, c, t, lod.level, 0, linear, nearest, out);
   if (!two_levels) return;
   FloatTexels next;
@@ -212,13 +223,15 @@ static inline void sample_float_levels(const FragmentBlock& block, const BlockCo
     SOFTGL_FOR_LANES(block, i) out.v[k][i] = lod.fraction[i] * (next.v[k][i] - out.v[k][i]) + out.v[k][i];
 }
 
-static inline void choose_texels(const FragmentBlock& block, const int32_t* mask, const FloatTexels& chosen, FloatTexels& out) {
+static inline void choose_texels(const FragmentBlock& block, const int32_t* mask, const FloatTexels& chosen,
+                                 FloatTexels& out) {
   for (int k = 0; k < 4; ++k)
     SOFTGL_FOR_LANES(block, i) out.v[k][i] = select(mask[i], chosen.v[k][i], out.v[k][i]);
 }
 
 /// The filtered texels of a block.
-static inline void sample_float(const FragmentBlock& block, const BlockCoordinates& c, const TextureUnitConstants& t, FloatTexels& out) {
+static inline void sample_float(const FragmentBlock& block, const BlockCoordinates& c,
+                                const TextureUnitConstants& t, FloatTexels& out) {
   alignas(64) LaneLevels lod;
   const bool mixed = t.min_linear != t.mag_linear;
   if (t.mip == TextureMip::None && !mixed) {
@@ -236,8 +249,8 @@ static inline void sample_float(const FragmentBlock& block, const BlockCoordinat
   const bool two_levels = t.mip == TextureMip::Linear && between != 0;
   FloatTexels other;
   if (mixed && t.shape == TextureShape::Cube && t.mip != TextureMip::None) {
-    // OSMesa 22.3.6: here levels differ within a quad. If one of its lanes is filtered linearly, so are all, those that
-    // want the nearest texel with weights of 0 and 1.
+    // OSMesa 22.3.6: here levels differ within a quad. If one of its lanes is filtered linearly, so are all,
+    // those that want the nearest texel with weights of 0 and 1.
     alignas(64) int32_t nearest[kLanes], linear_quad[kLanes];
     for (int i = 0; i < block.lanes; ++i) nearest[i] = t.min_linear ? lod.magnified[i] : ~lod.magnified[i];
     for (int i = 0; i < block.lanes; ++i) {

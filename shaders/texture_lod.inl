@@ -1,9 +1,10 @@
-// Level of detail (GL 1.5, 3.8.8), one value per lane; the lanes of a 2x2 quad carry equal differences, so they get
-// equal levels (except in cube maps).
+// Level of detail (GL 1.5, 3.8.8), one value per lane; the lanes of a 2x2 quad carry equal differences, so
+// they get equal levels (except in cube maps).
 //
-// OSMesa 22.3.6: rho squared = max of the squared lengths, scaled by the size of the base level. Without bias and
-// limits, the nearest level is (exponent + 1) >> 1 and magnification is rho <= 1. Otherwise lod = 0.5 * ((exponent - 1) +
-// mantissa), a piecewise linear logarithm, plus bias, clamped; nearest rounds it to even, magnification is lod <= 0.
+// OSMesa 22.3.6: rho squared = max of the squared lengths, scaled by the size of the base level. Without bias
+// and limits, the nearest level is (exponent + 1) >> 1 and magnification is rho <= 1. Otherwise lod = 0.5 *
+// ((exponent - 1) + mantissa), a piecewise linear logarithm, plus bias, clamped; nearest rounds it to even,
+// magnification is lod <= 0.
 #pragma once
 
 #include "fragment_block.h"
@@ -22,9 +23,11 @@ struct LaneLevels {
   int32_t magnified[kLanes]; // mask
 };
 
-static inline void squared_rho(const FragmentBlock& block, const BlockCoordinates& c, const TextureUnitConstants& t, float* rho) {
+static inline void squared_rho(const FragmentBlock& block, const BlockCoordinates& c,
+                               const TextureUnitConstants& t, float* rho) {
   const TextureLevel& base = t.level[0];
-  const float w = t.counts_texels ? 1.0f : float(base.width), h = t.counts_texels ? 1.0f : float(base.height), d = float(base.depth);
+  const float w = t.counts_texels ? 1.0f : float(base.width), h = t.counts_texels ? 1.0f : float(base.height),
+              d = float(base.depth);
   if (t.shape == TextureShape::ThreeD) {
     SOFTGL_FOR_LANES(block, i) {
       const float sx = c.ds_dx[i] * w, tx = c.dt_dx[i] * h, rx = c.dr_dx[i] * d;
@@ -50,7 +53,8 @@ static inline void squared_rho(const FragmentBlock& block, const BlockCoordinate
   }
 }
 
-static inline void find_levels(const FragmentBlock& block, const BlockCoordinates& c, const TextureUnitConstants& t, LaneLevels& out) {
+static inline void find_levels(const FragmentBlock& block, const BlockCoordinates& c,
+                               const TextureUnitConstants& t, LaneLevels& out) {
   alignas(64) float rho[kLanes];
   squared_rho(block, c, t, rho);
   const int32_t last = t.last_level;

@@ -21,19 +21,36 @@ enum AttributeSlot : int {
 };
 
 /// A material parameter's slot is kMaterial0 + 2 * parameter + face (face 0 = front, 1 = back).
-enum MaterialParameter : int { kMaterialAmbient, kMaterialDiffuse, kMaterialSpecular, kMaterialEmission, kMaterialShininess };
+enum MaterialParameter : int {
+  kMaterialAmbient,
+  kMaterialDiffuse,
+  kMaterialSpecular,
+  kMaterialEmission,
+  kMaterialShininess
+};
 constexpr int kMaterialSlots = 10;
-constexpr int material_slot(MaterialParameter parameter, int face) { return kMaterial0 + 2 * parameter + face; }
+constexpr int material_slot(MaterialParameter parameter, int face) {
+  return kMaterial0 + 2 * parameter + face;
+}
 
-enum class ComponentType : uint8_t { Float, Double, Byte, UnsignedByte, Short, UnsignedShort, Int, UnsignedInt };
+enum class ComponentType : uint8_t {
+  Float,
+  Double,
+  Byte,
+  UnsignedByte,
+  Short,
+  UnsignedShort,
+  Int,
+  UnsignedInt
+};
 
 /// One attribute of a vertex array: element i starts at data + i * stride. Missing components are 0, 0, 0, 1.
 struct AttributeStream {
   const unsigned char* data = nullptr;
-  uint32_t stride = 0;                 // bytes
-  uint8_t components = 4;              // 1..4
+  uint32_t stride = 0;    // bytes
+  uint8_t components = 4; // 1..4
   ComponentType type = ComponentType::Float;
-  bool normalized = false;             // integers map to [0,1] or [-1,1] (GL 1.5, 2.7, table 2.9)
+  bool normalized = false; // integers map to [0,1] or [-1,1] (GL 1.5, 2.7, table 2.9)
 };
 
 } // namespace softgl

@@ -8,7 +8,8 @@
 namespace softgl {
 namespace SOFTGL_ISA {
 
-/// Fog coordinate |eye z|, in the expression OSMesa has at hand: the eye position if an earlier stage made it.
+/// Fog coordinate |eye z|, in the expression OSMesa has at hand: the eye position if an earlier stage made
+/// it.
 static inline void eye_depth(const VertexBlock& b, const VertexProgram& p, bool have_eye, float* out, int n) {
   if (have_eye) {
     SOFTGL_FOR_LANES(i, n) out[i] = absolute(b.lighting.eye[2][i]);
@@ -19,11 +20,11 @@ static inline void eye_depth(const VertexBlock& b, const VertexProgram& p, bool 
   SOFTGL_FOR_LANES(i, n) out[i] = absolute(out[i]);
 }
 
-/// r = u - 2 (n.u) n with u the normalized eye position; out[3] = rz + 1. Where rz is of no other use (`z_is_read`: it is, in
-/// any unit), OSMesa's compiler adds the 1 first.
+/// r = u - 2 (n.u) n with u the normalized eye position; out[3] = rz + 1. Where rz is of no other use
+/// (`z_is_read`: it is, in any unit), OSMesa's compiler adds the 1 first.
 static inline void reflection(const VertexBlock& b, bool z_is_read, float (*out)[kLanes], int n) {
-  const float (*u)[kLanes] = b.lighting.eye_unit;
-  const float (*normal)[kLanes] = b.lighting.normal;
+  const float(*u)[kLanes] = b.lighting.eye_unit;
+  const float(*normal)[kLanes] = b.lighting.normal;
   SOFTGL_FOR_LANES(i, n) {
     const float d = dot3(normal[0][i], normal[1][i], normal[2][i], u[0][i], u[1][i], u[2][i]);
     const float d2 = d + d;
@@ -34,7 +35,8 @@ static inline void reflection(const VertexBlock& b, bool z_is_read, float (*out)
   }
 }
 
-static inline void generate_coordinates(VertexBlock& b, const CoordinateConstants& k, bool reflection_z, float (*coordinate)[kLanes], int n) {
+static inline void generate_coordinates(VertexBlock& b, const CoordinateConstants& k, bool reflection_z,
+                                        float (*coordinate)[kLanes], int n) {
   alignas(64) float r[4][kLanes];
   bool have_reflection = false;
   for (int c = 0; c < 4; ++c) {

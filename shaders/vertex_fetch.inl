@@ -1,5 +1,6 @@
-// From vertex arrays (array of structures) to a block's lanes (structure of arrays). Float attributes go through 4x4
-// transposes of 16-byte loads: measured 0.47 ns a vertex for six floats on every instruction set, plain loops 0.6-0.9.
+// From vertex arrays (array of structures) to a block's lanes (structure of arrays). Float attributes go
+// through 4x4 transposes of 16-byte loads: measured 0.47 ns a vertex for six floats on every instruction set,
+// plain loops 0.6-0.9.
 #pragma once
 
 #include <string.h>
@@ -40,7 +41,8 @@ static inline void fetch_floats(const AttributeStream& s, uint32_t first, int co
       d = _mm_loadu_ps(reinterpret_cast<const float*>(p + 3 * stride));
     } else {
       alignas(16) float t[4][4] = {};
-      for (int i = 0; i < 4 && g * 4 + i < count; ++i) memcpy(t[i], p + size_t(i) * stride, 4u * s.components);
+      for (int i = 0; i < 4 && g * 4 + i < count; ++i)
+        memcpy(t[i], p + size_t(i) * stride, 4u * s.components);
       a = _mm_load_ps(t[0]);
       b = _mm_load_ps(t[1]);
       c = _mm_load_ps(t[2]);
@@ -54,7 +56,8 @@ static inline void fetch_floats(const AttributeStream& s, uint32_t first, int co
   }
 }
 
-static inline void fetch_converted(const AttributeStream& s, uint32_t first, int count, int wanted, float (*out)[kLanes]) {
+static inline void fetch_converted(const AttributeStream& s, uint32_t first, int count, int wanted,
+                                   float (*out)[kLanes]) {
   const int components = s.components < wanted ? s.components : wanted;
   const unsigned char* p = s.data + size_t(first) * s.stride;
   if (s.type == ComponentType::UnsignedByte && s.normalized) {
@@ -67,8 +70,8 @@ static inline void fetch_converted(const AttributeStream& s, uint32_t first, int
 }
 
 /// Attribute `slot` of vertices [first, first + count) into out[0 .. wanted); n lanes are written.
-static inline void fetch_attribute(const VertexJob& job, int slot, uint32_t first, int count, int n, int wanted,
-                                   float (*out)[kLanes]) {
+static inline void fetch_attribute(const VertexJob& job, int slot, uint32_t first, int count, int n,
+                                   int wanted, float (*out)[kLanes]) {
   if (!(job.present >> slot & 1)) {
     for (int c = 0; c < wanted; ++c) broadcast(job.constant[slot][c], out[c], n);
     return;
@@ -76,8 +79,10 @@ static inline void fetch_attribute(const VertexJob& job, int slot, uint32_t firs
   const AttributeStream& s = job.stream[slot];
   if (count < n)
     for (int c = 0; c < wanted; ++c) memset(out[c] + (count & ~3), 0, size_t(n - (count & ~3)) * 4);
-  if (s.type == ComponentType::Float) fetch_floats(s, first, count, job.end, wanted, out);
-  else fetch_converted(s, first, count, wanted, out);
+  if (s.type == ComponentType::Float)
+    fetch_floats(s, first, count, job.end, wanted, out);
+  else
+    fetch_converted(s, first, count, wanted, out);
   for (int c = s.components; c < wanted; ++c) broadcast(c == 3 ? 1.0f : 0.0f, out[c], n);
 }
 

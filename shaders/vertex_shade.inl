@@ -7,8 +7,8 @@
 namespace softgl {
 namespace SOFTGL_ISA {
 
-static inline void store_slot(const float* x, const float* y, const float* z, const float* w, ShadedVertices::Slot* out,
-                              int slots, int count) {
+static inline void store_slot(const float* x, const float* y, const float* z, const float* w,
+                              ShadedVertices::Slot* out, int slots, int count) {
   int i = 0;
   for (; i + 4 <= count; i += 4, out += 4 * slots) {
     __m128 a = _mm_load_ps(x + i), b = _mm_load_ps(y + i), c = _mm_load_ps(z + i), d = _mm_load_ps(w + i);
@@ -26,8 +26,8 @@ static inline void store_slot(const float* x, const float* y, const float* z, co
   }
 }
 
-/// Clamps the colours of a slot to [0,1] in place: OSMesa clamps at the vertex (GL 1.5, 2.14.6). What is not a number, such as
-/// an infinite highlight of a black material, becomes 1.
+/// Clamps the colours of a slot to [0,1] in place: OSMesa clamps at the vertex (GL 1.5, 2.14.6). What is not
+/// a number, such as an infinite highlight of a black material, becomes 1.
 static inline void clamp_lanes(float (*color)[kLanes], int components, int n) {
   for (int c = 0; c < components; ++c) {
     float* v = color[c];
@@ -39,18 +39,21 @@ static inline void light_vertices(VertexBlock& b, const VertexJob& job, uint32_t
   const LightingConstants& k = *job.program->lighting;
   bool have_color = false;
   light_block(b.lighting, k, material_lanes(k, [&](int slot) {
-    if (slot == kColor && have_color) return b.color;
-    have_color |= slot == kColor;
-    float (*lanes)[kLanes] = slot == kColor ? b.color : b.material[slot - kMaterial0];
-    fetch_attribute(job, slot, first, count, n, 4, lanes);
-    return lanes;
-  }));
+                if (slot == kColor && have_color) return b.color;
+                have_color |= slot == kColor;
+                float(*lanes)[kLanes] = slot == kColor ? b.color : b.material[slot - kMaterial0];
+                fetch_attribute(job, slot, first, count, n, 4, lanes);
+                return lanes;
+              }));
 }
 
 /// What the lighting of fragments reads.
-static inline void store_lighting_inputs(VertexBlock& b, const VertexJob& job, uint32_t first, int count, int n, ShadedVertices::Slot* out) {
+static inline void store_lighting_inputs(VertexBlock& b, const VertexJob& job, uint32_t first, int count,
+                                         int n, ShadedVertices::Slot* out) {
   const ShadedLayout& layout = job.layout;
-  auto put = [&](int slot, const float (*v)[kLanes], int last) { store_slot(v[0], v[1], v[2], v[last], out + slot, layout.slots, count); };
+  auto put = [&](int slot, const float(*v)[kLanes], int last) {
+    store_slot(v[0], v[1], v[2], v[last], out + slot, layout.slots, count);
+  };
   if (layout.normal >= 0) put(layout.normal, b.lighting.normal, 2);
   if (layout.eye >= 0) put(layout.eye, b.lighting.eye, 3);
   if (layout.tracked >= 0) {
@@ -79,7 +82,8 @@ static inline void shade_block(VertexBlock& b, const VertexJob& job, uint32_t fi
   store_slot(b.window[0], b.window[1], b.window[2], b.window[3], out, slots, count);
   for (int i = 0; i < count; ++i) mask[i] = uint16_t(b.mask[i]);
 
-  if (p.eye_position || p.eye_position_late) transform_points(b.position, p.transform->modelview, b.lighting.eye, n);
+  if (p.eye_position || p.eye_position_late)
+    transform_points(b.position, p.transform->modelview, b.lighting.eye, n);
   if (p.eye_unit) (p.unit_normal ? unit_lanes : normalize_lanes)(b.lighting.eye, b.lighting.eye_unit, n);
   if (p.normal) {
     fetch_attribute(job, kNormal, first, count, n, 3, b.lighting.normal);
@@ -90,7 +94,7 @@ static inline void shade_block(VertexBlock& b, const VertexJob& job, uint32_t fi
     light_vertices(b, job, first, count, n);
     const int faces = layout.back_color >= 0 ? 2 : 1;
     for (int face = 0; face < faces; ++face) {
-      float (*color)[kLanes] = b.lighting.color[face];
+      float(*color)[kLanes] = b.lighting.color[face];
       const int slot = face ? layout.back_color : layout.color;
       if (slot < 0) continue;
       if (p.clamp_color) clamp_lanes(color, 4, n);
@@ -117,7 +121,7 @@ static inline void shade_block(VertexBlock& b, const VertexJob& job, uint32_t fi
     for (int face = 0; face < 2; ++face) {
       const int slot = face ? layout.back_secondary : layout.secondary;
       if (slot < 0) continue;
-      float (*color)[kLanes] = separate ? b.lighting.secondary[face] : b.secondary;
+      float(*color)[kLanes] = separate ? b.lighting.secondary[face] : b.secondary;
       if (!separate && p.lit)
         for (int c = 0; c < 3; ++c) broadcast(0.0f, color[c], n);
       else if (!separate)
@@ -130,7 +134,7 @@ static inline void shade_block(VertexBlock& b, const VertexJob& job, uint32_t fi
   for (int unit = 0; unit < 8; ++unit) {
     const int slot = layout.texcoord[unit];
     if (slot < 0) continue;
-    float (*coordinate)[kLanes] = b.texcoord[unit];
+    float(*coordinate)[kLanes] = b.texcoord[unit];
     fetch_attribute(job, kTexCoord0 + unit, first, count, n, 4, coordinate);
     if (p.coordinates[unit]) generate_coordinates(b, *p.coordinates[unit], p.reflection_z, coordinate, n);
     store_slot(coordinate[0], coordinate[1], coordinate[2], coordinate[3], out + slot, slots, count);

@@ -1,5 +1,5 @@
-// Position: object to clip to window coordinates, the clip mask, eye position and normal (GL 1.5, 2.11, 2.12), in the
-// operation order of OSMesa 22.3.6 without FMA.
+// Position: object to clip to window coordinates, the clip mask, eye position and normal
+// (GL 1.5, 2.11, 2.12), in the operation order of OSMesa 22.3.6 without FMA.
 #pragma once
 
 #include "lighting.inl"
@@ -19,7 +19,8 @@ static inline void transform_points(const float (*in)[kLanes], const float* m, f
 }
 
 /// A plane's dot product as llvmpipe expands DP4: ((w + z) + y) + x.
-static inline void dot4_lanes(const float (*in)[kLanes], float px, float py, float pz, float pw, float* out, int n) {
+static inline void dot4_lanes(const float (*in)[kLanes], float px, float py, float pz, float pw, float* out,
+                              int n) {
   const float *x = in[0], *y = in[1], *z = in[2], *w = in[3];
   SOFTGL_FOR_LANES(i, n) out[i] = ((w[i] * pw + z[i] * pz) + y[i] * py) + x[i] * px;
 }
@@ -35,7 +36,7 @@ static inline void normalize_lanes(const float (*in)[kLanes], float (*out)[kLane
 }
 
 static inline void transform_normals(VertexBlock& b, const VertexProgram& p, int n) {
-  float (*normal)[kLanes] = b.lighting.normal;
+  float(*normal)[kLanes] = b.lighting.normal;
   const TransformConstants& k = *p.transform;
   if (p.normal_to_eye) {
     const float m00 = k.normal_matrix[0][0], m01 = k.normal_matrix[0][1], m02 = k.normal_matrix[0][2];
@@ -69,7 +70,8 @@ static inline void clip_masks(VertexBlock& b, const ClipPlaneConstants* planes, 
   }
   if (!planes) return;
   for (int j = 0; j < planes->count; ++j) {
-    const float px = planes->plane[j][0], py = planes->plane[j][1], pz = planes->plane[j][2], pw = planes->plane[j][3];
+    const float px = planes->plane[j][0], py = planes->plane[j][1], pz = planes->plane[j][2],
+                pw = planes->plane[j][3];
     const int32_t bit = kClipUser0 << planes->index[j];
     SOFTGL_FOR_LANES(i, n) {
       const float distance = pw * w[i] + (pz * z[i] + (py * y[i] + px * x[i]));

@@ -13,32 +13,34 @@ extern "C" {
 #define SOFTGL_VERSION_PATCH 0
 
 /* "0.1.0" */
-const char *softgl_version(void);
+const char* softgl_version(void);
 
-/* How many threads draw, the calling one included. The picture does not depend on it. The environment variable
- * SOFTGL_THREADS sets the number at the start; without it there is one per processor. Values below 1 count as 1. */
+/* How many threads draw, the calling one included. The picture does not depend on it. The environment
+ * variable SOFTGL_THREADS sets the number at the start; without it there is one per processor. Values below 1
+ * count as 1. */
 void softgl_set_threads(int count);
 int softgl_threads(void);
 
 /* The instruction set in use: "baseline", "v2", "v3" or "v4" (the levels of x86-64). The environment variable
  * SOFTGL_ISA forces a lower one than the processor has. The picture does not depend on it either. */
-const char *softgl_isa(void);
+const char* softgl_isa(void);
 
-/* Finishes all rendering of the current context and returns a hash of its colours, depth and stencil: equal pictures
- * have equal hashes, on every machine. 0 without a current context. The caller's buffer is not touched. */
+/* Finishes all rendering of the current context and returns a hash of its colours, depth and stencil: equal
+ * pictures have equal hashes, on every machine. 0 without a current context. The caller's buffer is not
+ * touched. */
 uint64_t softgl_frame_hash(void);
 
-/* GL_SOFTGL_phong_illumination (reference/extensions): glLightModel and glGet with these names. The values are those of
- * no other extension: the registry gives out none above 108999. They are exact as floats. */
+/* GL_SOFTGL_phong_illumination (reference/extensions): glLightModel and glGet with these names. The values
+ * are those of no other extension: the registry gives out none above 108999. They are exact as floats. */
 #define GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL 0x5F6000
-#define GL_HALF_VECTOR_SOFTGL                 0x5F6001 /* (n.h)^a, OpenGL's highlight; the initial value */
-#define GL_REFLECTION_VECTOR_SOFTGL           0x5F6002 /* (v.r)^a, Phong's */
-#define GL_LIGHT_MODEL_TERMS_SOFTGL           0x5F6003
-#define GL_EMISSION_TERM_BIT_SOFTGL           1
-#define GL_AMBIENT_TERM_BIT_SOFTGL            2
-#define GL_DIFFUSE_TERM_BIT_SOFTGL            4
-#define GL_SPECULAR_TERM_BIT_SOFTGL           8
-#define GL_ALL_TERM_BITS_SOFTGL               15 /* the initial value */
+#define GL_HALF_VECTOR_SOFTGL 0x5F6001       /* (n.h)^a, OpenGL's highlight; the initial value */
+#define GL_REFLECTION_VECTOR_SOFTGL 0x5F6002 /* (v.r)^a, Phong's */
+#define GL_LIGHT_MODEL_TERMS_SOFTGL 0x5F6003
+#define GL_EMISSION_TERM_BIT_SOFTGL 1
+#define GL_AMBIENT_TERM_BIT_SOFTGL 2
+#define GL_DIFFUSE_TERM_BIT_SOFTGL 4
+#define GL_SPECULAR_TERM_BIT_SOFTGL 8
+#define GL_ALL_TERM_BITS_SOFTGL 15 /* the initial value */
 
 /* What the current context has done so far. */
 struct softgl_statistics {
@@ -48,7 +50,7 @@ struct softgl_statistics {
   uint64_t reads;    /* glReadPixels calls with an effect */
 };
 /* All zeros without a current context. */
-void softgl_get_statistics(struct softgl_statistics *statistics);
+void softgl_get_statistics(struct softgl_statistics* statistics);
 
 #ifdef __cplusplus
 }

@@ -1,4 +1,5 @@
-// softgl_capture: keeps what the system's libOSMesa draws, as hashes or as pictures, and checks a library against them.
+// softgl_capture: keeps what the system's libOSMesa draws, as hashes or as pictures, and checks a library
+// against them.
 //   softgl_capture --write reference/osmesa/manifest.txt
 //   softgl_capture --check reference/osmesa/manifest.txt --library softgl
 #include <cstdio>
@@ -26,7 +27,8 @@ int check(const Gl& gl, const std::string& path) {
   for (const ManifestRow& row : manifest.rows) {
     if (draw_hash(gl, *find_scene(row.scene), row.first, row.count) == row.hash) continue;
     differing++;
-    std::printf("%s %llu to %llu: another picture than that of %s\n", row.scene.c_str(), static_cast<unsigned long long>(row.first),
+    std::printf("%s %llu to %llu: another picture than that of %s\n", row.scene.c_str(),
+                static_cast<unsigned long long>(row.first),
                 static_cast<unsigned long long>(row.first + row.count - 1), manifest.library.c_str());
   }
   std::printf("%zu rows, %zu differing\n", manifest.rows.size(), differing);
@@ -51,8 +53,10 @@ int main(int argc, char** argv) {
   std::string library = "osmesa", action, path;
   for (int i = 1; i + 1 < argc; i += 2) {
     const std::string option = argv[i];
-    if (option == "--library") library = argv[i + 1];
-    else action = option, path = argv[i + 1];
+    if (option == "--library")
+      library = argv[i + 1];
+    else
+      action = option, path = argv[i + 1];
   }
   if (argc % 2 == 0 || (library != "softgl" && library != "osmesa")) return std::fputs(kUsage, stderr), 2;
   try {
@@ -60,8 +64,6 @@ int main(int argc, char** argv) {
     if (action == "--check") return check(gl, path);
     if (action == "--pictures") return write_pictures(gl, path);
     if (action == "--write") return write_manifest(path, capture(gl, 1)), 0;
-  } catch (const std::exception& e) {
-    return std::fprintf(stderr, "softgl_capture: %s\n", e.what()), 3;
-  }
+  } catch (const std::exception& e) { return std::fprintf(stderr, "softgl_capture: %s\n", e.what()), 3; }
   return std::fputs(kUsage, stderr), 2;
 }

@@ -24,8 +24,10 @@ Vec3 Material::shade_textbook(Vec3 point, Vec3 n, Vec3 v, const Illumination& il
 
 Vec3 Material::shade_opengl(Vec3 point, Vec3 normal, const Illumination& illumination) const {
   const auto opaque = [](Vec3 c) { return Vec4{c.x, c.y, c.z, 1}; };
-  const spec::Material material{opaque(kAmbient), opaque(kDiffuse), opaque(kSpecular), opaque(kEmission), phongExponent};
-  const spec::LitColor lit = spec::light_vertex(illumination.model, illumination.lights, material, opaque(point), normal);
+  const spec::Material material{opaque(kAmbient), opaque(kDiffuse), opaque(kSpecular), opaque(kEmission),
+                                phongExponent};
+  const spec::LitColor lit =
+      spec::light_vertex(illumination.model, illumination.lights, material, opaque(point), normal);
   return lit.primary.xyz() + lit.secondary;
 }
 

@@ -18,8 +18,8 @@ enum class Equation {
   OpenGL,   // GL 1.5, 2.14.1: attenuation, spotlights, separate intensities, two sides
 };
 
-/// All that shades a scene. The textbook's lights have one intensity Lj, which is Light::diffuse; its viewer is where the
-/// ray comes from.
+/// All that shades a scene. The textbook's lights have one intensity Lj, which is Light::diffuse; its viewer
+/// is where the ray comes from.
 struct Illumination {
   Equation equation = Equation::Textbook;
   spec::LightModel model; // model.ambient is LA

@@ -8,8 +8,9 @@
 
 namespace softgl::raycast {
 
-/// The eye is at the origin and looks along -z. A perspective camera sees the angle `field_of_view` (degrees, from bottom to
-/// top), an orthographic one sees `half_height` to both sides of the axis. Pixel rows count from the bottom, as in OpenGL.
+/// The eye is at the origin and looks along -z. A perspective camera sees the angle `field_of_view` (degrees,
+/// from bottom to top), an orthographic one sees `half_height` to both sides of the axis. Pixel rows count
+/// from the bottom, as in OpenGL.
 struct Camera {
   int width = 256, height = 256;
   bool perspective = true;

@@ -13,7 +13,9 @@ struct Line {
   std::istringstream words;
   std::string where; // file and line, for messages
 
-  [[noreturn]] void fail(const std::string& message) const { throw std::runtime_error(where + ": " + message); }
+  [[noreturn]] void fail(const std::string& message) const {
+    throw std::runtime_error(where + ": " + message);
+  }
   double number(const char* what) {
     double value;
     if (!(words >> value) || !std::isfinite(value)) fail(std::string("a number is missing: ") + what);
@@ -37,8 +39,10 @@ spec::Light read_light(Line& line) {
   light.position = {p.x, p.y, p.z, line.number("w of the light: 1, or 0 for a direction")};
   light.diffuse = light.specular = line.vector("colour of the light");
   for (std::string word; line.word(word);) {
-    if (word == "ambient") light.ambient = line.vector("ambient");
-    else if (word == "specular") light.specular = line.vector("specular");
+    if (word == "ambient")
+      light.ambient = line.vector("ambient");
+    else if (word == "specular")
+      light.specular = line.vector("specular");
     else if (word == "attenuation") {
       const Vec3 k = line.vector("attenuation");
       light.constant_attenuation = k.x, light.linear_attenuation = k.y, light.quadratic_attenuation = k.z;
@@ -46,7 +50,8 @@ spec::Light read_light(Line& line) {
       light.spot_direction = line.vector("direction of the spotlight");
       light.spot_cutoff = line.number("cut-off angle");
       light.spot_exponent = line.number("exponent of the spotlight");
-    } else line.fail("a light has no '" + word + "'");
+    } else
+      line.fail("a light has no '" + word + "'");
   }
   return light;
 }
@@ -54,12 +59,18 @@ spec::Light read_light(Line& line) {
 Material read_material(Line& line) {
   Material m;
   for (std::string word; line.word(word);) {
-    if (word == "ambient") m.kAmbient = line.vector("ambient");
-    else if (word == "diffuse") m.kDiffuse = line.vector("diffuse");
-    else if (word == "specular") m.kSpecular = line.vector("specular");
-    else if (word == "emission") m.kEmission = line.vector("emission");
-    else if (word == "exponent") m.phongExponent = line.number("exponent");
-    else line.fail("a material has no '" + word + "'");
+    if (word == "ambient")
+      m.kAmbient = line.vector("ambient");
+    else if (word == "diffuse")
+      m.kDiffuse = line.vector("diffuse");
+    else if (word == "specular")
+      m.kSpecular = line.vector("specular");
+    else if (word == "emission")
+      m.kEmission = line.vector("emission");
+    else if (word == "exponent")
+      m.phongExponent = line.number("exponent");
+    else
+      line.fail("a material has no '" + word + "'");
   }
   return m;
 }
@@ -71,7 +82,8 @@ Vec3 turned(Vec3 v, Vec3 axis, double angle) {
 
 std::unique_ptr<Shape> read_box(Line& line, const Material& material) {
   const Vec3 center = line.vector("centre of the box");
-  Vec3 x{line.positive("half width"), 0, 0}, y{0, line.positive("half height"), 0}, z{0, 0, line.positive("half depth")};
+  Vec3 x{line.positive("half width"), 0, 0}, y{0, line.positive("half height"), 0},
+      z{0, 0, line.positive("half depth")};
   for (std::string word; line.word(word);) {
     if (word != "turn") line.fail("a box has no '" + word + "'");
     const double angle = line.number("angle") * std::numbers::pi / 180;
@@ -88,9 +100,12 @@ std::unique_ptr<Shape> read_mesh(Line& line, const Material& material, const std
   Vec3 at{0, 0, 0};
   double scale = 1;
   for (std::string word; line.word(word);) {
-    if (word == "at") at = line.vector("place of the mesh");
-    else if (word == "scale") scale = line.positive("scale");
-    else line.fail("a mesh has no '" + word + "'");
+    if (word == "at")
+      at = line.vector("place of the mesh");
+    else if (word == "scale")
+      scale = line.positive("scale");
+    else
+      line.fail("a mesh has no '" + word + "'");
   }
   std::ifstream in(folder + file);
   if (!in) line.fail("cannot read " + folder + file);
@@ -102,8 +117,10 @@ std::unique_ptr<Shape> read_mesh(Line& line, const Material& material, const std
     Line row{std::istringstream(text), folder + file + ":" + std::to_string(++number)};
     std::string kind;
     if (!row.word(kind)) continue;
-    if (kind == "v") positions.push_back(at + scale * row.vector("coordinate"));
-    else if (kind == "vn") normals.push_back(spec::unit(row.vector("normal")));
+    if (kind == "v")
+      positions.push_back(at + scale * row.vector("coordinate"));
+    else if (kind == "vn")
+      normals.push_back(spec::unit(row.vector("normal")));
     if (kind != "f") continue;
     const int first = int(vertices.size());
     bool complete = true;
@@ -116,13 +133,15 @@ std::unique_ptr<Shape> read_mesh(Line& line, const Material& material, const std
       const size_t slash = corner.rfind('/');
       const bool has_normal = slash != std::string::npos && corner.find('/') != slash;
       complete &= has_normal;
-      vertices.push_back({pick(positions, corner), has_normal ? pick(normals, corner.substr(slash + 1)) : Vec3{}});
+      vertices.push_back(
+          {pick(positions, corner), has_normal ? pick(normals, corner.substr(slash + 1)) : Vec3{}});
     }
     const int count = int(vertices.size()) - first;
     if (count < 3) row.fail("a face needs three corners");
     const auto corner = [&](int i) -> TriangleMesh::Vertex& { return vertices[size_t(first + i)]; };
     if (!complete) {
-      const Vec3 facet = spec::unit(cross(corner(1).position - corner(0).position, corner(2).position - corner(0).position));
+      const Vec3 facet =
+          spec::unit(cross(corner(1).position - corner(0).position, corner(2).position - corner(0).position));
       for (int i = 0; i < count; i++) corner(i).normal = facet;
     }
     for (int i = 1; i + 1 < count; i++) indices.insert(indices.end(), {first, first + i, first + i + 1});
@@ -137,8 +156,10 @@ void read_camera(Line& line, Camera& camera) {
   if (camera.perspective) {
     camera.field_of_view = line.positive("angle of view");
     if (camera.field_of_view >= 180) line.fail("the angle of view must be smaller than 180");
-  } else if (kind == "orthographic") camera.half_height = line.positive("half height");
-  else line.fail("a camera is perspective or orthographic");
+  } else if (kind == "orthographic")
+    camera.half_height = line.positive("half height");
+  else
+    line.fail("a camera is perspective or orthographic");
 }
 
 } // namespace
@@ -151,24 +172,36 @@ Scene parse_scene(const std::string& text, const std::string& name) {
   std::istringstream lines(text);
   int number = 0;
   for (std::string content; std::getline(lines, content);) {
-    Line line{std::istringstream(content.substr(0, content.find('#'))), name + ":" + std::to_string(++number)};
+    Line line{std::istringstream(content.substr(0, content.find('#'))),
+              name + ":" + std::to_string(++number)};
     std::string word;
     if (!line.word(word)) continue;
     if (word == "size") {
       const double width = line.positive("width"), height = line.positive("height");
       if (width > 16384 || height > 16384) line.fail("the picture is too large");
       scene.camera.width = int(width), scene.camera.height = int(height);
-    } else if (word == "camera") read_camera(line, scene.camera);
-    else if (word == "background") scene.background = line.vector("background");
-    else if (word == "ambient") light.model.ambient = line.vector("ambient light");
-    else if (word == "textbook") light.equation = Equation::Textbook;
-    else if (word == "opengl") light.equation = Equation::OpenGL;
-    else if (word == "reflection_vector") light.model.highlight = spec::Highlight::ReflectionVector;
-    else if (word == "half_vector") light.model.highlight = spec::Highlight::HalfVector;
-    else if (word == "local_viewer") light.model.local_viewer = true;
-    else if (word == "two_sided") light.model.two_sided = true;
-    else if (word == "light") light.lights.push_back(read_light(line));
-    else if (word == "material") material = read_material(line);
+    } else if (word == "camera")
+      read_camera(line, scene.camera);
+    else if (word == "background")
+      scene.background = line.vector("background");
+    else if (word == "ambient")
+      light.model.ambient = line.vector("ambient light");
+    else if (word == "textbook")
+      light.equation = Equation::Textbook;
+    else if (word == "opengl")
+      light.equation = Equation::OpenGL;
+    else if (word == "reflection_vector")
+      light.model.highlight = spec::Highlight::ReflectionVector;
+    else if (word == "half_vector")
+      light.model.highlight = spec::Highlight::HalfVector;
+    else if (word == "local_viewer")
+      light.model.local_viewer = true;
+    else if (word == "two_sided")
+      light.model.two_sided = true;
+    else if (word == "light")
+      light.lights.push_back(read_light(line));
+    else if (word == "material")
+      material = read_material(line);
     else if (word == "sphere") {
       const Vec3 center = line.vector("centre of the sphere");
       scene.shapes.push_back(std::make_unique<Sphere>(material, center, line.positive("radius")));
@@ -176,9 +209,12 @@ Scene parse_scene(const std::string& text, const std::string& name) {
       const Vec3 point = line.vector("point of the plane"), normal = line.vector("normal of the plane");
       if (length(normal) == 0) line.fail("the normal of a plane must not be zero");
       scene.shapes.push_back(std::make_unique<Plane>(material, point, normal));
-    } else if (word == "box") scene.shapes.push_back(read_box(line, material));
-    else if (word == "mesh") scene.shapes.push_back(read_mesh(line, material, folder));
-    else line.fail("unknown word '" + word + "'");
+    } else if (word == "box")
+      scene.shapes.push_back(read_box(line, material));
+    else if (word == "mesh")
+      scene.shapes.push_back(read_mesh(line, material, folder));
+    else
+      line.fail("unknown word '" + word + "'");
     if (line.word(word)) line.fail("'" + word + "' is too much");
   }
   return scene;

@@ -18,11 +18,11 @@ struct Ray {
 /// Where a ray meets a shape.
 struct Hit {
   double distance = 0;
-  Vec3 point, normal;       // the normal has length 1 and points outwards, also where the ray comes from inside
+  Vec3 point, normal; // the normal has length 1 and points outwards, also where the ray comes from inside
   bool from_behind = false; // the ray meets the side that the normal does not point to
   const Material* material = nullptr;
-  int part = 0;             // face of a box, triangle of a mesh
-  Vec3 weights;             // of the triangle's three vertices
+  int part = 0; // face of a box, triangle of a mesh
+  Vec3 weights; // of the triangle's three vertices
 };
 
 /// A ray that starts on a surface does not hit it there: rounding must not let a surface meet itself.
@@ -57,7 +57,8 @@ private:
 /// All points p with (p - point) . normal = 0.
 class Plane : public Shape {
 public:
-  Plane(Material material, Vec3 point, Vec3 normal) : Shape(material), point_(point), normal_(spec::unit(normal)) {}
+  Plane(Material material, Vec3 point, Vec3 normal)
+      : Shape(material), point_(point), normal_(spec::unit(normal)) {}
   std::optional<Hit> intersect(const Ray& ray) const override;
 
 private:

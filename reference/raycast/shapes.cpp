@@ -29,7 +29,8 @@ std::optional<Hit> Plane::intersect(const Ray& ray) const {
 }
 
 std::optional<Hit> Box::intersect(const Ray& ray) const {
-  // Between each pair of opposite faces the ray is inside from `near` to `far`; inside all three, it is in the box.
+  // Between each pair of opposite faces the ray is inside from `near` to `far`; inside all three, it is in
+  // the box.
   double enter = -std::numeric_limits<double>::infinity(), leave = -enter;
   int enter_face = 0, leave_face = 0; // 2 * axis, + 1 on the negative side
   for (int axis = 0; axis < 3; axis++) {

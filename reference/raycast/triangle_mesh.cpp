@@ -26,7 +26,8 @@ static bool meets(const Ray& ray, Vec3 low, Vec3 high, double limit) {
 }
 
 TriangleMesh::TriangleMesh(Material material, std::vector<Vertex> vertices, std::vector<int> indices)
-    : Shape(material), vertices_(std::move(vertices)), indices_(std::move(indices)), order_(indices_.size() / 3) {
+    : Shape(material), vertices_(std::move(vertices)), indices_(std::move(indices)),
+      order_(indices_.size() / 3) {
   std::iota(order_.begin(), order_.end(), 0);
   if (!order_.empty()) build(0, int(order_.size()));
 }
@@ -48,11 +49,13 @@ void TriangleMesh::build(int first, int count) {
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   const auto middle = [&](int triangle) {
     double sum = 0;
-    for (int corner = 0; corner < 3; corner++) sum += component(vertices_[size_t(indices_[size_t(3 * triangle + corner)])].position, axis);
+    for (int corner = 0; corner < 3; corner++)
+      sum += component(vertices_[size_t(indices_[size_t(3 * triangle + corner)])].position, axis);
     return sum;
   };
   const auto begin = order_.begin() + first;
-  std::nth_element(begin, begin + count / 2, begin + count, [&](int a, int b) { return middle(a) < middle(b); });
+  std::nth_element(begin, begin + count / 2, begin + count,
+                   [&](int a, int b) { return middle(a) < middle(b); });
   nodes_[index].count = 0;
   build(first, count / 2);
   nodes_[index].right = int(nodes_.size());
@@ -89,7 +92,8 @@ std::optional<Hit> TriangleMesh::intersect(const Ray& ray) const {
     open.pop_back();
     const Node& node = nodes_[size_t(index)];
     if (!meets(ray, node.low, node.high, nearest.distance)) continue;
-    for (int i = node.first; i < node.first + node.count; i++) intersect_triangle(ray, order_[size_t(i)], nearest);
+    for (int i = node.first; i < node.first + node.count; i++)
+      intersect_triangle(ray, order_[size_t(i)], nearest);
     if (!node.count) open.push_back(node.right), open.push_back(index + 1);
   }
   if (!nearest.material) return {};

@@ -4,7 +4,8 @@
 
 namespace softgl::spec {
 
-// 2.11.3 ---------------------------------------------------------------------------------------------------------------
+// 2.11.3
+// ---------------------------------------------------------------------------------------------------------------
 
 Vec3 transform_normal(const Matrix4& modelview, Vec3 normal, bool rescale_normal, bool normalize) {
   const auto row = [&](int i) { return Vec3{modelview(i, 0), modelview(i, 1), modelview(i, 2)}; };
@@ -22,7 +23,8 @@ Vec3 transform_normal(const Matrix4& modelview, Vec3 normal, bool rescale_normal
   return normalize ? unit(n) : n;
 }
 
-// 2.14.1 ---------------------------------------------------------------------------------------------------------------
+// 2.14.1
+// ---------------------------------------------------------------------------------------------------------------
 
 Vec3 direction_between(Vec4 from, Vec4 to) {
   if (to.w == 0 && from.w != 0) return unit(to.xyz());
@@ -35,7 +37,9 @@ double distance_attenuation(const Light& light, Vec4 vertex) {
   if (light.position.w == 0) return 1;
   const double d = length(light.position.divided() - vertex.divided());
   // Not infinite where the light itself is, so that black stays black there.
-  return std::min(1 / (light.constant_attenuation + light.linear_attenuation * d + light.quadratic_attenuation * d * d), 1e18);
+  return std::min(
+      1 / (light.constant_attenuation + light.linear_attenuation * d + light.quadratic_attenuation * d * d),
+      1e18);
 }
 
 double spotlight(const Light& light, Vec4 vertex) {
@@ -52,26 +56,33 @@ Vec3 towards_viewer(const LightModel& model, Vec4 vertex) {
 
 Vec3 half_vector(Vec3 towards_light, Vec3 towards_viewer) { return unit(towards_light + towards_viewer); }
 
-Vec3 reflection_vector(Vec3 towards_light, Vec3 normal) { return 2 * dot(normal, towards_light) * normal - towards_light; }
+Vec3 reflection_vector(Vec3 towards_light, Vec3 normal) {
+  return 2 * dot(normal, towards_light) * normal - towards_light;
+}
 
 double highlight(Highlight kind, Vec3 normal, Vec3 towards_light, Vec3 towards_viewer, double shininess) {
   if (dot(normal, towards_light) <= 0) return 0;
-  if (kind == Highlight::HalfVector) return std::pow(clamped_dot(normal, half_vector(towards_light, towards_viewer)), shininess);
+  if (kind == Highlight::HalfVector)
+    return std::pow(clamped_dot(normal, half_vector(towards_light, towards_viewer)), shininess);
   const double cosine = dot(towards_viewer, reflection_vector(towards_light, normal));
   return cosine > 0 ? std::pow(cosine, shininess) : 0;
 }
 
-LitColor light_vertex(const LightModel& model, std::span<const Light> lights, const Material& material, Vec4 vertex, Vec3 normal) {
+LitColor light_vertex(const LightModel& model, std::span<const Light> lights, const Material& material,
+                      Vec4 vertex, Vec3 normal) {
   const Vec3 a_cm = material.ambient.xyz(), d_cm = material.diffuse.xyz(), s_cm = material.specular.xyz();
-  if (model.highlight == Highlight::ReflectionVector) normal = unit(normal); // another length would be mirrored, too
+  if (model.highlight == Highlight::ReflectionVector)
+    normal = unit(normal); // another length would be mirrored, too
   const auto term = [](bool wanted, Vec3 color) { return wanted ? color : Vec3{}; };
 
-  Vec3 primary = term(model.terms.emission, material.emission.xyz()) + term(model.terms.ambient, a_cm * model.ambient);
+  Vec3 primary =
+      term(model.terms.emission, material.emission.xyz()) + term(model.terms.ambient, a_cm * model.ambient);
   Vec3 secondary;
   for (const Light& light : lights) {
     const Vec3 l = direction_between(vertex, light.position);
     const double n_dot_l = clamped_dot(normal, l);
-    const double specular = highlight(model.highlight, normal, l, towards_viewer(model, vertex), material.shininess);
+    const double specular =
+        highlight(model.highlight, normal, l, towards_viewer(model, vertex), material.shininess);
     const double intensity = distance_attenuation(light, vertex) * spotlight(light, vertex);
 
     primary = primary + intensity * (term(model.terms.ambient, a_cm * light.ambient) +
@@ -91,9 +102,12 @@ double twice_signed_area(std::span<const Vec3> window) {
   return area;
 }
 
-bool faces_back(double area, bool front_face_is_clockwise) { return (front_face_is_clockwise ? -area : area) <= 0; }
+bool faces_back(double area, bool front_face_is_clockwise) {
+  return (front_face_is_clockwise ? -area : area) <= 0;
+}
 
-// 2.14.3 ---------------------------------------------------------------------------------------------------------------
+// 2.14.3
+// ---------------------------------------------------------------------------------------------------------------
 
 Material track_color(Material material, TrackedColor parameters, Vec4 color) {
   switch (parameters) {
@@ -106,7 +120,8 @@ Material track_color(Material material, TrackedColor parameters, Vec4 color) {
   return material;
 }
 
-// 2.14.6, 2.14.9, 3.9 --------------------------------------------------------------------------------------------------
+// 2.14.6, 2.14.9, 3.9
+// --------------------------------------------------------------------------------------------------
 
 static double clamp01(double x) { return std::clamp(x, 0.0, 1.0); }
 
@@ -116,8 +131,8 @@ LitColor clamped(const LitColor& c) {
 }
 
 Vec4 color_sum(const LitColor& c) {
-  return {clamp01(c.primary.x + c.secondary.x), clamp01(c.primary.y + c.secondary.y), clamp01(c.primary.z + c.secondary.z),
-          clamp01(c.primary.w)};
+  return {clamp01(c.primary.x + c.secondary.x), clamp01(c.primary.y + c.secondary.y),
+          clamp01(c.primary.z + c.secondary.z), clamp01(c.primary.w)};
 }
 
 uint8_t to_fixed_point(double component) { return uint8_t(std::lround(clamp01(component) * 255)); }

@@ -9,8 +9,8 @@
 
 namespace softgl {
 
-// Colour and normal components: c / (2^b - 1) and (2c + 1) / (2^b - 1). OSMesa 22.3.6: single precision, except that
-// the 32-bit types are scaled in double; unsigned bytes are a true division.
+// Colour and normal components: c / (2^b - 1) and (2c + 1) / (2^b - 1). OSMesa 22.3.6: single precision,
+// except that the 32-bit types are scaled in double; unsigned bytes are a true division.
 inline float normalized(GLubyte c) { return float(c) / 255.0f; }
 inline float normalized(GLbyte c) { return (2.0f * float(c) + 1.0f) * (1.0f / 255.0f); }
 inline float normalized(GLushort c) { return float(c) * (1.0f / 65535.0f); }
@@ -18,7 +18,8 @@ inline float normalized(GLshort c) { return (2.0f * float(c) + 1.0f) * (1.0f / 6
 inline float normalized(GLuint c) { return float(double(c) * (1.0 / 4294967295.0)); }
 inline float normalized(GLint c) { return float(double(2.0f * float(c) + 1.0f) * (1.0 / 4294967294.0)); }
 
-/// Nearest integer of a float parameter, for commands whose parameters are integers; out of range saturates, NaN is 0.
+/// Nearest integer of a float parameter, for commands whose parameters are integers; out of range saturates,
+/// NaN is 0.
 inline GLint round_to_int(float v) {
   if (!(v == v)) return 0;
   if (v >= 2147483648.0f) return 2147483647;
@@ -26,7 +27,9 @@ inline GLint round_to_int(float v) {
   return GLint(std::lround(v));
 }
 
-struct Matrix16 { GLfloat m[16]; };
+struct Matrix16 {
+  GLfloat m[16];
+};
 template <class T> Matrix16 matrix_of(const T* m) {
   Matrix16 r;
   for (int i = 0; i < 16; ++i) r.m[i] = GLfloat(m[i]);
@@ -39,8 +42,16 @@ template <class T> Matrix16 transposed(const T* m) {
 }
 
 /// Which command's parameters a pname belongs to.
-enum CountTable { kCountOf_material, kCountOf_light, kCountOf_light_model, kCountOf_point, kCountOf_texture,
-                  kCountOf_texture_environment, kCountOf_texture_generation, kCountOf_fog };
+enum CountTable {
+  kCountOf_material,
+  kCountOf_light,
+  kCountOf_light_model,
+  kCountOf_point,
+  kCountOf_texture,
+  kCountOf_texture_environment,
+  kCountOf_texture_generation,
+  kCountOf_fog
+};
 /// How many values a parameter has; 0 for a name that the command does not know.
 size_t count_of(CountTable table, GLenum pname);
 

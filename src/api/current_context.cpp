@@ -5,9 +5,9 @@
 namespace softgl {
 namespace {
 
-/// The context of threads without one: its guard turns every door away. A union, so that the pointer to it is a
-/// constant and needs no initialization per thread; never destroyed, because a thread may call a door while the process
-/// ends.
+/// The context of threads without one: its guard turns every door away. A union, so that the pointer to it is
+/// a constant and needs no initialization per thread; never destroyed, because a thread may call a door while
+/// the process ends.
 union NoContext {
   constexpr NoContext() : nothing(0) {}
   ~NoContext() {}

@@ -31,7 +31,8 @@ bool may_execute_or_compile(Context& c) { return (c.guard & kCompilingList) || m
 void ignore_call(Context& c) { may_execute_keeping_run(c); }
 
 void bad_scalar_parameter(Context& c) {
-  if (c.guard & kCompilingList) return compile_error(c, c.builder.mode != kNoPrimitive ? GL_INVALID_OPERATION : GL_INVALID_ENUM);
+  if (c.guard & kCompilingList)
+    return compile_error(c, c.builder.mode != kNoPrimitive ? GL_INVALID_OPERATION : GL_INVALID_ENUM);
   set_error(c, c.guard & kInsideBeginEnd ? GL_INVALID_OPERATION : GL_INVALID_ENUM);
 }
 

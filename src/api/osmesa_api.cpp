@@ -18,8 +18,8 @@ struct osmesa_context : Context {
 
 namespace {
 
-constexpr int kMaxSize = 16384;      // what is promised
-constexpr int kSizeLimit = 1 << 16;  // what the rasterizer's fixed-point coordinates can hold
+constexpr int kMaxSize = 16384;     // what is promised
+constexpr int kSizeLimit = 1 << 16; // what the rasterizer's fixed-point coordinates can hold
 
 osmesa_context* current() {
   Context* c = current_context;
@@ -28,9 +28,14 @@ osmesa_context* current() {
 
 bool known_format(int format) {
   switch (format) {
-    case OSMESA_COLOR_INDEX: case OSMESA_RGBA: case OSMESA_BGRA: case OSMESA_ARGB: case OSMESA_RGB: case OSMESA_BGR:
-    case OSMESA_RGB_565: return true;
-    default: return false;
+  case OSMESA_COLOR_INDEX:
+  case OSMESA_RGBA:
+  case OSMESA_BGRA:
+  case OSMESA_ARGB:
+  case OSMESA_RGB:
+  case OSMESA_BGR:
+  case OSMESA_RGB_565: return true;
+  default: return false;
   }
 }
 
@@ -42,10 +47,10 @@ bool choose_color_format(GLenum format, GLenum type, ColorFormat& chosen) {
   }
   if (format == OSMESA_COLOR_INDEX || format == OSMESA_BGR) return false;
   switch (type) {
-    case GL_UNSIGNED_BYTE: chosen = ColorFormat::Rgba8; return true;
-    case GL_UNSIGNED_SHORT: chosen = ColorFormat::Rgba16; return true;
-    case GL_FLOAT: chosen = ColorFormat::RgbaFloat; return true;
-    default: return false;
+  case GL_UNSIGNED_BYTE: chosen = ColorFormat::Rgba8; return true;
+  case GL_UNSIGNED_SHORT: chosen = ColorFormat::Rgba16; return true;
+  case GL_FLOAT: chosen = ColorFormat::RgbaFloat; return true;
+  default: return false;
   }
 }
 
@@ -59,20 +64,22 @@ bool read_attributes(const int* list, ContextRequest& request) {
   for (; list[0] != 0; list += 2) {
     const int value = list[1];
     switch (list[0]) {
-      case OSMESA_FORMAT:
-        if (!known_format(value)) return false;
-        request.format = GLenum(value);
-        break;
-      case OSMESA_DEPTH_BITS: request.depth = value; break;
-      case OSMESA_STENCIL_BITS: request.stencil = value; break;
-      case OSMESA_ACCUM_BITS: request.accumulation = value; break;
-      case OSMESA_PROFILE:
-        // The pipeline of a core profile has no fixed functions: there is none here.
-        if (value != OSMESA_COMPAT_PROFILE) return false;
-        break;
-      case OSMESA_CONTEXT_MAJOR_VERSION: request.major = value; break;
-      case OSMESA_CONTEXT_MINOR_VERSION: request.minor = value; break;
-      default: std::fprintf(stderr, "OSMesaCreateContextAttribs(unknown attribute 0x%x)\n", unsigned(list[0])); return false;
+    case OSMESA_FORMAT:
+      if (!known_format(value)) return false;
+      request.format = GLenum(value);
+      break;
+    case OSMESA_DEPTH_BITS: request.depth = value; break;
+    case OSMESA_STENCIL_BITS: request.stencil = value; break;
+    case OSMESA_ACCUM_BITS: request.accumulation = value; break;
+    case OSMESA_PROFILE:
+      // The pipeline of a core profile has no fixed functions: there is none here.
+      if (value != OSMESA_COMPAT_PROFILE) return false;
+      break;
+    case OSMESA_CONTEXT_MAJOR_VERSION: request.major = value; break;
+    case OSMESA_CONTEXT_MINOR_VERSION: request.minor = value; break;
+    default:
+      std::fprintf(stderr, "OSMesaCreateContextAttribs(unknown attribute 0x%x)\n", unsigned(list[0]));
+      return false;
     }
   }
   return request.depth >= 0 && request.stencil >= 0 && request.accumulation >= 0 && request.major >= 1 &&
@@ -83,20 +90,22 @@ void leave(Context* c) {
   if (c && !(c->guard & kNoContext)) finish_and_resolve(*c);
 }
 
-const struct { const char* name; OSMESAproc function; } kFunctions[] = {
-    {"OSMesaCreateContext", OSMESAproc(OSMesaCreateContext)},
-    {"OSMesaCreateContextExt", OSMESAproc(OSMesaCreateContextExt)},
-    {"OSMesaCreateContextAttribs", OSMESAproc(OSMesaCreateContextAttribs)},
-    {"OSMesaDestroyContext", OSMESAproc(OSMesaDestroyContext)},
-    {"OSMesaMakeCurrent", OSMESAproc(OSMesaMakeCurrent)},
-    {"OSMesaGetCurrentContext", OSMESAproc(OSMesaGetCurrentContext)},
-    {"OSMesaPixelStore", OSMESAproc(OSMesaPixelStore)},
-    {"OSMesaGetIntegerv", OSMESAproc(OSMesaGetIntegerv)},
-    {"OSMesaGetDepthBuffer", OSMESAproc(OSMesaGetDepthBuffer)},
-    {"OSMesaGetColorBuffer", OSMESAproc(OSMesaGetColorBuffer)},
-    {"OSMesaGetProcAddress", OSMESAproc(OSMesaGetProcAddress)},
-    {"OSMesaColorClamp", OSMESAproc(OSMesaColorClamp)},
-    {"OSMesaPostprocess", OSMESAproc(OSMesaPostprocess)}};
+const struct {
+  const char* name;
+  OSMESAproc function;
+} kFunctions[] = {{"OSMesaCreateContext", OSMESAproc(OSMesaCreateContext)},
+                  {"OSMesaCreateContextExt", OSMESAproc(OSMesaCreateContextExt)},
+                  {"OSMesaCreateContextAttribs", OSMESAproc(OSMesaCreateContextAttribs)},
+                  {"OSMesaDestroyContext", OSMESAproc(OSMesaDestroyContext)},
+                  {"OSMesaMakeCurrent", OSMESAproc(OSMesaMakeCurrent)},
+                  {"OSMesaGetCurrentContext", OSMESAproc(OSMesaGetCurrentContext)},
+                  {"OSMesaPixelStore", OSMESAproc(OSMesaPixelStore)},
+                  {"OSMesaGetIntegerv", OSMESAproc(OSMesaGetIntegerv)},
+                  {"OSMesaGetDepthBuffer", OSMESAproc(OSMesaGetDepthBuffer)},
+                  {"OSMesaGetColorBuffer", OSMESAproc(OSMesaGetColorBuffer)},
+                  {"OSMesaGetProcAddress", OSMESAproc(OSMesaGetProcAddress)},
+                  {"OSMesaColorClamp", OSMESAproc(OSMesaColorClamp)},
+                  {"OSMesaPostprocess", OSMESAproc(OSMesaPostprocess)}};
 
 } // namespace
 
@@ -106,10 +115,11 @@ SOFTGL_EXPORT OSMesaContext OSMesaCreateContext(GLenum format, OSMesaContext sha
   return OSMesaCreateContextExt(format, 24, 8, 0, sharelist);
 }
 
-SOFTGL_EXPORT OSMesaContext OSMesaCreateContextExt(GLenum format, GLint depthBits, GLint stencilBits, GLint accumBits,
-                                                   OSMesaContext sharelist) {
-  const int attributes[] = {OSMESA_FORMAT, int(format), OSMESA_DEPTH_BITS, depthBits, OSMESA_STENCIL_BITS, stencilBits,
-                            OSMESA_ACCUM_BITS, accumBits, 0};
+SOFTGL_EXPORT OSMesaContext OSMesaCreateContextExt(GLenum format, GLint depthBits, GLint stencilBits,
+                                                   GLint accumBits, OSMesaContext sharelist) {
+  const int attributes[] = {OSMESA_FORMAT,     int(format),         OSMESA_DEPTH_BITS,
+                            depthBits,         OSMESA_STENCIL_BITS, stencilBits,
+                            OSMESA_ACCUM_BITS, accumBits,           0};
   return OSMesaCreateContextAttribs(attributes, sharelist);
 }
 
@@ -124,14 +134,15 @@ SOFTGL_EXPORT OSMesaContext OSMesaCreateContextAttribs(const int* attribList, OS
     Framebuffer& f = c->framebuffer;
     f.has_alpha = request.format != OSMESA_RGB && request.format != OSMESA_RGB_565;
     f.stencil_bits = request.stencil > 0 ? 8 : 0;
-    f.depth_bits = request.depth <= 0 ? 0 : request.stencil > 0 || request.depth >= 24 ? 24 : request.depth >= 16 ? 16 : 0;
+    f.depth_bits = request.depth <= 0                           ? 0
+                   : request.stencil > 0 || request.depth >= 24 ? 24
+                   : request.depth >= 16                        ? 16
+                                                                : 0;
     f.accumulation_bits = request.accumulation > 0 ? 16 : 0;
     f.client.format = request.format;
     if (sharelist) c->shared = sharelist->shared;
     return c;
-  } catch (...) {
-    return nullptr;
-  }
+  } catch (...) { return nullptr; }
 }
 
 SOFTGL_EXPORT void OSMesaDestroyContext(OSMesaContext ctx) {
@@ -141,13 +152,15 @@ SOFTGL_EXPORT void OSMesaDestroyContext(OSMesaContext ctx) {
   delete ctx;
 }
 
-SOFTGL_EXPORT GLboolean OSMesaMakeCurrent(OSMesaContext ctx, void* buffer, GLenum type, GLsizei width, GLsizei height) {
+SOFTGL_EXPORT GLboolean OSMesaMakeCurrent(OSMesaContext ctx, void* buffer, GLenum type, GLsizei width,
+                                          GLsizei height) {
   if (!ctx && !buffer) {
     leave(current_context);
     current_context = none_context();
     return GL_TRUE;
   }
-  if (!ctx || !buffer || width < 1 || height < 1 || width > kSizeLimit || height > kSizeLimit) return GL_FALSE;
+  if (!ctx || !buffer || width < 1 || height < 1 || width > kSizeLimit || height > kSizeLimit)
+    return GL_FALSE;
   ColorFormat color_format;
   if (!choose_color_format(ctx->format, type, color_format)) {
     std::fprintf(stderr, "OSMesaMakeCurrent(unsupported format/type)\n");
@@ -167,9 +180,7 @@ SOFTGL_EXPORT GLboolean OSMesaMakeCurrent(OSMesaContext ctx, void* buffer, GLenu
       f.depth_copy.clear();
       new_planes = true;
     }
-  } catch (...) {
-    return GL_FALSE;
-  }
+  } catch (...) { return GL_FALSE; }
   f.client.data = buffer;
   f.client.type = type;
   if (new_planes) prepare_first_frame(*ctx);
@@ -189,9 +200,9 @@ SOFTGL_EXPORT void OSMesaPixelStore(GLint pname, GLint value) {
   osmesa_context* c = current();
   if (!c) return;
   switch (pname) {
-    case OSMESA_ROW_LENGTH: c->framebuffer.client.row_length = value; return;
-    case OSMESA_Y_UP: c->framebuffer.client.y_up = value != 0; return;
-    default: std::fprintf(stderr, "OSMesaPixelStore(unknown parameter 0x%x)\n", unsigned(pname)); return;
+  case OSMESA_ROW_LENGTH: c->framebuffer.client.row_length = value; return;
+  case OSMESA_Y_UP: c->framebuffer.client.y_up = value != 0; return;
+  default: std::fprintf(stderr, "OSMesaPixelStore(unknown parameter 0x%x)\n", unsigned(pname)); return;
   }
 }
 
@@ -199,18 +210,20 @@ SOFTGL_EXPORT void OSMesaGetIntegerv(GLint pname, GLint* value) {
   if (!value) return;
   const osmesa_context* c = current();
   switch (pname) {
-    case OSMESA_WIDTH: *value = c ? c->framebuffer.surface.width : 0; return;
-    case OSMESA_HEIGHT: *value = c ? c->framebuffer.surface.height : 0; return;
-    case OSMESA_FORMAT: *value = c ? GLint(c->format) : 0; return;
-    case OSMESA_TYPE: *value = c ? GLint(c->framebuffer.client.type) : 0; return;
-    case OSMESA_ROW_LENGTH: *value = c ? c->framebuffer.client.row_length : 0; return;
-    case OSMESA_Y_UP: *value = c ? c->framebuffer.client.y_up : 0; return;
-    case OSMESA_MAX_WIDTH: case OSMESA_MAX_HEIGHT: *value = kMaxSize; return;
-    default: std::fprintf(stderr, "OSMesaGetIntegerv(unknown parameter 0x%x)\n", unsigned(pname)); return;
+  case OSMESA_WIDTH: *value = c ? c->framebuffer.surface.width : 0; return;
+  case OSMESA_HEIGHT: *value = c ? c->framebuffer.surface.height : 0; return;
+  case OSMESA_FORMAT: *value = c ? GLint(c->format) : 0; return;
+  case OSMESA_TYPE: *value = c ? GLint(c->framebuffer.client.type) : 0; return;
+  case OSMESA_ROW_LENGTH: *value = c ? c->framebuffer.client.row_length : 0; return;
+  case OSMESA_Y_UP: *value = c ? c->framebuffer.client.y_up : 0; return;
+  case OSMESA_MAX_WIDTH:
+  case OSMESA_MAX_HEIGHT: *value = kMaxSize; return;
+  default: std::fprintf(stderr, "OSMesaGetIntegerv(unknown parameter 0x%x)\n", unsigned(pname)); return;
   }
 }
 
-SOFTGL_EXPORT GLboolean OSMesaGetDepthBuffer(OSMesaContext c, GLint* width, GLint* height, GLint* bytesPerValue, void** buffer) {
+SOFTGL_EXPORT GLboolean OSMesaGetDepthBuffer(OSMesaContext c, GLint* width, GLint* height,
+                                             GLint* bytesPerValue, void** buffer) {
   GLint w = 0, h = 0, bytes = 0;
   void* data = nullptr;
   if (c && c->framebuffer.surface.depth_stencil && depth_copy_bytes(c->framebuffer) > 0) {
@@ -224,9 +237,7 @@ SOFTGL_EXPORT GLboolean OSMesaGetDepthBuffer(OSMesaContext c, GLint* width, GLin
       h = f.surface.height;
       bytes = depth_copy_bytes(f);
       data = f.depth_copy.data();
-    } catch (...) {
-      f.depth_copy.clear();
-    }
+    } catch (...) { f.depth_copy.clear(); }
   }
   if (width) *width = w;
   if (height) *height = h;
@@ -235,7 +246,8 @@ SOFTGL_EXPORT GLboolean OSMesaGetDepthBuffer(OSMesaContext c, GLint* width, GLin
   return data ? GL_TRUE : GL_FALSE;
 }
 
-SOFTGL_EXPORT GLboolean OSMesaGetColorBuffer(OSMesaContext c, GLint* width, GLint* height, GLint* format, void** buffer) {
+SOFTGL_EXPORT GLboolean OSMesaGetColorBuffer(OSMesaContext c, GLint* width, GLint* height, GLint* format,
+                                             void** buffer) {
   const bool there = c && c->framebuffer.surface.color;
   if (width) *width = there ? c->framebuffer.surface.width : 0;
   if (height) *height = there ? c->framebuffer.surface.height : 0;

@@ -28,9 +28,7 @@ SOFTGL_EXPORT uint64_t softgl_frame_hash() {
   if (c.guard & kNoContext) return 0;
   try {
     flush_rendering(c);
-  } catch (...) {
-    set_error(c, GL_OUT_OF_MEMORY);
-  }
+  } catch (...) { set_error(c, GL_OUT_OF_MEMORY); }
   const Surface& s = c.framebuffer.surface;
   uint64_t hash = mixed(uint64_t(s.width) << 32 | uint32_t(s.height), uint64_t(s.color_format));
   const size_t bytes = size_t(bytes_per_pixel(s.color_format));

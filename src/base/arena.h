@@ -19,7 +19,10 @@ public:
   explicit Arena(size_t block_bytes = 256 * 1024) : block_bytes_(block_bytes) {}
   Arena(const Arena&) = delete;
   Arena& operator=(const Arena&) = delete;
-  ~Arena() { for (auto& b : blocks_) if (b.owned) unmap_pages(b.memory, b.size); }
+  ~Arena() {
+    for (auto& b : blocks_)
+      if (b.owned) unmap_pages(b.memory, b.size);
+  }
 
   /// `bytes` of uninitialised memory, aligned to 64 bytes. Throws std::bad_alloc.
   void* allocate(size_t bytes) {
@@ -38,8 +41,8 @@ public:
     static_assert(std::is_trivially_destructible_v<T>);
     return new (allocate(sizeof(T))) T{std::forward<A>(arguments)...};
   }
-  /// Opens what is left of a block, at least `minimum` bytes, to a writer who does not know yet how much it needs.
-  /// Nothing else may be allocated until give_back() says how much was used.
+  /// Opens what is left of a block, at least `minimum` bytes, to a writer who does not know yet how much it
+  /// needs. Nothing else may be allocated until give_back() says how much was used.
   void* allocate_rest(size_t minimum, size_t& bytes) {
     minimum = (minimum + 63) & ~size_t(63);
     if (size_t(end_ - next_) < minimum) grow(minimum);
@@ -53,7 +56,11 @@ public:
     used_ += used_bytes;
   }
   /// Forgets all allocations and keeps the blocks for the next frame.
-  void reset() { used_ = 0; current_ = 0; next_ = end_ = nullptr; }
+  void reset() {
+    used_ = 0;
+    current_ = 0;
+    next_ = end_ = nullptr;
+  }
   /// Where allocation stands, and back there: forgets what was allocated since.
   struct Mark {
     size_t current, used;
@@ -77,12 +84,16 @@ public:
   }
 
 private:
-  struct Block { std::byte* memory; size_t size; bool owned; };
+  struct Block {
+    std::byte* memory;
+    size_t size;
+    bool owned;
+  };
   void grow(size_t bytes) {
     while (current_ < blocks_.size() && blocks_[current_].size < bytes) ++current_;
     if (current_ == blocks_.size()) {
-      // Small contexts stay small; what is larger lives in huge pages, which are zeroed seven times as fast as it takes
-      // to fault small ones in (0.11 and 0.78 ms a megabyte).
+      // Small contexts stay small; what is larger lives in huge pages, which are zeroed seven times as fast
+      // as it takes to fault small ones in (0.11 and 0.78 ms a megabyte).
       const size_t size = bytes > block_bytes_ ? (bytes + 4095) & ~size_t(4095) : block_bytes_;
       block_bytes_ = 2 * kHugePage;
       blocks_.reserve(blocks_.size() + 1);

@@ -24,12 +24,14 @@ struct Features {
 };
 
 #if __has_include(<sys/platform/x86.h>)
-/// The C library (glibc 2.33) has asked already. In a virtual machine CPUID takes 12 us, and a dozen of them a fiftieth of
-/// the way from loading the library to a first picture.
+/// The C library (glibc 2.33) has asked already. In a virtual machine CPUID takes 12 us, and a dozen of them
+/// a fiftieth of the way from loading the library to a first picture.
 Features features() {
   auto all = [](auto... feature) { return (x86_cpu_active(feature) && ...); };
-  return {all(x86_cpu_SSE4_2, x86_cpu_POPCNT), all(x86_cpu_AVX2, x86_cpu_BMI1, x86_cpu_BMI2, x86_cpu_FMA, x86_cpu_MOVBE, x86_cpu_F16C, x86_cpu_LZCNT),
-          all(x86_cpu_AVX512F, x86_cpu_AVX512BW, x86_cpu_AVX512CD, x86_cpu_AVX512DQ, x86_cpu_AVX512VL)};
+  return {
+      all(x86_cpu_SSE4_2, x86_cpu_POPCNT),
+      all(x86_cpu_AVX2, x86_cpu_BMI1, x86_cpu_BMI2, x86_cpu_FMA, x86_cpu_MOVBE, x86_cpu_F16C, x86_cpu_LZCNT),
+      all(x86_cpu_AVX512F, x86_cpu_AVX512BW, x86_cpu_AVX512CD, x86_cpu_AVX512DQ, x86_cpu_AVX512VL)};
 }
 #else
 Features features() {
@@ -41,9 +43,11 @@ Features features() {
   if (__get_cpuid(0x80000001u, &a, &b, &c, &d)) extended = c;
   const bool lzcnt = extended & bit_LZCNT;
   return {__builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt"),
-          __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma") && movbe && f16c && lzcnt,
-          __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd") &&
-              __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")};
+          __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2") &&
+              __builtin_cpu_supports("fma") && movbe && f16c && lzcnt,
+          __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+              __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+              __builtin_cpu_supports("avx512vl")};
 }
 #endif
 

@@ -11,8 +11,8 @@ constexpr int kIsaCount = 4;
 const char* isa_name(Isa isa);
 /// The highest level that the processor and the operating system support.
 Isa detect_isa();
-/// The level to use: the highest that is supported and built, or, when the environment variable SOFTGL_ISA names a
-/// lower one, the highest built level that is not above it. Read once.
+/// The level to use: the highest that is supported and built, or, when the environment variable SOFTGL_ISA
+/// names a lower one, the highest built level that is not above it. Read once.
 Isa selected_isa();
 
 } // namespace softgl

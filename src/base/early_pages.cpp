@@ -11,7 +11,7 @@ namespace softgl {
 namespace {
 
 constexpr size_t kBytes = kHugePage, kUnit = 64; // more would have to be made zero, too
-constexpr size_t kLeast = size_t(64) << 10; // what is smaller comes from memory that malloc has already
+constexpr size_t kLeast = size_t(64) << 10;      // what is smaller comes from memory that malloc has already
 constexpr uint32_t kUnits = kBytes / kUnit;
 
 std::atomic<unsigned char*> memory_begin{nullptr};

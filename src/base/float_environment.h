@@ -5,7 +5,8 @@
 
 namespace softgl {
 
-/// Round to nearest, no traps, denormals flushed to zero (inputs too), as OSMesa's rasterizer threads have it.
+/// Round to nearest, no traps, denormals flushed to zero (inputs too), as OSMesa's rasterizer threads have
+/// it.
 constexpr unsigned kPixelFloatEnvironment = 0x9fc0;
 
 /// Sets that environment for a scope and gives the application its own back.

@@ -1,4 +1,5 @@
-// GL's scalar types and tokens (GL/gl.h and GL/glext.h of the system), without the prototypes after 1.1, and softgl's.
+// GL's scalar types and tokens (GL/gl.h and GL/glext.h of the system), without the prototypes after 1.1, and
+// softgl's.
 #pragma once
 
 #include <GL/gl.h>

@@ -12,8 +12,8 @@ struct Kernels {
   const TextureKernels* texture;
 };
 
-/// The kernels of one instruction set; null when this build does not have it. The caller must know that the processor
-/// supports it (detect_isa).
+/// The kernels of one instruction set; null when this build does not have it. The caller must know that the
+/// processor supports it (detect_isa).
 const Kernels* find_kernels(Isa isa);
 /// The kernels of selected_isa().
 const Kernels& kernels();

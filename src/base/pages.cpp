@@ -9,7 +9,8 @@ void* map_pages(size_t bytes) {
   const size_t length = (bytes + 4095) & ~size_t(4095);
   const size_t spare = length < kHugePage ? 0 : kHugePage; // room to begin at a huge page
   if (length < bytes || length + spare < length) return nullptr;
-  void* memory = mmap(nullptr, length + spare, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  void* memory = mmap(nullptr, length + spare, PROT_READ | PROT_WRITE,
+                      MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (memory == MAP_FAILED) return nullptr;
   if (!spare) return memory;
   auto* begin = static_cast<unsigned char*>(memory);
@@ -33,7 +34,8 @@ void populate_pages([[maybe_unused]] Pages pages) {
   // A piece at a time: the address space is locked meanwhile.
   constexpr uintptr_t kPiece = size_t(1) << 20;
   for (uintptr_t p = first; p < last; p += kPiece)
-    if (madvise(reinterpret_cast<void*>(p), last - p < kPiece ? last - p : kPiece, MADV_POPULATE_WRITE) != 0) return;
+    if (madvise(reinterpret_cast<void*>(p), last - p < kPiece ? last - p : kPiece, MADV_POPULATE_WRITE) != 0)
+      return;
 #endif
 }
 

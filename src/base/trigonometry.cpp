@@ -1,7 +1,7 @@
-// OSMesa asks the C library, and since glibc 2.28 that means the polynomials of Arm's optimized routines (within 0.56
-// units in the last place). Correct rounding would give another float for 1.3 % of the arguments, so the same
-// polynomials are evaluated here, in plain doubles; the answers agreed with those of a host with FMA for all of 25
-// million arguments.
+// OSMesa asks the C library, and since glibc 2.28 that means the polynomials of Arm's optimized routines
+// (within 0.56 units in the last place). Correct rounding would give another float for 1.3 % of the
+// arguments, so the same polynomials are evaluated here, in plain doubles; the answers agreed with those of a
+// host with FMA for all of 25 million arguments.
 #include "base/trigonometry.h"
 
 #include <cstdint>
@@ -16,7 +16,8 @@ struct Reduced {
 };
 
 // 2/pi in binary: the first word holds the first 32 bits behind the point.
-constexpr uint32_t kTwoOverPi[] = {0xA2F9836E, 0x4E441529, 0xFC2757D1, 0xF534DDC0, 0xDB629599, 0x3C439041, 0xFE5163AB};
+constexpr uint32_t kTwoOverPi[] = {0xA2F9836E, 0x4E441529, 0xFC2757D1, 0xF534DDC0,
+                                   0xDB629599, 0x3C439041, 0xFE5163AB};
 
 uint32_t two_over_pi_bits(int first) { // 32 bits from bit `first` on; bits before the point are zero
   uint64_t pair = 0;
@@ -30,8 +31,8 @@ uint32_t two_over_pi_bits(int first) { // 32 bits from bit `first` on; bits befo
 // |x| >= 120: mantissa times the 96 bits of 2/pi that matter, modulo 4, in units of 2^-62.
 Reduced reduce_large(uint32_t bits) {
   const int exponent = int(bits >> 23 & 0xff) - 150; // |x| = mantissa * 2^exponent
-  // Eight exponents share a window, and the mantissa is shifted within it: the bits cut off below decide the last bits
-  // of the result.
+  // Eight exponents share a window, and the mantissa is shifted within it: the bits cut off below decide the
+  // last bits of the result.
   const int shift = int(bits >> 23 & 7);
   const uint32_t mantissa = ((bits & 0x7fffffu) | 0x800000u) << shift;
   const int first = exponent - shift - 2;
@@ -46,7 +47,8 @@ Reduced reduce_large(uint32_t bits) {
 Reduced reduce(float x) {
   constexpr double kQuadrantsIn24Bits = 0x1.45F306DC9C883p+23; // 2/pi * 2^24
   const int n = (int(double(x) * kQuadrantsIn24Bits) + 0x800000) >> 24;
-  // With FMA the product with pi/2 is not rounded: here it is the sum of two exact ones. It matters close to a zero.
+  // With FMA the product with pi/2 is not rounded: here it is the sum of two exact ones. It matters close to
+  // a zero.
   return {(double(x) - n * 0x1.921FB54440000p0) - n * 0x2.D18p-40, n};
 }
 
@@ -80,10 +82,10 @@ uint32_t bits_of(float x) {
 
 float sine(float x) {
   const uint32_t bits = bits_of(x), magnitude = bits & 0x7fffffffu;
-  if (magnitude < 0x39800000u) return x;                          // 2^-12
-  if (magnitude < 0x3f400000u) return evaluate(x, 0);             // below pi/4 by its exponent and upper 3 bits
-  if (magnitude >= 0x7f800000u) return x - x;                     // infinity, NaN
-  if (magnitude < 0x42f00000u) {                                  // 120
+  if (magnitude < 0x39800000u) return x;              // 2^-12
+  if (magnitude < 0x3f400000u) return evaluate(x, 0); // below pi/4 by its exponent and upper 3 bits
+  if (magnitude >= 0x7f800000u) return x - x;         // infinity, NaN
+  if (magnitude < 0x42f00000u) {                      // 120
     const Reduced a = reduce(x);
     return evaluate(a.r, a.quadrant);
   }

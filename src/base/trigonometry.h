@@ -1,5 +1,5 @@
-// Sine and cosine of a float with the same bits on every host, for glRotate: its matrices reach the picture. libm's may
-// differ between machines with and without FMA.
+// Sine and cosine of a float with the same bits on every host, for glRotate: its matrices reach the picture.
+// libm's may differ between machines with and without FMA.
 #pragma once
 
 namespace softgl {

@@ -26,8 +26,10 @@ Axes model_axes(UpAxis up) {
   const double sign = static_cast<int>(up) % 2 ? -1 : 1;
   axes.up[axis] = sign;
   // +Y up: front is +Z. +Z up: front is -Y, as CAD programs have it. +X up: front is +Z.
-  if (axis == 2) axes.back[1] = -sign;
-  else axes.back[2] = 1;
+  if (axis == 2)
+    axes.back[1] = -sign;
+  else
+    axes.back[2] = 1;
   cross(axes.up, axes.back, axes.right);
   return axes;
 }
@@ -53,7 +55,8 @@ Axes camera_axes(const CameraOptions& options) {
 }
 
 template <class Visit> void for_each_position(const Mesh& mesh, const Visit& visit) {
-  for (const GrowingArray<float>* positions : {&mesh.positions, &mesh.segment_positions, &mesh.point_positions})
+  for (const GrowingArray<float>* positions :
+       {&mesh.positions, &mesh.segment_positions, &mesh.point_positions})
     for (size_t i = 0; i < positions->size(); i += 3) visit(positions->data() + i);
 }
 
@@ -77,8 +80,8 @@ struct Fit {
   Interval x, y;
 };
 
-// Centre and distance from which the view pyramid of slopes tx, ty just holds all points: two opposite sides of the
-// pyramid touch a point each, so the answer is exact and needs no search.
+// Centre and distance from which the view pyramid of slopes tx, ty just holds all points: two opposite sides
+// of the pyramid touch a point each, so the answer is exact and needs no search.
 Fit place_perspective(const Mesh& mesh, const Axes& axes, double tx, double ty) {
   double right = -1e300, left = -1e300, top = -1e300, bottom = -1e300;
   for_each_position(mesh, [&](const float* p) {
@@ -94,10 +97,10 @@ Fit place_perspective(const Mesh& mesh, const Axes& axes, double tx, double ty) 
           {top - distance * ty, distance * ty - bottom}};
 }
 
-// The axis that does not fill the picture is centred as seen: both outermost points at the same distance from the
-// middle. Their two lines cross where the next guess lies; bisection where that leaves the interval.
-double centred(const Mesh& mesh, const double* axis, const double* back, double distance, double slope, double start,
-               Interval bounds) {
+// The axis that does not fill the picture is centred as seen: both outermost points at the same distance from
+// the middle. Their two lines cross where the next guess lies; bisection where that leaves the interval.
+double centred(const Mesh& mesh, const double* axis, const double* back, double distance, double slope,
+               double start, Interval bounds) {
   double place = start;
   for (int step = 0; step < 16 && bounds.high - bounds.low > 0.001 * slope * distance; ++step) {
     double low = 1e300, high = -1e300, low_inverse = 1, high_inverse = 1;
@@ -133,8 +136,8 @@ bool named_view(const std::string& name, double& azimuth, double& elevation) {
   static constexpr struct {
     const char* name;
     double azimuth, elevation;
-  } kViews[] = {{"iso", 35, 25}, {"front", 0, 0},   {"back", 180, 0}, {"left", -90, 0},
-                {"right", 90, 0}, {"top", 0, 90}, {"bottom", 0, -90}};
+  } kViews[] = {{"iso", 35, 25},  {"front", 0, 0}, {"back", 180, 0},  {"left", -90, 0},
+                {"right", 90, 0}, {"top", 0, 90},  {"bottom", 0, -90}};
   for (const auto& view : kViews)
     if (name == view.name) {
       azimuth = view.azimuth;
@@ -157,11 +160,13 @@ Camera fit_camera(const Mesh& mesh, const CameraOptions& options) {
     }
   });
   if (box.low[0] > box.high[0]) std::fill_n(box.low, 3, 0.0), std::fill_n(box.high, 3, 0.0);
-  const bool single_place = box.high[0] - box.low[0] + box.high[1] - box.low[1] + box.high[2] - box.low[2] < 1e-9;
+  const bool single_place =
+      box.high[0] - box.low[0] + box.high[1] - box.low[1] + box.high[2] - box.low[2] < 1e-9;
   const double fill = 1 - 2 * kMargin;
 
   if (options.orthographic) {
-    double half_height = std::max((box.high[1] - box.low[1]) / 2, (box.high[0] - box.low[0]) / 2 / aspect) / fill;
+    double half_height =
+        std::max((box.high[1] - box.low[1]) / 2, (box.high[0] - box.low[0]) / 2 / aspect) / fill;
     if (!(half_height > 1e-9)) half_height = single_place ? 1 : (box.high[2] - box.low[2]) / 2;
     half_height /= options.zoom;
     const double depth = std::max(box.high[2] - box.low[2], half_height * 1e-3) * 1.01;
@@ -201,7 +206,8 @@ Camera fit_camera(const Mesh& mesh, const CameraOptions& options) {
 }
 
 UpAxis guess_up_axis(const Mesh& mesh) {
-  // Area that faces straight down within the lowest 2 % of the model, per axis, as a share of the box's underside.
+  // Area that faces straight down within the lowest 2 % of the model, per axis, as a share of the box's
+  // underside.
   float low[3] = {1e30f, 1e30f, 1e30f}, high[3] = {-1e30f, -1e30f, -1e30f};
   for_each_position(mesh, [&](const float* p) {
     for (int i = 0; i < 3; ++i) {
@@ -222,11 +228,13 @@ UpAxis guess_up_axis(const Mesh& mesh) {
     const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     for (int axis = 1; axis < 3; ++axis) {
       const float border = low[axis] + 0.02f * (high[axis] - low[axis]);
-      if (std::fabs(n[axis]) > 0.95 * length && p[0][axis] <= border && p[1][axis] <= border && p[2][axis] <= border)
+      if (std::fabs(n[axis]) > 0.95 * length && p[0][axis] <= border && p[1][axis] <= border &&
+          p[2][axis] <= border)
         area[axis] += length / 2;
     }
   }
-  const double side_x = double(high[0]) - low[0], side_y = double(high[1]) - low[1], side_z = double(high[2]) - low[2];
+  const double side_x = double(high[0]) - low[0], side_y = double(high[1]) - low[1],
+               side_z = double(high[2]) - low[2];
   const double share_y = side_x * side_z > 0 ? area[1] / (side_x * side_z) : 0;
   const double share_z = side_x * side_y > 0 ? area[2] / (side_x * side_y) : 0;
   return share_z > share_y * 1.5 && share_z > 0.02 ? UpAxis::kPlusZ : UpAxis::kPlusY;

@@ -20,7 +20,8 @@ bool read_index(const char*& cursor, size_t count_so_far, IndexList& list, size_
   if (q == first) return false;
   cursor = q;
   if (negative) {
-    index = value ? static_cast<int32_t>(static_cast<int64_t>(count_so_far) - static_cast<int64_t>(value)) : kNowhere;
+    index = value ? static_cast<int32_t>(static_cast<int64_t>(count_so_far) - static_cast<int64_t>(value))
+                  : kNowhere;
     if (value == 0x7fffffff) index = kNowhere;
     if (index != kNowhere) list.relative.append(static_cast<uint32_t>(place));
   } else {
@@ -32,7 +33,8 @@ bool read_index(const char*& cursor, size_t count_so_far, IndexList& list, size_
 
 void forget_from(IndexList& list, size_t size) {
   if (list.values.size() > size) list.values.truncate(size);
-  while (!list.relative.empty() && list.relative.back() >= size) list.relative.truncate(list.relative.size() - 1);
+  while (!list.relative.empty() && list.relative.back() >= size)
+    list.relative.truncate(list.relative.size() - 1);
 }
 
 // A positive index of at most nine digits; the cursor moves past it.
@@ -83,8 +85,8 @@ void ElementStatements::forget_corners(size_t size) {
   forget_from(out.corner_normals, size);
 }
 
-// What nearly all faces are: a few corners of plain positive indices, one blank between them. False: nothing has been
-// taken, and face() reads it with all cases in mind.
+// What nearly all faces are: a few corners of plain positive indices, one blank between them. False: nothing
+// has been taken, and face() reads it with all cases in mind.
 bool ElementStatements::quick_face() {
   constexpr size_t kMost = 16;
   int32_t* vertices = out.corner_vertices.values.room(kMost);

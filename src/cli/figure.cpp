@@ -35,7 +35,8 @@ SheetEntry difference(const Picture& a, const Picture& b) {
     largest = std::max(largest, d);
     sum += d;
   }
-  entry.label = "difference x" + std::to_string(kAmplification) + "\nlargest " + std::to_string(largest) + " of 255, " +
+  entry.label = "difference x" + std::to_string(kAmplification) + "\nlargest " + std::to_string(largest) +
+                " of 255, " +
                 format("mean %.2f", a.pixels.empty() ? 0 : sum / static_cast<double>(a.pixels.size()));
   return entry;
 }
@@ -61,13 +62,17 @@ public:
 private:
   Picture draw(const Mesh& mesh) {
     Warnings repeated; // what is said about textures was said with the first picture
-    RenderResult result = render(mesh, materials, subject.frame, subject.camera, options, first ? warnings : repeated);
-    if (first && !result.visible) throw ProgramError(kCannotRead, subject.name + ": nothing is visible in this view; no picture written");
+    RenderResult result =
+        render(mesh, materials, subject.frame, subject.camera, options, first ? warnings : repeated);
+    if (first && !result.visible)
+      throw ProgramError(kCannotRead, subject.name + ": nothing is visible in this view; no picture written");
     first = false;
     return std::move(result.picture);
   }
 
-  const char* specular_formula() const { return options.lighting.reflection_vector ? "ks (v.r)^n" : "ks (n.h)^n"; }
+  const char* specular_formula() const {
+    return options.lighting.reflection_vector ? "ks (v.r)^n" : "ks (n.h)^n";
+  }
 
   // The exponent of the part in which a figure speaks of one.
   float exponent() const {
@@ -138,7 +143,8 @@ private:
     Picture reflection = draw(finest);
     options.lighting.reflection_vector = false;
     Picture half = draw(finest);
-    // The angle between n and h is about half of that between v and r, so four times the exponent gives about the same.
+    // The angle between n and h is about half of that between v and r, so four times the exponent gives about
+    // the same.
     set_exponent(4 * n);
     Picture sharper = draw(finest);
     SheetEntry far = difference(reflection, half), near = difference(reflection, sharper);
@@ -181,14 +187,18 @@ FigureSubject sphere_subject(const CameraOptions& camera) {
   return subject;
 }
 
-FigureSubject model_subject(std::string name, Mesh mesh, std::vector<Material> materials, ModelFrame frame, const Camera& camera) {
-  if (mesh.triangles.empty()) throw ProgramError(kCannotRead, name + ": no faces; a figure about light needs some");
+FigureSubject model_subject(std::string name, Mesh mesh, std::vector<Material> materials, ModelFrame frame,
+                            const Camera& camera) {
+  if (mesh.triangles.empty())
+    throw ProgramError(kCannotRead, name + ": no faces; a figure about light needs some");
   FigureSubject subject;
   subject.name = std::move(name);
   subject.materials = std::move(materials);
   subject.frame = std::move(frame);
   subject.camera = camera;
-  const auto dull = [](const Material& material) { return *std::max_element(material.specular, material.specular + 3) == 0; };
+  const auto dull = [](const Material& material) {
+    return *std::max_element(material.specular, material.specular + 3) == 0;
+  };
   if (std::all_of(subject.materials.begin(), subject.materials.end(), dull))
     for (Material& material : subject.materials) { // nothing would shine on the whole sheet
       std::fill(material.specular, material.specular + 3, 0.5f);

@@ -21,7 +21,8 @@ std::string ignoring_case(const std::string& folder, const std::string& file) {
   if (!listing) return {};
   std::string best; // the alphabetically first, so that the answer does not depend on the file system
   while (const dirent* entry = ::readdir(listing))
-    if (::strcasecmp(entry->d_name, file.c_str()) == 0 && (best.empty() || best > entry->d_name)) best = entry->d_name;
+    if (::strcasecmp(entry->d_name, file.c_str()) == 0 && (best.empty() || best > entry->d_name))
+      best = entry->d_name;
   ::closedir(listing);
   if (best.empty() || !is_readable_file(folder + "/" + best)) return {};
   return folder + "/" + best;
@@ -38,7 +39,8 @@ std::string find_named_file(const std::string& folder, std::string_view name, bo
   const bool absolute = path[0] == '/' || drive;
   const std::string joined = absolute ? path : folder + "/" + path;
   if (!drive && is_readable_file(joined)) return joined;
-  if (const std::string exact = folder + "/" + std::string(name); !absolute && is_readable_file(exact)) return exact;
+  if (const std::string exact = folder + "/" + std::string(name); !absolute && is_readable_file(exact))
+    return exact;
   const std::string last = path.substr(path.rfind('/') + 1); // npos + 1 = 0
   if (last.empty() || last == "." || last == "..") return {};
   if (!absolute && any_case)

@@ -11,8 +11,8 @@
 
 namespace softgl::cli {
 
-// std::vector zeroes what resize() adds and copies on growth; realloc moves large blocks by remapping pages, which is
-// most of the difference between 300 and 500 MB/s of OBJ text.
+// std::vector zeroes what resize() adds and copies on growth; realloc moves large blocks by remapping pages,
+// which is most of the difference between 300 and 500 MB/s of OBJ text.
 template <class T> class GrowingArray {
   static_assert(std::is_trivially_copyable_v<T>);
 

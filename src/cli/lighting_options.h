@@ -9,18 +9,18 @@ namespace softgl::cli {
 
 struct LightOptions {
   enum Kind {
-    kKey,       // over the viewer's left shoulder, with a weak fill light from the right
-    kHeadlight, // from the viewer
-    kDirection, // towards `value` as the viewer sees it: x right, y up, z to the viewer
+    kKey,            // over the viewer's left shoulder, with a weak fill light from the right
+    kHeadlight,      // from the viewer
+    kDirection,      // towards `value` as the viewer sees it: x right, y up, z to the viewer
     kModelDirection, // towards `value` in the model's axes
     kModelPosition,  // at `value` in the model's coordinates
   };
   Kind kind = kKey;
   double value[3] = {0, 0, 1};
-  float colour[3] = {0.8f, 0.8f, 0.8f};   // diffuse and specular
-  double spot_direction[3] = {0, 0, -1};  // in the model's axes
-  float cutoff = 180, exponent = 0;       // degrees, 180: no spot; 0..128
-  float attenuation[3] = {1, 0, 0};       // constant, linear, quadratic; distances in the model's units
+  float colour[3] = {0.8f, 0.8f, 0.8f};  // diffuse and specular
+  double spot_direction[3] = {0, 0, -1}; // in the model's axes
+  float cutoff = 180, exponent = 0;      // degrees, 180: no spot; 0..128
+  float attenuation[3] = {1, 0, 0};      // constant, linear, quadratic; distances in the model's units
 };
 
 enum class Shading { kFlat, kGouraud, kPhong };

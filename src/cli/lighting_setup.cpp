@@ -9,7 +9,8 @@ namespace softgl::cli {
 namespace {
 
 void require_extension(const char* name, const char* what) {
-  if (!has_extension(name)) throw ProgramError(kCannotRead, std::string("this GL library has no ") + what + " (" + name + ")");
+  if (!has_extension(name))
+    throw ProgramError(kCannotRead, std::string("this GL library has no ") + what + " (" + name + ")");
 }
 
 class LightSetup {
@@ -23,16 +24,21 @@ public:
       set(fill, 0.225f, 0, light.colour);
       return;
     }
-    const bool in_model = light.kind == LightOptions::kModelDirection || light.kind == LightOptions::kModelPosition;
-    if (in_model) glLoadMatrixd(camera.view);
-    else glLoadIdentity();
+    const bool in_model =
+        light.kind == LightOptions::kModelDirection || light.kind == LightOptions::kModelPosition;
+    if (in_model)
+      glLoadMatrixd(camera.view);
+    else
+      glLoadIdentity();
     float position[4] = {0, 0, 0, light.kind == LightOptions::kModelPosition ? 1.0f : 0.0f};
     for (int axis = 0; axis < 3; ++axis)
-      position[axis] = static_cast<float>(light.kind == LightOptions::kModelPosition ? frame.to_frame(light.value[axis], axis)
-                                                                                      : light.value[axis]);
+      position[axis] = static_cast<float>(light.kind == LightOptions::kModelPosition
+                                              ? frame.to_frame(light.value[axis], axis)
+                                              : light.value[axis]);
     const GLenum number = set(position, 1, 1, light.colour);
     if (light.kind != LightOptions::kModelPosition) return;
-    const float direction[3] = {static_cast<float>(light.spot_direction[0]), static_cast<float>(light.spot_direction[1]),
+    const float direction[3] = {static_cast<float>(light.spot_direction[0]),
+                                static_cast<float>(light.spot_direction[1]),
                                 static_cast<float>(light.spot_direction[2])};
     glLightfv(number, GL_SPOT_DIRECTION, direction);
     glLightf(number, GL_SPOT_CUTOFF, light.cutoff);
@@ -73,10 +79,13 @@ unsigned gl_lights_of(const LightingOptions& options) {
 
 void apply_lighting(const LightingOptions& options, const Camera& camera, const ModelFrame& frame) {
   if (options.shading == Shading::kPhong) require_extension("GL_WIN_phong_shading", "shading per pixel");
-  glShadeModel(options.shading == Shading::kFlat ? GL_FLAT : options.shading == Shading::kGouraud ? GL_SMOOTH : GL_PHONG_WIN);
+  glShadeModel(options.shading == Shading::kFlat      ? GL_FLAT
+               : options.shading == Shading::kGouraud ? GL_SMOOTH
+                                                      : GL_PHONG_WIN);
   if (options.reflection_vector || options.terms != kAllTerms) {
     require_extension("GL_SOFTGL_phong_illumination", "reflection vector and no choice of terms");
-    glLightModeli(GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL, options.reflection_vector ? GL_REFLECTION_VECTOR_SOFTGL : GL_HALF_VECTOR_SOFTGL);
+    glLightModeli(GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL,
+                  options.reflection_vector ? GL_REFLECTION_VECTOR_SOFTGL : GL_HALF_VECTOR_SOFTGL);
     glLightModeli(GL_LIGHT_MODEL_TERMS_SOFTGL, static_cast<GLint>(options.terms));
   }
   const float ambient[4] = {options.ambient[0], options.ambient[1], options.ambient[2], 1};

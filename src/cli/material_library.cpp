@@ -18,21 +18,24 @@ constexpr int kMostMissingPictures = 1000; // each costs a look into the folder
 constexpr size_t kLargestLibrary = size_t(256) << 20;
 
 std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && ends_token(text.front()) && text.front() != '#' && text.front() != '\\') text.remove_prefix(1);
-  while (!text.empty() && ends_token(text.back()) && text.back() != '#' && text.back() != '\\') text.remove_suffix(1);
+  while (!text.empty() && ends_token(text.front()) && text.front() != '#' && text.front() != '\\')
+    text.remove_prefix(1);
+  while (!text.empty() && ends_token(text.back()) && text.back() != '#' && text.back() != '\\')
+    text.remove_suffix(1);
   return text;
 }
 
 std::string printable(std::string_view text, size_t limit = 80) {
   std::string result;
-  for (const char c : text.substr(0, limit)) result += static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
+  for (const char c : text.substr(0, limit))
+    result += static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
   return result;
 }
 
 bool is_key(std::string_view word) {
   return !word.empty() && word.size() <= 32 && std::all_of(word.begin(), word.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.' ||
-           c == '-';
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '.' || c == '-';
   });
 }
 
@@ -48,7 +51,8 @@ public:
     while (p < text.end()) {
       statement = p;
       std::string_view line = take_line(p);
-      if (!line.empty() && line.back() == '\\' && trimmed(line).substr(0, 1) != "#") { // a Windows folder ends so too
+      if (!line.empty() && line.back() == '\\' &&
+          trimmed(line).substr(0, 1) != "#") { // a Windows folder ends so too
         joined.assign(line.substr(0, line.size() - 1));
         while (p < text.end()) {
           std::string_view more = take_line(p);
@@ -95,20 +99,32 @@ private:
       return;
     }
     if (!current) {
-      before_first.add_once("statement before newmtl", statement, "statements before the first newmtl are ignored");
+      before_first.add_once("statement before newmtl", statement,
+                            "statements before the first newmtl are ignored");
       return;
     }
-    if (is("Ka")) has_ambient |= colour(current->ambient);
-    else if (is("Kd")) colour(current->diffuse);
-    else if (is("Ks")) colour(current->specular);
-    else if (is("Ke")) colour(current->emission);
-    else if (is("Ns")) shininess();
-    else if (is("d")) opacity(dissolve);
-    else if (is("Tr")) opacity(transparency);
-    else if (is("illum")) illumination_model();
-    else if (is("map_Kd")) map(current->diffuse_map);
-    else if (is("map_d") || is("map_opacity")) map(current->opacity_map);
-    else ignored();
+    if (is("Ka"))
+      has_ambient |= colour(current->ambient);
+    else if (is("Kd"))
+      colour(current->diffuse);
+    else if (is("Ks"))
+      colour(current->specular);
+    else if (is("Ke"))
+      colour(current->emission);
+    else if (is("Ns"))
+      shininess();
+    else if (is("d"))
+      opacity(dissolve);
+    else if (is("Tr"))
+      opacity(transparency);
+    else if (is("illum"))
+      illumination_model();
+    else if (is("map_Kd"))
+      map(current->diffuse_map);
+    else if (is("map_d") || is("map_opacity"))
+      map(current->opacity_map);
+    else
+      ignored();
   }
 
   bool is(const char* name) const {
@@ -137,15 +153,17 @@ private:
     if (count < 1) {
       const bool spectral = arguments.substr(0, 8) == "spectral" || arguments.substr(0, 3) == "xyz";
       remarks.add("colour that is not r g b: ignored", statement,
-                  quoted_key() + (spectral ? " is given as spectral or XYZ colour, which is not supported; ignored"
-                                           : " needs one or three numbers; ignored"));
+                  quoted_key() + (spectral
+                                      ? " is given as spectral or XYZ colour, which is not supported; ignored"
+                                      : " needs one or three numbers; ignored"));
       return false;
     }
     if (count < 3) values[1] = values[2] = values[0]; // one number is a grey
     for (int i = 0; i < 3; ++i) {
       if (values[i] < 0 || values[i] > 1) {
         const char* kind = "colour outside 0..1: clamped";
-        if (remarks.count(kind)) remarks.describe(kind, statement, quoted_key() + " is outside 0..1; clamped");
+        if (remarks.count(kind))
+          remarks.describe(kind, statement, quoted_key() + " is outside 0..1; clamped");
         break;
       }
     }
@@ -191,18 +209,20 @@ private:
     missing_pictures += target.file.empty();
     if (target.file.empty())
       remarks.add("picture file not found", statement,
-                  map_statement.wanted.empty() ? quoted_key() + " names no file"
-                                               : "picture \"" + printable(map_statement.wanted) + "\" not found");
+                  map_statement.wanted.empty()
+                      ? quoted_key() + " names no file"
+                      : "picture \"" + printable(map_statement.wanted) + "\" not found");
   }
 
   void ignored() {
     // Quiet: what has no meaning for the fixed-function pipeline but is common and correct.
-    static constexpr const char* kQuiet[] = {"Ni",     "Tf",     "sharpness", "Pr",     "Pm",     "Ps",
-                                             "Pc",     "Pcr",    "aniso",     "anisor", "map_Pr", "map_Pm",
-                                             "map_Ps", "map_Pc", "map_Pcr",   "norm",   "map_aat", "map_aniso",
-                                             "map_anisor", "map_RMA", "map_ORM"};
-    static constexpr const char* kNoted[] = {"map_Ka", "map_Ks", "map_Ke", "map_Ns", "map_Bump", "bump",   "disp",
-                                             "map_disp", "decal", "refl",  "map_refl", "map_Tr", "map_normal"};
+    static constexpr const char* kQuiet[] = {
+        "Ni",      "Tf",    "sharpness", "Pr",        "Pm",         "Ps",      "Pc",
+        "Pcr",     "aniso", "anisor",    "map_Pr",    "map_Pm",     "map_Ps",  "map_Pc",
+        "map_Pcr", "norm",  "map_aat",   "map_aniso", "map_anisor", "map_RMA", "map_ORM"};
+    static constexpr const char* kNoted[] = {"map_Ka",   "map_Ks", "map_Ke",    "map_Ns", "map_Bump",
+                                             "bump",     "disp",   "map_disp",  "decal",  "refl",
+                                             "map_refl", "map_Tr", "map_normal"};
     for (const char* name : kQuiet)
       if (is(name)) return;
     for (const char* name : kNoted)
@@ -244,7 +264,8 @@ public:
   RemarkList before_first;
 };
 
-// The files a mtllib statement names: the whole line if there is such a file, else its parts. Names may hold spaces.
+// The files a mtllib statement names: the whole line if there is such a file, else its parts. Names may hold
+// spaces.
 std::vector<std::string> library_names(std::string_view line, const std::string& folder) {
   if (!find_named_file(folder, line).empty()) return {std::string(line)};
   std::vector<std::string> names;
@@ -253,10 +274,12 @@ std::vector<std::string> library_names(std::string_view line, const std::string&
     // Up to the next ".mtl" before a blank, or the next word.
     size_t length = 0;
     for (size_t i = 4; i <= rest.size() && length == 0; ++i)
-      if ((i == rest.size() || rest[i] == ' ' || rest[i] == '\t') && ::strncasecmp(&rest[i - 4], ".mtl", 4) == 0)
+      if ((i == rest.size() || rest[i] == ' ' || rest[i] == '\t') &&
+          ::strncasecmp(&rest[i - 4], ".mtl", 4) == 0)
         length = i;
     const size_t word = std::min(rest.find_first_of(" \t"), rest.size());
-    if (length == 0 || (length > word && find_named_file(folder, rest.substr(0, length)).empty())) length = word;
+    if (length == 0 || (length > word && find_named_file(folder, rest.substr(0, length)).empty()))
+      length = word;
     names.emplace_back(rest.substr(0, length));
     rest.remove_prefix(length);
   }
@@ -265,7 +288,8 @@ std::vector<std::string> library_names(std::string_view line, const std::string&
 
 } // namespace
 
-void MaterialLibrary::read(const SourceText& text, const std::string& folder, Warnings& warnings, Warnings& notes) {
+void MaterialLibrary::read(const SourceText& text, const std::string& folder, Warnings& warnings,
+                           Warnings& notes) {
   LibraryReader reader(text, folder);
   reader.read();
   ++library_count_;
@@ -280,7 +304,8 @@ void MaterialLibrary::read(const SourceText& text, const std::string& folder, Wa
       const std::string kind = "material defined again: the later one is used";
       if (reader.remarks.count(kind))
         reader.remarks.describe(kind, nullptr,
-                                "material \"" + printable(material.name) + "\" is defined again; the later one is used");
+                                "material \"" + printable(material.name) +
+                                    "\" is defined again; the later one is used");
       materials_[known->second] = std::move(material);
     } else {
       by_name_.emplace(material.name, static_cast<uint32_t>(materials_.size()));
@@ -295,7 +320,8 @@ uint32_t MaterialLibrary::find(std::string_view name) const {
   auto found = by_name_.find(std::string(name));
   if (found == by_name_.end()) { // perhaps a comment behind the name
     const size_t comment = name.find(" #");
-    if (comment != std::string_view::npos) found = by_name_.find(std::string(trimmed(name.substr(0, comment))));
+    if (comment != std::string_view::npos)
+      found = by_name_.find(std::string(trimmed(name.substr(0, comment))));
   }
   return found == by_name_.end() ? 0 : found->second;
 }
@@ -318,11 +344,10 @@ void MaterialLibrary::load_for(const ObjModel& model, const SourceText& model_te
         if (!tried.insert(path).second) continue;
         try {
           const SourceText text = SourceText::open(path);
-          if (text.size() > kLargestLibrary) throw ProgramError(kCannotRead, path + ": too large for a material library");
+          if (text.size() > kLargestLibrary)
+            throw ProgramError(kCannotRead, path + ": too large for a material library");
           read(text, folder_of(path), warnings, notes);
-        } catch (const ProgramError& error) {
-          warnings.add(path, error.what());
-        }
+        } catch (const ProgramError& error) { warnings.add(path, error.what()); }
       }
     }
   }

@@ -18,9 +18,10 @@ class MaterialLibrary {
 public:
   MaterialLibrary() : materials_(1) {}
 
-  // Reads all libraries that the model names, from the model's folder. Missing ones are warned of, never an error.
-  void load_for(const ObjModel& model, const SourceText& model_text, RemarkList& model_remarks, Warnings& warnings,
-                Warnings& notes);
+  // Reads all libraries that the model names, from the model's folder. Missing ones are warned of, never an
+  // error.
+  void load_for(const ObjModel& model, const SourceText& model_text, RemarkList& model_remarks,
+                Warnings& warnings, Warnings& notes);
   // Adds the materials of one library. Of two materials with one name the later wins.
   void read(const SourceText& text, const std::string& folder, Warnings& warnings, Warnings& notes);
 

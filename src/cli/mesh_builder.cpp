@@ -63,7 +63,8 @@ private:
       const char* kind = "unknown material: the default one is used";
       if (remarks.count(kind))
         remarks.describe(kind, name.data(),
-                         "material \"" + std::string(name.substr(0, 80)) + "\" is unknown; the default one is used");
+                         "material \"" + std::string(name.substr(0, 80)) +
+                             "\" is unknown; the default one is used");
     }
     return material;
   }
@@ -82,12 +83,15 @@ public:
       : model(model), frame(frame), materials(materials), options(options) {}
 
   Mesh build(MaterialResolver& resolver) {
-    const auto triangle_runs = resolver.runs(
-        &StateChange::face, [](const ObjChunk& c) { return static_cast<uint32_t>(c.corner_vertices.values.size() / 3); });
-    const auto segment_runs = resolver.runs(
-        &StateChange::line, [](const ObjChunk& c) { return static_cast<uint32_t>(c.line_vertices.values.size() / 2); });
-    const auto point_runs = resolver.runs(
-        &StateChange::point, [](const ObjChunk& c) { return static_cast<uint32_t>(c.point_vertices.values.size()); });
+    const auto triangle_runs = resolver.runs(&StateChange::face, [](const ObjChunk& c) {
+      return static_cast<uint32_t>(c.corner_vertices.values.size() / 3);
+    });
+    const auto segment_runs = resolver.runs(&StateChange::line, [](const ObjChunk& c) {
+      return static_cast<uint32_t>(c.line_vertices.values.size() / 2);
+    });
+    const auto point_runs = resolver.runs(&StateChange::point, [](const ObjChunk& c) {
+      return static_cast<uint32_t>(c.point_vertices.values.size());
+    });
     add_triangles(triangle_runs);
     add_elements(segment_runs, &ObjChunk::line_vertices, 2, mesh.segment_positions, mesh.segment_colours,
                  mesh.segment_batches);
@@ -156,7 +160,8 @@ private:
     mesh.positions.append(&frame.positions[3 * static_cast<size_t>(vertex)], 3);
     if (with_texcoords) {
       static constexpr float kZero[2] = {0, 0};
-      mesh.texcoords.append(texcoord == kAbsent ? kZero : &model.texcoords[2 * static_cast<size_t>(texcoord)], 2);
+      mesh.texcoords.append(texcoord == kAbsent ? kZero : &model.texcoords[2 * static_cast<size_t>(texcoord)],
+                            2);
     }
     if (!model.colours.empty()) add_colour(mesh.colours, vertex);
     return index;
@@ -213,8 +218,10 @@ private:
         p[k] = &frame.positions[3 * static_cast<size_t>(vertices[i + k])];
         *out++ = add_vertex(vertices[i + k], textured ? chunk.corner_texcoords.values[i + k] : kAbsent);
       }
-      const double ax = double(p[1][0]) - p[0][0], ay = double(p[1][1]) - p[0][1], az = double(p[1][2]) - p[0][2];
-      const double bx = double(p[2][0]) - p[0][0], by = double(p[2][1]) - p[0][1], bz = double(p[2][2]) - p[0][2];
+      const double ax = double(p[1][0]) - p[0][0], ay = double(p[1][1]) - p[0][1],
+                   az = double(p[1][2]) - p[0][2];
+      const double bx = double(p[2][0]) - p[0][0], by = double(p[2][1]) - p[0][1],
+                   bz = double(p[2][2]) - p[0][2];
       const double n[3] = {ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx};
       const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
       for (int k = 0; k < 3; ++k)
@@ -224,7 +231,8 @@ private:
   }
 
   void add_elements(const std::vector<MaterialRun>& runs, IndexList ObjChunk::*list, uint32_t per_element,
-                    GrowingArray<float>& positions, GrowingArray<float>& colours, std::vector<Batch>& batches) {
+                    GrowingArray<float>& positions, GrowingArray<float>& colours,
+                    std::vector<Batch>& batches) {
     std::vector<uint32_t> places;
     batches = lay_out(runs, per_element, places);
     // By material: a pass per batch keeps file order within it.

@@ -1,5 +1,5 @@
-// Where a model stands: its bounds, and its positions moved to the origin and scaled to about 1 before they become
-// floats, so that neither size nor distance from the origin costs precision.
+// Where a model stands: its bounds, and its positions moved to the origin and scaled to about 1 before they
+// become floats, so that neither size nor distance from the origin costs precision.
 #pragma once
 
 #include "obj_reader.h"

@@ -23,7 +23,8 @@ LoadedModel load_model(const SourceText& text, unsigned threads, RemarkList& rem
   LoadedModel loaded;
   loaded.model = read_obj(text, threads, remarks);
   ObjModel& model = loaded.model;
-  if (model.face_count + model.segment_count + model.point_count == 0 && model.position_count > 0 && remarks.empty()) {
+  if (model.face_count + model.segment_count + model.point_count == 0 && model.position_count > 0 &&
+      remarks.empty()) {
     draw_vertices_as_points(model);
     remarks.add("no elements", nullptr, "no faces, lines or points; the vertices are drawn as points");
   }
@@ -46,7 +47,8 @@ LoadedModel load_model(const SourceText& text, unsigned threads, RemarkList& rem
   report.objects = model.object_count;
   report.groups = model.group_count;
   report.materials = loaded.library.materials().size() - 1;
-  for (const Material& material : loaded.library.materials()) report.textures += !material.diffuse_map.file.empty();
+  for (const Material& material : loaded.library.materials())
+    report.textures += !material.diffuse_map.file.empty();
   report.vertex_colours = !model.colours.empty();
   report.smoothing_groups = model.has_smoothing_groups;
   triangulate_faces(model);

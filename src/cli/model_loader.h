@@ -13,8 +13,8 @@ struct LoadedModel {
   ModelReport report; // without bounds and area
 };
 
-// Remarks about the model's own text stay in `remarks`, so that later steps can add theirs; those about libraries go to
-// `warnings`. Throws ProgramError if nothing can be drawn.
+// Remarks about the model's own text stay in `remarks`, so that later steps can add theirs; those about
+// libraries go to `warnings`. Throws ProgramError if nothing can be drawn.
 LoadedModel load_model(const SourceText& text, unsigned threads, RemarkList& remarks, Warnings& warnings,
                        Warnings& notes);
 

@@ -47,7 +47,8 @@ struct TriangleBlock {
     }
   }
 
-  // acos by a polynomial (Abramowitz and Stegun 4.4.45, error 7e-5): weights need no more, and no two C libraries differ.
+  // acos by a polynomial (Abramowitz and Stegun 4.4.45, error 7e-5): weights need no more, and no two C
+  // libraries differ.
   void compute_angles() {
     for (size_t k = 0; k < 3; ++k) {
       const size_t l = (k + 1) % 3, m = (k + 2) % 3;
@@ -59,7 +60,8 @@ struct TriangleBlock {
         float cosine = (ax * bx + ay * by + az * bz) * inverse;
         cosine = std::min(std::max(cosine, -1.0f), 1.0f);
         const float c = std::fabs(cosine);
-        const float half = std::sqrt(1 - c) * (1.5707288f + c * (-0.2121144f + c * (0.0742610f + c * -0.0187293f)));
+        const float half =
+            std::sqrt(1 - c) * (1.5707288f + c * (-0.2121144f + c * (0.0742610f + c * -0.0187293f)));
         angle[k][i] = cosine < 0 ? 3.14159265f - half : half;
       }
     }
@@ -171,7 +173,8 @@ private:
         first = last;
       }
       for (; change < chunk.changes.size(); ++change)
-        if (use_groups && chunk.changes[change].kind == StateChange::kSmoothingGroup) group = chunk.changes[change].group;
+        if (use_groups && chunk.changes[change].kind == StateChange::kSmoothingGroup)
+          group = chunk.changes[change].group;
     }
   }
 
@@ -237,7 +240,8 @@ private:
     for (ObjChunk& chunk : model.chunks)
       for (size_t i = 0; i < chunk.corner_normals.values.size(); ++i) {
         int32_t& normal = chunk.corner_normals.values[i];
-        if (normal == kAbsent) normal = base + static_cast<int32_t>(place_of(chunk.corner_vertices.values[i]));
+        if (normal == kAbsent)
+          normal = base + static_cast<int32_t>(place_of(chunk.corner_vertices.values[i]));
       }
   }
 
@@ -332,8 +336,10 @@ private:
       size_t b = 0;
       while (b < bundles.size() && !belong_together(*bundles[b].first, around[i])) ++b;
       if (b == bundles.size()) {
-        if (bundles.size() < 64 && around[i].group != 0) bundles.push_back({&around[i], {0, 0, 0}});
-        else b = SIZE_MAX;
+        if (bundles.size() < 64 && around[i].group != 0)
+          bundles.push_back({&around[i], {0, 0, 0}});
+        else
+          b = SIZE_MAX;
       }
       bundle_of[i] = b;
       if (b != SIZE_MAX)

@@ -14,11 +14,12 @@ inline bool ends_token(char c) { return kEndsToken[static_cast<unsigned char>(c)
 bool read_unusual_number(const char* first, const char* last, double& value);
 float round_to_float_exactly(const char* first, const char* last, double value);
 
-inline constexpr double kPowerOfTen[23] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
-                                           1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+inline constexpr double kPowerOfTen[23] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                           1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                           1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
-// Reads the number at `cursor` (text ends with a zero byte) and moves it past the token. False: not a number; the
-// cursor has still moved past the token.
+// Reads the number at `cursor` (text ends with a zero byte) and moves it past the token. False: not a number;
+// the cursor has still moved past the token.
 inline bool read_number(const char*& cursor, double& value) {
   const char* p = cursor;
   const bool negative = *p == '-';
@@ -31,7 +32,8 @@ inline bool read_number(const char*& cursor, double& value) {
   long exponent = 0;
   if (*p == '.') {
     const char* first_decimal = ++p;
-    while ((digit = static_cast<unsigned char>(*p) - unsigned('0')) < 10) mantissa = mantissa * 10 + digit, ++p;
+    while ((digit = static_cast<unsigned char>(*p) - unsigned('0')) < 10)
+      mantissa = mantissa * 10 + digit, ++p;
     exponent = first_decimal - p;
     digits -= exponent;
   }

@@ -24,7 +24,8 @@ public:
         if (StatementScanner::is_blank(in.p[1])) {
           in.p += 1;
           if (elements.face()) return in.statement;
-        } else if (in.p[1] == 'o' && StatementScanner::is_blank(in.p[2])) { // `fo`: the name of `f` in old files
+        } else if (in.p[1] == 'o' &&
+                   StatementScanner::is_blank(in.p[2])) { // `fo`: the name of `f` in old files
           in.p += 2;
           if (elements.face()) return in.statement;
         } else {
@@ -63,7 +64,8 @@ private:
   }
 
   void change(StateChange::Kind kind, std::string_view name, int32_t group = 0) {
-    out.changes.push_back({kind, group, name, out.face_count, static_cast<uint32_t>(out.line_vertices.values.size() / 2),
+    out.changes.push_back({kind, group, name, out.face_count,
+                           static_cast<uint32_t>(out.line_vertices.values.size() / 2),
                            static_cast<uint32_t>(out.point_vertices.values.size())});
   }
 
@@ -104,8 +106,8 @@ private:
   }
 
   void ignored_statement(std::string_view keyword) {
-    static constexpr std::string_view kFreeForm[] = {"cstype", "deg",  "bmat", "step", "curv", "curv2",
-                                                     "surf",   "parm", "trim", "hole", "scrv", "sp",
+    static constexpr std::string_view kFreeForm[] = {"cstype", "deg",  "bmat",  "step", "curv", "curv2",
+                                                     "surf",   "parm", "trim",  "hole", "scrv", "sp",
                                                      "end",    "con",  "stech", "ctech"};
     if (std::find(std::begin(kFreeForm), std::end(kFreeForm), keyword) != std::end(kFreeForm)) {
       out.remarks.add_once("free-form", in.statement, "free-form geometry ignored");
@@ -124,6 +126,8 @@ private:
 
 } // namespace
 
-const char* parse_obj_chunk(ObjChunk& chunk, uint32_t find_face) { return ChunkParser(chunk, find_face).parse(); }
+const char* parse_obj_chunk(ObjChunk& chunk, uint32_t find_face) {
+  return ChunkParser(chunk, find_face).parse();
+}
 
 } // namespace softgl::cli

@@ -11,8 +11,8 @@
 
 namespace softgl::cli {
 
-// Indices count from 0 here. Relative indices (negative in the file) are counted from the chunk's first vertex until
-// resolve_indices() adds what came before; kAbsent: not written; kNowhere: no such element.
+// Indices count from 0 here. Relative indices (negative in the file) are counted from the chunk's first
+// vertex until resolve_indices() adds what came before; kAbsent: not written; kNowhere: no such element.
 inline constexpr int32_t kAbsent = std::numeric_limits<int32_t>::min();
 inline constexpr int32_t kNowhere = std::numeric_limits<int32_t>::max();
 
@@ -20,8 +20,8 @@ inline constexpr int32_t kNowhere = std::numeric_limits<int32_t>::max();
 struct StateChange {
   enum Kind : uint8_t { kMaterial, kSmoothingGroup, kObject, kGroup, kLibrary };
   Kind kind;
-  int32_t group = 0;         // kSmoothingGroup
-  std::string_view name;     // the rest of the line otherwise
+  int32_t group = 0;          // kSmoothingGroup
+  std::string_view name;      // the rest of the line otherwise
   uint32_t face, line, point; // elements of the chunk before it
 };
 
@@ -35,17 +35,17 @@ struct ObjChunk {
   const char* begin = nullptr;
   const char* end = nullptr;
 
-  GrowingArray<double> positions;  // x y z; NaN where the file had no usable number
-  GrowingArray<float> colours;     // r g b per position; empty, or NaN where a vertex has none
-  GrowingArray<float> texcoords;   // u v
-  GrowingArray<float> normals;     // x y z
+  GrowingArray<double> positions; // x y z; NaN where the file had no usable number
+  GrowingArray<float> colours;    // r g b per position; empty, or NaN where a vertex has none
+  GrowingArray<float> texcoords;  // u v
+  GrowingArray<float> normals;    // x y z
 
   uint32_t face_count = 0;
   GrowingArray<uint32_t> face_sizes; // empty while all faces are triangles
   IndexList corner_vertices;
   IndexList corner_texcoords; // both empty while no corner has a slash
   IndexList corner_normals;
-  IndexList line_vertices;  // pairs: every polyline is cut into segments
+  IndexList line_vertices; // pairs: every polyline is cut into segments
   IndexList point_vertices;
 
   std::vector<StateChange> changes;
@@ -53,8 +53,8 @@ struct ObjChunk {
   bool has_unusable_position = false;
 };
 
-// Parses [begin, end); end is the text's end or follows a line end. With `find_face`, stops at the face of that number
-// and returns where its statement begins (for messages).
+// Parses [begin, end); end is the text's end or follows a line end. With `find_face`, stops at the face of
+// that number and returns where its statement begins (for messages).
 const char* parse_obj_chunk(ObjChunk& chunk, uint32_t find_face = std::numeric_limits<uint32_t>::max());
 
 } // namespace softgl::cli

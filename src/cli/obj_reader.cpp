@@ -11,7 +11,8 @@
 namespace softgl::cli {
 namespace {
 
-constexpr size_t kChunkBytes = size_t(2) << 20; // small enough to balance two threads, large enough to forget the seams
+constexpr size_t kChunkBytes = size_t(2)
+                               << 20; // small enough to balance two threads, large enough to forget the seams
 
 bool starts_with(const SourceText& text, std::string_view prefix) {
   return std::string_view(text.begin(), text.size()).substr(0, prefix.size()) == prefix;
@@ -23,7 +24,8 @@ void refuse_utf16(const SourceText& text) {
   const bool unmarked = text.size() >= 8 && ((!p[0] && p[1] && !p[2] && p[3] && !p[4] && p[5]) ||
                                              (p[0] && !p[1] && p[2] && !p[3] && p[4] && !p[5]));
   if (marked || unmarked)
-    throw ProgramError(kCannotRead, text.name() + ": this is UTF-16 text; save it as UTF-8 (or ASCII) and try again");
+    throw ProgramError(kCannotRead,
+                       text.name() + ": this is UTF-16 text; save it as UTF-8 (or ASCII) and try again");
 }
 
 // The next place after `from` where a statement begins.
@@ -43,7 +45,8 @@ std::vector<ObjChunk> cut(const char* begin, const char* end) {
   std::vector<ObjChunk> chunks;
   do {
     const auto rest = static_cast<size_t>(end - begin);
-    const char* border = rest > kChunkBytes + kChunkBytes / 2 ? statement_border(begin + kChunkBytes, end) : end;
+    const char* border =
+        rest > kChunkBytes + kChunkBytes / 2 ? statement_border(begin + kChunkBytes, end) : end;
     chunks.emplace_back();
     chunks.back().begin = begin;
     chunks.back().end = border;
@@ -61,9 +64,7 @@ void parse_all(const SourceText& text, std::vector<ObjChunk>& chunks, unsigned t
         parse_obj_chunk(chunks[i]);
         text.forget(chunks[i].begin, chunks[i].end);
       }
-    } catch (...) {
-      failures[worker] = std::current_exception();
-    }
+    } catch (...) { failures[worker] = std::current_exception(); }
   };
   std::vector<std::thread> helpers;
   for (size_t i = 1; i < failures.size(); ++i) helpers.emplace_back(work, i);
@@ -73,7 +74,8 @@ void parse_all(const SourceText& text, std::vector<ObjChunk>& chunks, unsigned t
     if (failure) std::rethrow_exception(failure);
 }
 
-template <class T> void merge(std::vector<ObjChunk>& chunks, GrowingArray<T> ObjChunk::*part, GrowingArray<T>& all) {
+template <class T>
+void merge(std::vector<ObjChunk>& chunks, GrowingArray<T> ObjChunk::*part, GrowingArray<T>& all) {
   if (chunks.size() == 1) {
     all = std::move(chunks[0].*part);
     return;
@@ -92,7 +94,8 @@ void merge_colours(std::vector<ObjChunk>& chunks, ObjModel& model) {
   for (const ObjChunk& chunk : chunks) any = any || !chunk.colours.empty();
   if (!any) return;
   for (ObjChunk& chunk : chunks)
-    if (chunk.colours.empty()) chunk.colours.fill(chunk.positions.size(), std::numeric_limits<float>::quiet_NaN());
+    if (chunk.colours.empty())
+      chunk.colours.fill(chunk.positions.size(), std::numeric_limits<float>::quiet_NaN());
   merge(chunks, &ObjChunk::colours, model.colours);
   // Some programs write 0..255.
   float largest = 0;
@@ -159,8 +162,8 @@ private:
     return face;
   }
 
-  void check_attribute(const ObjChunk& chunk, GrowingArray<int32_t>& indices, uint64_t count, const char* what,
-                       const char* kind, const char* consequence) {
+  void check_attribute(const ObjChunk& chunk, GrowingArray<int32_t>& indices, uint64_t count,
+                       const char* what, const char* kind, const char* consequence) {
     const auto limit = static_cast<uint32_t>(count);
     uint32_t wrong = 0;
     for (const int32_t index : indices) wrong |= (static_cast<uint32_t>(index) >= limit) & (index != kAbsent);
@@ -187,7 +190,8 @@ private:
   void remark_face(const ObjChunk& chunk, uint32_t face, const int32_t* corners, uint32_t size) {
     bool missing = false;
     for (uint32_t i = 0; i < size; ++i) missing |= static_cast<uint32_t>(corners[i]) >= model.position_count;
-    const char* kind = missing ? "face skipped: a vertex does not exist" : "face skipped: a vertex is not finite";
+    const char* kind =
+        missing ? "face skipped: a vertex does not exist" : "face skipped: a vertex is not finite";
     if (!remarks.count(kind)) return;
     remarks.describe(kind, place_of_face(chunk, face),
                      missing ? "a corner names a vertex that does not exist (the file has " +
@@ -196,13 +200,14 @@ private:
   }
 
   void drop_faces(ObjChunk& chunk) {
-    GrowingArray<int32_t>*const lists[] = {&chunk.corner_vertices.values, &chunk.corner_texcoords.values,
-                                     &chunk.corner_normals.values};
+    GrowingArray<int32_t>* const lists[] = {&chunk.corner_vertices.values, &chunk.corner_texcoords.values,
+                                            &chunk.corner_normals.values};
     const uint32_t face_count = chunk.face_count;
     size_t from = 0, to = 0, change = 0;
     uint32_t kept = 0;
     for (uint32_t face = 0; face < face_count; ++face) {
-      while (change < chunk.changes.size() && chunk.changes[change].face <= face) chunk.changes[change++].face = kept;
+      while (change < chunk.changes.size() && chunk.changes[change].face <= face)
+        chunk.changes[change++].face = kept;
       const uint32_t size = chunk.face_sizes.empty() ? 3 : chunk.face_sizes[face];
       const int32_t* corners = chunk.corner_vertices.values.data() + from;
       if (std::all_of(corners, corners + size, [&](int32_t vertex) { return usable(vertex); })) {

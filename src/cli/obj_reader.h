@@ -12,11 +12,12 @@ namespace softgl::cli {
 
 struct ObjModel {
   GrowingArray<double> positions; // x y z
-  GrowingArray<float> colours;    // r g b in 0..1 per position, NaN where a vertex has none; empty without colours
-  GrowingArray<float> texcoords;  // u v
-  GrowingArray<float> normals;    // x y z, never zero where a corner names one
-  // In file order. Vertex indices are valid and lead to finite positions; texture coordinates and normals are valid or
-  // kAbsent.
+  GrowingArray<float>
+      colours; // r g b in 0..1 per position, NaN where a vertex has none; empty without colours
+  GrowingArray<float> texcoords; // u v
+  GrowingArray<float> normals;   // x y z, never zero where a corner names one
+  // In file order. Vertex indices are valid and lead to finite positions; texture coordinates and normals are
+  // valid or kAbsent.
   std::vector<ObjChunk> chunks;
 
   uint64_t position_count = 0, texcoord_count = 0, normal_count = 0;

@@ -26,7 +26,8 @@ bool parse_numbers(const std::string& text, std::vector<double>& values) {
     const std::string part = text.substr(begin, comma - begin);
     const char* cursor = part.c_str();
     double value;
-    if (part.empty() || !read_number(cursor, value) || cursor != part.c_str() + part.size() || !std::isfinite(value))
+    if (part.empty() || !read_number(cursor, value) || cursor != part.c_str() + part.size() ||
+        !std::isfinite(value))
       return false;
     values.push_back(value);
     if (comma == text.size()) return true;
@@ -39,19 +40,19 @@ struct NamedColour {
   uint32_t rgb;
 };
 constexpr NamedColour kColours[] = {
-    {"black", 0x000000},     {"white", 0xffffff},     {"red", 0xff0000},       {"green", 0x008000},
-    {"lime", 0x00ff00},      {"blue", 0x0000ff},      {"yellow", 0xffff00},    {"cyan", 0x00ffff},
-    {"magenta", 0xff00ff},   {"gray", 0x808080},      {"grey", 0x808080},      {"silver", 0xc0c0c0},
-    {"darkgray", 0xa9a9a9},  {"darkgrey", 0xa9a9a9},  {"lightgray", 0xd3d3d3}, {"lightgrey", 0xd3d3d3},
-    {"whitesmoke", 0xf5f5f5}, {"orange", 0xffa500},   {"gold", 0xffd700},      {"tomato", 0xff6347},
-    {"coral", 0xff7f50},     {"salmon", 0xfa8072},    {"crimson", 0xdc143c},   {"maroon", 0x800000},
-    {"brown", 0xa52a2a},     {"sienna", 0xa0522d},    {"tan", 0xd2b48c},       {"beige", 0xf5f5dc},
-    {"ivory", 0xfffff0},     {"olive", 0x808000},     {"teal", 0x008080},      {"navy", 0x000080},
-    {"purple", 0x800080},    {"violet", 0xee82ee},    {"indigo", 0x4b0082},    {"pink", 0xffc0cb},
-    {"hotpink", 0xff69b4},   {"turquoise", 0x40e0d0}, {"skyblue", 0x87ceeb},   {"steelblue", 0x4682b4},
-    {"royalblue", 0x4169e1}, {"slategray", 0x708090}, {"slategrey", 0x708090}, {"forestgreen", 0x228b22},
-    {"seagreen", 0x2e8b57},  {"darkgreen", 0x006400}, {"darkblue", 0x00008b},  {"darkred", 0x8b0000},
-    {"chocolate", 0xd2691e}, {"khaki", 0xf0e68c},     {"plum", 0xdda0dd},      {"orchid", 0xda70d6},
+    {"black", 0x000000},      {"white", 0xffffff},     {"red", 0xff0000},       {"green", 0x008000},
+    {"lime", 0x00ff00},       {"blue", 0x0000ff},      {"yellow", 0xffff00},    {"cyan", 0x00ffff},
+    {"magenta", 0xff00ff},    {"gray", 0x808080},      {"grey", 0x808080},      {"silver", 0xc0c0c0},
+    {"darkgray", 0xa9a9a9},   {"darkgrey", 0xa9a9a9},  {"lightgray", 0xd3d3d3}, {"lightgrey", 0xd3d3d3},
+    {"whitesmoke", 0xf5f5f5}, {"orange", 0xffa500},    {"gold", 0xffd700},      {"tomato", 0xff6347},
+    {"coral", 0xff7f50},      {"salmon", 0xfa8072},    {"crimson", 0xdc143c},   {"maroon", 0x800000},
+    {"brown", 0xa52a2a},      {"sienna", 0xa0522d},    {"tan", 0xd2b48c},       {"beige", 0xf5f5dc},
+    {"ivory", 0xfffff0},      {"olive", 0x808000},     {"teal", 0x008080},      {"navy", 0x000080},
+    {"purple", 0x800080},     {"violet", 0xee82ee},    {"indigo", 0x4b0082},    {"pink", 0xffc0cb},
+    {"hotpink", 0xff69b4},    {"turquoise", 0x40e0d0}, {"skyblue", 0x87ceeb},   {"steelblue", 0x4682b4},
+    {"royalblue", 0x4169e1},  {"slategray", 0x708090}, {"slategrey", 0x708090}, {"forestgreen", 0x228b22},
+    {"seagreen", 0x2e8b57},   {"darkgreen", 0x006400}, {"darkblue", 0x00008b},  {"darkred", 0x8b0000},
+    {"chocolate", 0xd2691e},  {"khaki", 0xf0e68c},     {"plum", 0xdda0dd},      {"orchid", 0xda70d6},
 };
 
 std::array<uint8_t, 3> split(uint32_t rgb) {
@@ -61,7 +62,8 @@ std::array<uint8_t, 3> split(uint32_t rgb) {
 constexpr float kDefaultCutoff = 30; // degrees, of a spot that does not say
 
 LightOptions parse_light_kind(const std::string& text) {
-  static const std::string what = "a light: key, headlight, x,y,z, model:x,y,z, at:x,y,z or an axis such as +Y";
+  static const std::string what =
+      "a light: key, headlight, x,y,z, model:x,y,z, at:x,y,z or an axis such as +Y";
   LightOptions light;
   if (text == "key") return light;
   light.kind = LightOptions::kHeadlight;
@@ -94,8 +96,9 @@ LightOptions parse_light_kind(const std::string& text) {
 }
 
 void parse_light_property(const std::string& text, LightOptions& light) {
-  static const std::string what = "a property of a light: color:COLOUR for any; for at:x,y,z also spot:x,y,z, cutoff:0..90, "
-                                  "exponent:0..128 and attenuation:constant,linear,quadratic";
+  static const std::string what =
+      "a property of a light: color:COLOUR for any; for at:x,y,z also spot:x,y,z, cutoff:0..90, "
+      "exponent:0..128 and attenuation:constant,linear,quadratic";
   const size_t colon = text.find(':');
   if (colon == std::string::npos) refuse(what, text);
   const std::string name = lower(text.substr(0, colon)), value = text.substr(colon + 1);
@@ -131,7 +134,8 @@ std::array<uint8_t, 3> parse_colour(const std::string& text) {
   for (const NamedColour& colour : kColours)
     if (name == colour.name) return split(colour.rgb);
   if (!name.empty() && name[0] == '#') {
-    if (name.find_first_not_of("0123456789abcdef", 1) != std::string::npos || (name.size() != 4 && name.size() != 7))
+    if (name.find_first_not_of("0123456789abcdef", 1) != std::string::npos ||
+        (name.size() != 4 && name.size() != 7))
       refuse(what, text);
     uint32_t value = 0;
     for (size_t i = 1; i < name.size(); ++i) {
@@ -187,13 +191,19 @@ unsigned parse_terms(const std::string& text) {
   static constexpr struct {
     const char* name;
     unsigned term;
-  } kTerms[] = {{"ambient", kAmbient}, {"diffuse", kDiffuse}, {"specular", kSpecular}, {"emission", kEmission}, {"all", kAllTerms}};
+  } kTerms[] = {{"ambient", kAmbient},
+                {"diffuse", kDiffuse},
+                {"specular", kSpecular},
+                {"emission", kEmission},
+                {"all", kAllTerms}};
   unsigned terms = 0;
   for (size_t begin = 0; begin <= text.size();) {
     const size_t comma = std::min(text.find(',', begin), text.size());
     const std::string name = lower(text.substr(begin, comma - begin));
-    const auto* found = std::find_if(std::begin(kTerms), std::end(kTerms), [&](const auto& t) { return name == t.name; });
-    if (found == std::end(kTerms)) refuse("a list of terms: ambient, diffuse, specular, emission or all", text);
+    const auto* found =
+        std::find_if(std::begin(kTerms), std::end(kTerms), [&](const auto& t) { return name == t.name; });
+    if (found == std::end(kTerms))
+      refuse("a list of terms: ambient, diffuse, specular, emission or all", text);
     terms |= found->term;
     begin = comma + 1;
   }
@@ -204,10 +214,12 @@ std::array<float, 3> parse_reflectance(const std::string& text) {
   std::vector<double> values;
   if (!parse_numbers(text, values)) {
     const std::array<uint8_t, 3> rgb = parse_colour(text);
-    return {static_cast<float>(rgb[0]) / 255, static_cast<float>(rgb[1]) / 255, static_cast<float>(rgb[2]) / 255};
+    return {static_cast<float>(rgb[0]) / 255, static_cast<float>(rgb[1]) / 255,
+            static_cast<float>(rgb[2]) / 255};
   }
   if (values.size() == 1) values.resize(3, values[0]);
-  const bool inside = std::all_of(values.begin(), values.end(), [](double value) { return value >= 0 && value <= 1; });
+  const bool inside =
+      std::all_of(values.begin(), values.end(), [](double value) { return value >= 0 && value <= 1; });
   if (values.size() != 3 || !inside) refuse("a number from 0 to 1, three of them (r,g,b), or a colour", text);
   return {static_cast<float>(values[0]), static_cast<float>(values[1]), static_cast<float>(values[2])};
 }

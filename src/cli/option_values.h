@@ -10,7 +10,7 @@
 
 namespace softgl::cli {
 
-std::array<uint8_t, 3> parse_colour(const std::string& text); // #rgb, #rrggbb, a CSS name, r,g,b in 0..1
+std::array<uint8_t, 3> parse_colour(const std::string& text);      // #rgb, #rrggbb, a CSS name, r,g,b in 0..1
 void parse_size(const std::string& text, int& width, int& height); // WxH, W,H or one number
 UpAxis parse_up_axis(const std::string& text);
 // KIND[/PROPERTY:VALUE...], as LightOptions describes them.

@@ -37,9 +37,7 @@ template <class Parse> auto checked(Parse parse) {
     try {
       parse(text);
       return true;
-    } catch (const std::invalid_argument& mistake) {
-      throw CLI::ValidationError(mistake.what());
-    }
+    } catch (const std::invalid_argument& mistake) { throw CLI::ValidationError(mistake.what()); }
   };
 }
 
@@ -56,7 +54,8 @@ CLI::Validator range(double low, double high) {
 }
 
 template <class Use> void add_reflectance(CLI::App& app, const char* name, const char* description, Use use) {
-  app.add_option_function<std::string>(name, checked([use](const std::string& text) { use(parse_reflectance(text)); }), description)
+  app.add_option_function<std::string>(
+         name, checked([use](const std::string& text) { use(parse_reflectance(text)); }), description)
       ->type_name("K");
 }
 
@@ -71,16 +70,19 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   app.option_defaults()->always_capture_default(false);
 
   app.add_option("model", options.model, "OBJ file; - for standard input")->type_name("MODEL.obj");
-  app.add_option("-o,--output", options.output, "picture to write (.png .ppm .pam .jpg .bmp .tga); - for standard output")
+  app.add_option("-o,--output", options.output,
+                 "picture to write (.png .ppm .pam .jpg .bmp .tga); - for standard output")
       ->type_name("FILE");
-  app.add_option("--format", options.format, "picture format where the file name does not say it")->type_name("png|ppm|..");
+  app.add_option("--format", options.format, "picture format where the file name does not say it")
+      ->type_name("png|ppm|..");
   std::string png = "default";
   app.add_option("--png", png, "effort for PNG files: fast, default or small")
       ->check(CLI::IsMember({"fast", "default", "small"}))
       ->type_name("HOW");
-  app.add_option_function<std::string>(
-         "-s,--size", checked([&](const std::string& t) { parse_size(t, options.render.width, options.render.height); }),
-         "size of the picture [1024x1024]")
+  app.add_option_function<std::string>("-s,--size", checked([&](const std::string& t) {
+                                         parse_size(t, options.render.width, options.render.height);
+                                       }),
+                                       "size of the picture [1024x1024]")
       ->type_name("WxH");
 
   std::string view;
@@ -114,11 +116,13 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   app.add_option("--shading", shading, "flat, gouraud (lit per vertex) or phong (lit per pixel) [gouraud]")
       ->check(CLI::IsMember({"flat", "gouraud", "phong"}))
       ->type_name("HOW");
-  app.add_option("--specular", specular, "vector of the specular term: half (n.h)^ns or reflection (v.r)^ns [half]")
+  app.add_option("--specular", specular,
+                 "vector of the specular term: half (n.h)^ns or reflection (v.r)^ns [half]")
       ->check(CLI::IsMember({"half", "reflection"}))
       ->type_name("VECTOR");
-  app.add_option_function<std::string>("--terms", checked([&](const std::string& t) { lighting.terms = parse_terms(t); }),
-                                       "terms of the light that are drawn: ambient,diffuse,specular,emission [all]")
+  app.add_option_function<std::string>(
+         "--terms", checked([&](const std::string& t) { lighting.terms = parse_terms(t); }),
+         "terms of the light that are drawn: ambient,diffuse,specular,emission [all]")
       ->type_name("LIST");
   app.add_option_function<double>(
          "--crease",
@@ -126,25 +130,33 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
            options.normals.crease_angle = angle;
            options.normals.ignore_groups = true;
          },
-         "generated normals: smooth up to this angle between faces, whatever the smoothing groups [40 where there are none]")
+         "generated normals: smooth up to this angle between faces, whatever the smoothing groups [40 where "
+         "there are none]")
       ->check(range(0, 180))
       ->type_name("DEG");
   app.add_option_function<std::vector<std::string>>(
-         "--light", [&](const std::vector<std::string>& all) {
+         "--light",
+         [&](const std::vector<std::string>& all) {
            checked([&](const std::vector<std::string>& texts) {
              for (const std::string& text : texts) lighting.lights.push_back(parse_light(text));
            })(all);
          },
-         "key, headlight, x,y,z (direction as seen), model:x,y,z or +Y (direction in the model's axes), at:x,y,z (place in "
-         "the model); then /color:COLOUR, and for a place /spot:x,y,z/cutoff:DEG/exponent:N/attenuation:C,L,Q; may be "
+         "key, headlight, x,y,z (direction as seen), model:x,y,z or +Y (direction in the model's axes), "
+         "at:x,y,z (place in "
+         "the model); then /color:COLOUR, and for a place "
+         "/spot:x,y,z/cutoff:DEG/exponent:N/attenuation:C,L,Q; may be "
          "repeated [key]")
       ->allow_extra_args(false)
       ->type_name("LIGHT");
-  add_reflectance(app, "--ambient-light", "light that comes from everywhere: a number, r,g,b or a colour [0.2]",
+  add_reflectance(app, "--ambient-light",
+                  "light that comes from everywhere: a number, r,g,b or a colour [0.2]",
                   [&](const auto& rgb) { std::copy(rgb.begin(), rgb.end(), lighting.ambient); });
-  add_reflectance(app, "--ka", "ambient reflectance of all materials", [&](const auto& rgb) { options.materials.ambient = rgb; });
-  add_reflectance(app, "--kd", "diffuse reflectance of all materials", [&](const auto& rgb) { options.materials.diffuse = rgb; });
-  add_reflectance(app, "--ks", "specular reflectance of all materials", [&](const auto& rgb) { options.materials.specular = rgb; });
+  add_reflectance(app, "--ka", "ambient reflectance of all materials",
+                  [&](const auto& rgb) { options.materials.ambient = rgb; });
+  add_reflectance(app, "--kd", "diffuse reflectance of all materials",
+                  [&](const auto& rgb) { options.materials.diffuse = rgb; });
+  add_reflectance(app, "--ks", "specular reflectance of all materials",
+                  [&](const auto& rgb) { options.materials.specular = rgb; });
   app.add_option("--ns", options.materials.shininess, "specular exponent of all materials, 0 to 128")
       ->check(range(0, 128))
       ->type_name("N");
@@ -152,19 +164,23 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
          "--bg", checked([&](const std::string& t) { options.render.background = parse_background(t); }),
          "background: #rrggbb, name, r,g,b from 0 to 1, or transparent [#2e333a]")
       ->type_name("COLOUR");
-  app.add_option_function<std::string>(
-         "--color,--colour", checked([&](const std::string& t) {
-           parse_colour(t); // three numbers or a name; one number is no colour
-           options.materials.colour = parse_reflectance(t);
-         }),
-         "one colour for the whole model instead of its materials")
+  app.add_option_function<std::string>("--color,--colour", checked([&](const std::string& t) {
+                                         parse_colour(t); // three numbers or a name; one number is no colour
+                                         options.materials.colour = parse_reflectance(t);
+                                       }),
+                                       "one colour for the whole model instead of its materials")
       ->type_name("COLOUR");
   int samples = 1;
-  app.add_option("--aa", samples, "samples per pixel: 1, 4 or 16 [1]")->check(CLI::IsMember({1, 4, 16}))->type_name("N");
+  app.add_option("--aa", samples, "samples per pixel: 1, 4 or 16 [1]")
+      ->check(CLI::IsMember({1, 4, 16}))
+      ->type_name("N");
 
-  app.add_option("--threads", options.threads, "threads [as many as the machine has]")->check(range(1, 1024))->type_name("N");
+  app.add_option("--threads", options.threads, "threads [as many as the machine has]")
+      ->check(range(1, 1024))
+      ->type_name("N");
   std::string stats;
-  app.add_option("--stats", stats, "print times and counts: json (to standard error if the picture goes to standard output)")
+  app.add_option("--stats", stats,
+                 "print times and counts: json (to standard error if the picture goes to standard output)")
       ->check(CLI::IsMember({"json"}))
       ->type_name("json");
   app.add_flag("--strict", options.strict, "a warning ends the run with exit code 3");
@@ -172,16 +188,19 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   app.add_flag("-v,--verbose", options.verbose, "more about the model and what is left out");
 
   CLI::App* info = app.add_subcommand("info", "describe a model instead of drawing it");
-  info->add_option("model", options.model, "OBJ file; - for standard input")->required()->type_name("MODEL.obj");
+  info->add_option("model", options.model, "OBJ file; - for standard input")
+      ->required()
+      ->type_name("MODEL.obj");
   info->add_flag("--json", options.json, "as JSON");
   info->add_flag("--strict", options.strict, "a warning ends the run with exit code 3");
   info->add_flag("-q,--quiet", options.quiet, "no warnings");
   info->add_flag("-v,--verbose", options.verbose, "more about what is left out");
   info->add_option("--threads", options.threads, "threads")->check(range(1, 1024))->type_name("N");
 
-  CLI::App* figure = app.add_subcommand("figure", "draw the terms of the light, exponents, Gouraud and Phong shading and both "
-                                                  "specular vectors side by side, on one labelled sheet; takes the options "
-                                                  "of a picture, --size being that of each part [400x400]");
+  CLI::App* figure = app.add_subcommand(
+      "figure", "draw the terms of the light, exponents, Gouraud and Phong shading and both "
+                "specular vectors side by side, on one labelled sheet; takes the options "
+                "of a picture, --size being that of each part [400x400]");
   figure->add_option("model", options.model, "OBJ file; without one a sphere")->type_name("MODEL.obj");
   figure->fallthrough();
 
@@ -216,20 +235,25 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   if (options.format.empty()) options.format = image_format_of(options.output);
   if (options.format.empty()) {
     if (options.output != "-")
-      return usage("cannot tell the picture format of \"" + options.output + "\"; known are png, ppm, pam, jpg, bmp and tga");
+      return usage("cannot tell the picture format of \"" + options.output +
+                   "\"; known are png, ppm, pam, jpg, bmp and tga");
     options.format = "png";
   }
   if (!is_image_format(options.format)) return usage("unknown picture format \"" + options.format + "\"");
-  if (*figure && (options.render.width > 2048 || options.render.height > 2048)) return usage("a figure's parts are at most 2048 pixels wide and high");
+  if (*figure && (options.render.width > 2048 || options.render.height > 2048))
+    return usage("a figure's parts are at most 2048 pixels wide and high");
   options.png = png == "fast" ? PngEffort::kFast : png == "small" ? PngEffort::kSmall : PngEffort::kDefault;
-  lighting.shading = shading == "flat" && !*figure ? Shading::kFlat : shading == "phong" ? Shading::kPhong : Shading::kGouraud;
+  lighting.shading = shading == "flat" && !*figure ? Shading::kFlat
+                     : shading == "phong"          ? Shading::kPhong
+                                                   : Shading::kGouraud;
   lighting.reflection_vector = specular == "reflection";
-  if (gl_lights_of(lighting) > kMostLights) return usage("--light: GL has 8 lights, and the key light takes two of them");
+  if (gl_lights_of(lighting) > kMostLights)
+    return usage("--light: GL has 8 lights, and the key light takes two of them");
   options.render.samples_per_side = samples == 16 ? 4 : samples == 4 ? 2 : 1;
   const int side = options.render.samples_per_side;
   if (options.render.width * side > 16384 || options.render.height * side > 16384)
-    return usage("--aa " + std::to_string(samples) + " allows pictures of up to " + std::to_string(16384 / side) +
-                 " pixels a side");
+    return usage("--aa " + std::to_string(samples) + " allows pictures of up to " +
+                 std::to_string(16384 / side) + " pixels a side");
   options.camera.width = options.render.width;
   options.camera.height = options.render.height;
   options.stats = !stats.empty();

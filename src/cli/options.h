@@ -30,13 +30,14 @@ struct ProgramOptions {
   RenderOptions render;
   NormalOptions normals;
   MaterialOptions materials;
-  unsigned threads = 0;                       // 0: as many as the machine has
+  unsigned threads = 0; // 0: as many as the machine has
   bool quiet = false, verbose = false, strict = false;
   bool json = false; // info --json
   bool stats = false;
 };
 
-// What main() is to do: options, or an end with that exit code (help, version, or a mistake already reported).
+// What main() is to do: options, or an end with that exit code (help, version, or a mistake already
+// reported).
 struct ParsedOptions {
   std::optional<ProgramOptions> options;
   int exit_code = 0;

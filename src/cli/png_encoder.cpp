@@ -1,6 +1,7 @@
-// PNG by libdeflate. Measured on rendered 1024x1024 pictures (milliseconds of CPU / KB): stb_image_write 45-55 / 237-428,
-// libpng with its defaults 51-62 / 182-302. Lit surfaces change slowly downwards: three pictures, on a busy machine,
-// libdeflate level 6 without filter 21-34 / 208-335, level 3 with UP 18-22 / 186-246, level 1 with UP 13-17 / 217-256.
+// PNG by libdeflate. Measured on rendered 1024x1024 pictures (milliseconds of CPU / KB): stb_image_write
+// 45-55 / 237-428, libpng with its defaults 51-62 / 182-302. Lit surfaces change slowly downwards: three
+// pictures, on a busy machine, libdeflate level 6 without filter 21-34 / 208-335, level 3 with UP 18-22 /
+// 186-246, level 1 with UP 13-17 / 217-256.
 #include "png_encoder.h"
 
 #include "program_error.h"
@@ -45,7 +46,8 @@ uint8_t predict(Filter filter, int left, int above, int above_left) {
 }
 
 // Writes the filtered row and returns the sum of its differences' sizes: smaller compresses better.
-uint64_t filter_row(const uint8_t* row, const uint8_t* above, size_t size, size_t bytes, Filter filter, uint8_t* out) {
+uint64_t filter_row(const uint8_t* row, const uint8_t* above, size_t size, size_t bytes, Filter filter,
+                    uint8_t* out) {
   uint64_t sum = 0;
   for (size_t i = 0; i < size; ++i) {
     const int left = i >= bytes ? row[i - bytes] : 0;
@@ -97,7 +99,8 @@ GrowingArray<uint8_t> encode_png(const Picture& picture, PngEffort effort) {
   GrowingArray<uint8_t> packed;
   const size_t bound = libdeflate_zlib_compress_bound(compressor.get(), rows.size());
   packed.room(bound);
-  const size_t packed_size = libdeflate_zlib_compress(compressor.get(), rows.data(), rows.size(), packed.data(), bound);
+  const size_t packed_size =
+      libdeflate_zlib_compress(compressor.get(), rows.data(), rows.size(), packed.data(), bound);
   if (packed_size == 0 || packed_size > 0x7fffffff)
     throw ProgramError(kCannotWrite, "the picture is too large for a PNG file");
 

@@ -19,7 +19,8 @@ void PolygonTriangulator::triangulate(const double* corners, uint32_t size, uint
   }
 }
 
-// Newell's normal decides the axis to drop; the two left over are ordered so that the polygon runs counterclockwise.
+// Newell's normal decides the axis to drop; the two left over are ordered so that the polygon runs
+// counterclockwise.
 bool PolygonTriangulator::project(const double* corners, uint32_t size) {
   double low[3] = {corners[0], corners[1], corners[2]}, high[3] = {corners[0], corners[1], corners[2]};
   for (uint32_t i = 1; i < size; ++i)
@@ -39,8 +40,10 @@ bool PolygonTriangulator::project(const double* corners, uint32_t size) {
     }
   const double size_of[3] = {std::fabs(normal[0]), std::fabs(normal[1]), std::fabs(normal[2])};
   int dropped = 2;
-  if (size_of[0] > size_of[1] && size_of[0] > size_of[2]) dropped = 0;
-  else if (size_of[1] > size_of[2]) dropped = 1;
+  if (size_of[0] > size_of[1] && size_of[0] > size_of[2])
+    dropped = 0;
+  else if (size_of[1] > size_of[2])
+    dropped = 1;
   if (!(size_of[dropped] > 1e-300)) return false;
   int u = (dropped + 1) % 3, v = (dropped + 2) % 3;
   if (normal[dropped] < 0) std::swap(u, v);
@@ -76,7 +79,8 @@ bool PolygonTriangulator::is_convex() const {
   return changes_x <= 2; // more: it winds around itself
 }
 
-// Which way the polygon bends at a corner. Rounding of the coordinates must not make a straight corner reflex.
+// Which way the polygon bends at a corner. Rounding of the coordinates must not make a straight corner
+// reflex.
 int PolygonTriangulator::bend(uint32_t corner) const {
   const uint32_t a = previous_[corner], c = next_[corner];
   const double value = turn(a, corner, c);
@@ -120,8 +124,8 @@ void PolygonTriangulator::build_grid() {
   cell_start_[cells] = reflex_count_;
 }
 
-// No reflex corner lies in the triangle of the corner and its neighbours. Corners at the same place as one of the three
-// do not count: bridges to holes visit a place twice.
+// No reflex corner lies in the triangle of the corner and its neighbours. Corners at the same place as one of
+// the three do not count: bridges to holes visit a place twice.
 bool PolygonTriangulator::is_ear(uint32_t b, bool strictly) {
   const uint32_t a = previous_[b], c = next_[b];
   const double ax = x_[a], ay = y_[a], bx = x_[b], by = y_[b], cx = x_[c], cy = y_[c];
@@ -183,14 +187,19 @@ void PolygonTriangulator::clip_ears() {
     if (tests_left_ == 0) mode = kForced;
     const int shape = bend_[corner];
     bool clipped = false;
-    if (mode == kCareful) clipped = shape > 0 && is_ear(corner, false);
-    else if (mode == kTouching) clipped = shape == 0 || (shape > 0 && is_ear(corner, true));
-    else clipped = shape >= 0 || misses >= left;
+    if (mode == kCareful)
+      clipped = shape > 0 && is_ear(corner, false);
+    else if (mode == kTouching)
+      clipped = shape == 0 || (shape > 0 && is_ear(corner, true));
+    else
+      clipped = shape >= 0 || misses >= left;
     if (!clipped) {
       corner = next_[corner];
       if (++misses < left) continue;
-      if (mode == kCareful) mode = kTouching, misses = 0;
-      else if (mode == kTouching) mode = kForced, misses = 0;
+      if (mode == kCareful)
+        mode = kTouching, misses = 0;
+      else if (mode == kTouching)
+        mode = kForced, misses = 0;
       continue;
     }
     const uint32_t following = next_[corner];

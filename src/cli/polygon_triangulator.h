@@ -7,9 +7,9 @@
 
 namespace softgl::cli {
 
-// Ear clipping over the polygon's projection; only reflex corners can lie in an ear, and a grid finds those near it, so
-// that thousands of corners cost milliseconds. Always gives size - 2 triangles, whatever the polygon: keyhole polygons
-// (holes joined by a bridge), repeated corners, and self-intersecting ones too.
+// Ear clipping over the polygon's projection; only reflex corners can lie in an ear, and a grid finds those
+// near it, so that thousands of corners cost milliseconds. Always gives size - 2 triangles, whatever the
+// polygon: keyhole polygons (holes joined by a bridge), repeated corners, and self-intersecting ones too.
 class PolygonTriangulator {
 public:
   // `corners`: x y z of each corner. Writes 3 * (size - 2) corner numbers.

@@ -46,9 +46,11 @@ public:
 
   void print_messages() const {
     if (!options.quiet)
-      for (const std::string& sentence : warnings.sentences()) std::fprintf(stderr, "softgl: warning: %s\n", sentence.c_str());
+      for (const std::string& sentence : warnings.sentences())
+        std::fprintf(stderr, "softgl: warning: %s\n", sentence.c_str());
     if (options.verbose)
-      for (const std::string& sentence : notes.sentences()) std::fprintf(stderr, "softgl: note: %s\n", sentence.c_str());
+      for (const std::string& sentence : notes.sentences())
+        std::fprintf(stderr, "softgl: note: %s\n", sentence.c_str());
   }
 
 private:
@@ -105,7 +107,8 @@ private:
 
     Picture picture;
     if (options.command == ProgramOptions::kFigure) {
-      const auto subject = model_subject(text.name(), std::move(mesh), std::move(loaded.library.materials()), std::move(frame), camera);
+      const auto subject = model_subject(text.name(), std::move(mesh), std::move(loaded.library.materials()),
+                                         std::move(frame), camera);
       picture = draw_figure(subject, options.render, warnings);
     } else {
       picture = draw_picture(mesh, loaded.library.materials(), frame, camera, text.name());
@@ -119,24 +122,30 @@ private:
     if (options.verbose) std::fputs(as_text(loaded.report).c_str(), stderr);
   }
 
-  Picture draw_picture(const Mesh& mesh, const std::vector<Material>& materials, const ModelFrame& frame, const Camera& camera,
-                       const std::string& name) {
+  Picture draw_picture(const Mesh& mesh, const std::vector<Material>& materials, const ModelFrame& frame,
+                       const Camera& camera, const std::string& name) {
     RenderResult result = render(mesh, materials, frame, camera, options.render, warnings);
     times.upload = result.upload_seconds;
     times.draw = result.draw_seconds;
     times.resolve = result.resolve_seconds;
-    if (!result.visible) throw ProgramError(kCannotRead, name + ": nothing of the model is visible in this view; no picture written");
-    if (result.as_wireframe) warnings.add(name, "its surfaces have no visible area in this view; their edges are drawn instead");
+    if (!result.visible)
+      throw ProgramError(kCannotRead,
+                         name + ": nothing of the model is visible in this view; no picture written");
+    if (result.as_wireframe)
+      warnings.add(name, "its surfaces have no visible area in this view; their edges are drawn instead");
     return std::move(result.picture);
   }
 
   void refuse_warnings(const std::string& name) const {
     if (!options.strict || warnings.count() == 0) return;
-    throw ProgramError(kCannotRead, name + ": " + std::to_string(warnings.count()) + (warnings.count() == 1 ? " warning" : " warnings") +
+    throw ProgramError(kCannotRead, name + ": " + std::to_string(warnings.count()) +
+                                        (warnings.count() == 1 ? " warning" : " warnings") +
                                         " with --strict; no picture written");
   }
 
-  void write(const Picture& picture) const { write_file(options.output, encode_image(picture, options.format, options.png)); }
+  void write(const Picture& picture) const {
+    write_file(options.output, encode_image(picture, options.format, options.png));
+  }
 
   void paint_over(LoadedModel& loaded) const {
     const MaterialOptions& chosen = options.materials;
@@ -172,7 +181,8 @@ private:
     ::getrusage(RUSAGE_SELF, &usage);
     times.peak_kib = usage.ru_maxrss;
     times.cpu = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-    const std::string out = stats_as_json(report, times, options.render.width, options.render.height, warnings);
+    const std::string out =
+        stats_as_json(report, times, options.render.width, options.render.height, warnings);
     std::fputs(out.c_str(), options.output == "-" ? stderr : stdout);
   }
 
@@ -187,7 +197,8 @@ int run_program(int argc, const char* const* argv) {
   try {
     const ParsedOptions parsed = parse_options(argc, argv);
     if (!parsed.options) return parsed.exit_code;
-    if (parsed.options->threads) ::setenv("SOFTGL_THREADS", std::to_string(parsed.options->threads).c_str(), 1);
+    if (parsed.options->threads)
+      ::setenv("SOFTGL_THREADS", std::to_string(parsed.options->threads).c_str(), 1);
     Program program(*parsed.options);
     try {
       const int code = program.run();

@@ -31,9 +31,10 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 class Renderer {
 public:
-  Renderer(const Mesh& mesh, const std::vector<Material>& materials, const ModelFrame& frame, const Camera& camera,
-           const RenderOptions& options, Warnings& warnings)
-      : mesh(mesh), materials(materials), frame(frame), camera(camera), options(options), warnings(warnings) {}
+  Renderer(const Mesh& mesh, const std::vector<Material>& materials, const ModelFrame& frame,
+           const Camera& camera, const RenderOptions& options, Warnings& warnings)
+      : mesh(mesh), materials(materials), frame(frame), camera(camera), options(options), warnings(warnings) {
+  }
 
   RenderResult run() {
     RenderResult result;
@@ -102,11 +103,12 @@ private:
     for (size_t i = 0; i < 4; ++i) {
       offsets[i] = offset;
       if (bytes(*parts[i]))
-        glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes(*parts[i])),
-                        parts[i]->data());
+        glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(offset),
+                        static_cast<GLsizeiptr>(bytes(*parts[i])), parts[i]->data());
       offset += bytes(*parts[i]);
     }
-    index_buffer = buffer_of(GL_ELEMENT_ARRAY_BUFFER, mesh.triangles.data(), mesh.triangles.size() * sizeof(uint32_t));
+    index_buffer =
+        buffer_of(GL_ELEMENT_ARRAY_BUFFER, mesh.triangles.data(), mesh.triangles.size() * sizeof(uint32_t));
   }
 
   void prepare_material(uint32_t number) {
@@ -136,8 +138,8 @@ private:
     glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     const GLenum format = image.channels == 4 ? GL_RGBA : GL_RGB;
-    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), image.width, image.height, 0, format, GL_UNSIGNED_BYTE,
-                 image.texels.data());
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), image.width, image.height, 0, format,
+                 GL_UNSIGNED_BYTE, image.texels.data());
   }
 
   void clear() {
@@ -206,8 +208,10 @@ private:
       glDisableClientState(GL_COLOR_ARRAY);
       glColor4f(material.diffuse[0], material.diffuse[1], material.diffuse[2], material.opacity);
     }
-    if (material.lit) glEnable(GL_LIGHTING);
-    else glDisable(GL_LIGHTING);
+    if (material.lit)
+      glEnable(GL_LIGHTING);
+    else
+      glDisable(GL_LIGHTING);
     if (prepared.texture) {
       glEnable(GL_TEXTURE_2D);
       glBindTexture(GL_TEXTURE_2D, prepared.texture);
@@ -295,7 +299,8 @@ private:
         entries.push_back({depth, i, batch.material});
       }
     }
-    std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.depth < b.depth; });
+    std::stable_sort(entries.begin(), entries.end(),
+                     [](const Entry& a, const Entry& b) { return a.depth < b.depth; });
     bind_vertices();
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
     glEnable(GL_BLEND);

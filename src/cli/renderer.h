@@ -26,7 +26,7 @@ struct RenderOptions {
 
 struct RenderResult {
   Picture picture;
-  bool visible = false;    // something was drawn
+  bool visible = false;      // something was drawn
   bool as_wireframe = false; // the surfaces have no visible area, so their edges were drawn
   double upload_seconds = 0, draw_seconds = 0, resolve_seconds = 0;
 };

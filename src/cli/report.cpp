@@ -16,12 +16,14 @@ std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') (result += '\\') += c;
+    if (c == '"' || c == '\\')
+      (result += '\\') += c;
     else if (byte < 32 || byte == 127) {
       char escape[8];
       std::snprintf(escape, sizeof escape, "\\u%04x", byte);
       result += escape;
-    } else result += c;
+    } else
+      result += c;
   }
   return result + "\"";
 }
@@ -54,8 +56,8 @@ std::string warning_list(const Warnings& warnings) {
 } // namespace
 
 std::string as_text(const ModelReport& r) {
-  std::string text = r.name + ": " + std::to_string(r.triangles) + " triangles from " + std::to_string(r.faces) +
-                     " faces, " + std::to_string(r.positions) + " vertices";
+  std::string text = r.name + ": " + std::to_string(r.triangles) + " triangles from " +
+                     std::to_string(r.faces) + " faces, " + std::to_string(r.positions) + " vertices";
   const auto add = [&text](uint64_t count, const char* what) {
     if (count) text += ", " + std::to_string(count) + " " + what;
   };
@@ -73,12 +75,13 @@ std::string as_text(const ModelReport& r) {
 
 std::string as_json(const ModelReport& r, const Warnings& warnings) {
   return "{\n" + counts(r) + "  \"vertex_colours\": " + (r.vertex_colours ? "true" : "false") +
-         ",\n  \"smoothing_groups\": " + (r.smoothing_groups ? "true" : "false") + ",\n  \"low\": " + triple(r.low) +
-         ",\n  \"high\": " + triple(r.high) + ",\n  \"area\": " + number(r.area) + ",\n" + warning_list(warnings) +
-         "\n}\n";
+         ",\n  \"smoothing_groups\": " + (r.smoothing_groups ? "true" : "false") +
+         ",\n  \"low\": " + triple(r.low) + ",\n  \"high\": " + triple(r.high) +
+         ",\n  \"area\": " + number(r.area) + ",\n" + warning_list(warnings) + "\n}\n";
 }
 
-std::string stats_as_json(const ModelReport& r, const RunTimes& t, int width, int height, const Warnings& warnings) {
+std::string stats_as_json(const ModelReport& r, const RunTimes& t, int width, int height,
+                          const Warnings& warnings) {
   const auto milliseconds = [](const char* name, double seconds) {
     char text[80];
     std::snprintf(text, sizeof text, "    \"%s\": %.3f,\n", name, seconds * 1000);
@@ -89,9 +92,9 @@ std::string stats_as_json(const ModelReport& r, const RunTimes& t, int width, in
                       milliseconds("resolve", t.resolve) + milliseconds("write", t.write) +
                       milliseconds("total", t.total) + milliseconds("cpu", t.cpu);
   times.erase(times.size() - 2, 1); // the last comma
-  return "{\n" + counts(r) + "  \"width\": " + std::to_string(width) + ",\n  \"height\": " + std::to_string(height) +
-         ",\n  \"milliseconds\": {\n" + times + "  },\n  \"peak_kib\": " + std::to_string(t.peak_kib) + ",\n" +
-         warning_list(warnings) + "\n}\n";
+  return "{\n" + counts(r) + "  \"width\": " + std::to_string(width) +
+         ",\n  \"height\": " + std::to_string(height) + ",\n  \"milliseconds\": {\n" + times +
+         "  },\n  \"peak_kib\": " + std::to_string(t.peak_kib) + ",\n" + warning_list(warnings) + "\n}\n";
 }
 
 } // namespace softgl::cli

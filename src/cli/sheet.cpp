@@ -32,7 +32,8 @@ struct DestroyContext {
 class TextDrawer {
 public:
   void draw(int x, int y, int scale, std::string text) {
-    vertices.resize(std::max<size_t>(vertices.size(), 4 * 70 * (text.size() + 1))); // at most 70 quadrilaterals a letter
+    vertices.resize(
+        std::max<size_t>(vertices.size(), 4 * 70 * (text.size() + 1))); // at most 70 quadrilaterals a letter
     const int quads = stb_easy_font_print(0, 0, text.data(), nullptr, vertices.data(),
                                           static_cast<int>(vertices.size() * sizeof(Vertex)));
     glLoadIdentity();
@@ -55,7 +56,8 @@ private:
 std::string printable(const std::string& text) {
   std::string out;
   for (const char c : text) {
-    const bool ascii = (c >= ' ' && c <= '~') || c == '\n', continued = (static_cast<unsigned char>(c) & 0xc0) == 0x80;
+    const bool ascii = (c >= ' ' && c <= '~') || c == '\n',
+               continued = (static_cast<unsigned char>(c) & 0xc0) == 0x80;
     if (!continued) out += ascii ? c : '?';
   }
   return out;
@@ -63,7 +65,8 @@ std::string printable(const std::string& text) {
 
 class SheetComposer {
 public:
-  SheetComposer(const std::string& title, const std::vector<SheetRow>& rows) : title(printable(title)), rows(rows) {}
+  SheetComposer(const std::string& title, const std::vector<SheetRow>& rows)
+      : title(printable(title)), rows(rows) {}
 
   Picture compose() {
     measure();
@@ -104,16 +107,20 @@ private:
     width = kGap + static_cast<int>(columns) * (column_width + kGap);
     // A long title has smaller letters; one that is too long even so, loses its end.
     const int room = width - 2 * kGap;
-    for (size_t length = title.size(); stb_easy_font_width(title.data()) > room && length > 0; --length) title = title.substr(0, length - 1) + "...";
+    for (size_t length = title.size(); stb_easy_font_width(title.data()) > room && length > 0; --length)
+      title = title.substr(0, length - 1) + "...";
     title_letter = std::clamp(room / std::max(1, stb_easy_font_width(title.data())), 1, 3 * letter);
     height = sheet_title + static_cast<int>(rows.size()) * (row_title + part_height + label);
   }
 
   int left(size_t column) const { return kGap + static_cast<int>(column) * (column_width + kGap); }
-  int top(size_t row) const { return sheet_title + static_cast<int>(row) * (row_title + part_height + label); }
+  int top(size_t row) const {
+    return sheet_title + static_cast<int>(row) * (row_title + part_height + label);
+  }
 
   void draw_text(GrowingArray<uint8_t>& pixels) const {
-    const std::unique_ptr<osmesa_context, DestroyContext> context(OSMesaCreateContextExt(OSMESA_RGBA, 0, 0, 0, nullptr));
+    const std::unique_ptr<osmesa_context, DestroyContext> context(
+        OSMesaCreateContextExt(OSMESA_RGBA, 0, 0, 0, nullptr));
     if (!context || !OSMesaMakeCurrent(context.get(), pixels.data(), GL_UNSIGNED_BYTE, width, height))
       throw ProgramError(kCannotRead, "cannot create a GL context");
     OSMesaPixelStore(OSMESA_Y_UP, 0);
@@ -130,7 +137,8 @@ private:
       text.draw(kGap, top(row) + kGap / 2, 2 * letter, rows[row].title);
       glColor3f(0.3f, 0.3f, 0.3f);
       for (size_t column = 0; column < rows[row].entries.size(); ++column)
-        text.draw(left(column), top(row) + row_title + part_height + kGap / 3, letter, rows[row].entries[column].label);
+        text.draw(left(column), top(row) + row_title + part_height + kGap / 3, letter,
+                  rows[row].entries[column].label);
     }
     glFinish();
     OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
@@ -139,15 +147,17 @@ private:
   void place(const Picture& picture, int x, int y, GrowingArray<uint8_t>& pixels) const {
     const uint8_t* from = picture.pixels.data();
     for (int row = 0; row < picture.height; ++row) {
-      uint8_t* to = &pixels[4 * (static_cast<size_t>(y + row) * static_cast<size_t>(width) + static_cast<size_t>(x))];
-      for (int column = 0; column < picture.width; ++column, from += 3, to += 4) std::copy(from, from + 3, to);
+      uint8_t* to =
+          &pixels[4 * (static_cast<size_t>(y + row) * static_cast<size_t>(width) + static_cast<size_t>(x))];
+      for (int column = 0; column < picture.width; ++column, from += 3, to += 4)
+        std::copy(from, from + 3, to);
     }
   }
 
   std::string title;
   const std::vector<SheetRow>& rows;
   int part_width = 0, part_height = 0, column_width = 0, width = 0, height = 0;
-  int letter = 1, title_letter = 1;            // size of the labels' letters; titles are twice and three times as large
+  int letter = 1, title_letter = 1; // size of the labels' letters; titles are twice and three times as large
   int label = 0, row_title = 0, sheet_title = 0; // heights
 };
 

@@ -9,7 +9,7 @@
 namespace softgl::cli {
 
 struct SheetEntry {
-  Picture picture; // RGB, all of one size
+  Picture picture;   // RGB, all of one size
   std::string label; // ASCII, one line or two
 };
 
@@ -18,7 +18,8 @@ struct SheetRow {
   std::vector<SheetEntry> entries;
 };
 
-// At least one row with an entry; `title` is UTF-8, one line. Throws ProgramError if GL cannot draw a sheet of that size.
+// At least one row with an entry; `title` is UTF-8, one line. Throws ProgramError if GL cannot draw a sheet
+// of that size.
 Picture compose_sheet(const std::string& title, const std::vector<SheetRow>& rows);
 
 } // namespace softgl::cli

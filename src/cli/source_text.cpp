@@ -60,7 +60,8 @@ SourceText SourceText::open(const std::string& path) {
   // A page of zeros after the file, so that a scanner stops without looking at the end.
   const size_t page = static_cast<size_t>(::sysconf(_SC_PAGESIZE));
   const size_t mapping_size = (size / page + 2) * page;
-  void* mapping = ::mmap(nullptr, mapping_size, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  void* mapping =
+      ::mmap(nullptr, mapping_size, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (mapping == MAP_FAILED) throw ProgramError(kCannotRead, path + ": cannot map: " + std::strerror(errno));
   if (::mmap(mapping, size, PROT_READ, MAP_PRIVATE | MAP_FIXED, file.value, 0) == MAP_FAILED) {
     ::munmap(mapping, mapping_size);

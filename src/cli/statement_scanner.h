@@ -11,7 +11,7 @@
 namespace softgl::cli {
 
 struct StatementScanner {
-  const char* p;                   // the text ends with a zero byte behind `end`
+  const char* p; // the text ends with a zero byte behind `end`
   const char* end;
   const char* statement = nullptr; // where the present one begins, for messages
 
@@ -45,7 +45,8 @@ struct StatementScanner {
     const auto rest = static_cast<size_t>(end - p);
     const char* line_feed = static_cast<const char*>(std::memchr(p, '\n', rest));
     const char* limit = line_feed ? line_feed : end;
-    if (const auto* carriage_return = static_cast<const char*>(std::memchr(p, '\r', static_cast<size_t>(limit - p))))
+    if (const auto* carriage_return =
+            static_cast<const char*>(std::memchr(p, '\r', static_cast<size_t>(limit - p))))
       limit = carriage_return;
     p = limit;
     if (p < end) ++p;

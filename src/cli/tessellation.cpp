@@ -20,7 +20,8 @@ void append_normalized(GrowingArray<float>& normals, const float* a, const float
 
 void append_mean(GrowingArray<float>& values, size_t components, uint32_t a, uint32_t b) {
   if (values.empty()) return;
-  for (size_t i = 0; i < components; ++i) values.append(0.5f * (values[components * a + i] + values[components * b + i]));
+  for (size_t i = 0; i < components; ++i)
+    values.append(0.5f * (values[components * a + i] + values[components * b + i]));
 }
 
 // The vertices in the middle of edges; neighbouring triangles share them.
@@ -55,14 +56,17 @@ Mesh sphere_mesh(int slices) {
     const double latitude = 180.0 * stack / stacks;
     for (int slice = 0; slice < slices; ++slice) {
       const double longitude = 360.0 * slice / slices;
-      const double place[3] = {sine(latitude) * sine(longitude), cosine(latitude), sine(latitude) * cosine(longitude)};
+      const double place[3] = {sine(latitude) * sine(longitude), cosine(latitude),
+                               sine(latitude) * cosine(longitude)};
       for (const double value : place) {
         mesh.positions.append(static_cast<float>(value));
         mesh.normals.append(static_cast<float>(value));
       }
     }
   }
-  const auto vertex = [slices](int stack, int slice) { return static_cast<uint32_t>(stack * slices + slice % slices); };
+  const auto vertex = [slices](int stack, int slice) {
+    return static_cast<uint32_t>(stack * slices + slice % slices);
+  };
   for (int stack = 0; stack < stacks; ++stack)
     for (int slice = 0; slice < slices; ++slice) {
       const uint32_t below = vertex(stack + 1, slice), right = vertex(stack, slice + 1);

@@ -86,8 +86,8 @@ bool load_texture(const Material& material, TextureImage& image, std::string& pr
         const auto ox = static_cast<size_t>(int64_t(x) * opacity.width / colour.width);
         const auto oy = static_cast<size_t>(int64_t(y) * opacity.height / colour.height);
         const uint8_t* p = opacity.pixels.get() + 4 * (oy * static_cast<size_t>(opacity.width) + ox);
-        texels[4 * (static_cast<size_t>(y) * static_cast<size_t>(colour.width) + static_cast<size_t>(x)) + 3] =
-            has_alpha ? p[3] : p[0];
+        texels[4 * (static_cast<size_t>(y) * static_cast<size_t>(colour.width) + static_cast<size_t>(x)) +
+               3] = has_alpha ? p[3] : p[0];
       }
   }
   bool opaque = true;
@@ -134,16 +134,21 @@ void fit_texture(TextureImage& image, int largest, bool power_of_two) {
   GrowingArray<uint8_t> stretched;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      const double fx = std::max(0.0, (x + 0.5) * image.width / width - 0.5), fy = std::max(0.0, (y + 0.5) * image.height / height - 0.5);
+      const double fx = std::max(0.0, (x + 0.5) * image.width / width - 0.5),
+                   fy = std::max(0.0, (y + 0.5) * image.height / height - 0.5);
       const int x0 = static_cast<int>(fx), y0 = static_cast<int>(fy);
       const int x1 = std::min(x0 + 1, image.width - 1), y1 = std::min(y0 + 1, image.height - 1);
       const double ax = fx - x0, ay = fy - y0;
       const auto texel = [&](int sx, int sy, size_t c) {
-        return static_cast<double>(image.texels[(static_cast<size_t>(sy) * static_cast<size_t>(image.width) + static_cast<size_t>(sx)) * channels + c]);
+        return static_cast<double>(image.texels[(static_cast<size_t>(sy) * static_cast<size_t>(image.width) +
+                                                 static_cast<size_t>(sx)) *
+                                                    channels +
+                                                c]);
       };
       for (size_t c = 0; c < channels; ++c)
-        stretched.append(static_cast<uint8_t>((texel(x0, y0, c) * (1 - ax) + texel(x1, y0, c) * ax) * (1 - ay) +
-                                              (texel(x0, y1, c) * (1 - ax) + texel(x1, y1, c) * ax) * ay + 0.5));
+        stretched.append(
+            static_cast<uint8_t>((texel(x0, y0, c) * (1 - ax) + texel(x1, y0, c) * ax) * (1 - ay) +
+                                 (texel(x0, y1, c) * (1 - ax) + texel(x1, y1, c) * ax) * ay + 0.5));
     }
   image.texels = std::move(stretched);
   image.width = width;

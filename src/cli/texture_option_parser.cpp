@@ -30,7 +30,8 @@ struct Words {
     if (word.empty()) return false;
     const char* cursor = word.c_str();
     float read;
-    if (!read_number(cursor, read) || cursor != word.c_str() + word.size() || !std::isfinite(read)) return false;
+    if (!read_number(cursor, read) || cursor != word.c_str() + word.size() || !std::isfinite(read))
+      return false;
     value = read;
     take();
     return true;

@@ -9,8 +9,8 @@
 namespace softgl::cli {
 
 struct MapStatement {
-  TextureReference texture;   // file empty: not found
-  std::string wanted;         // the name as far as it could be understood, for a message
+  TextureReference texture; // file empty: not found
+  std::string wanted;       // the name as far as it could be understood, for a message
 };
 
 // Options first; what is left is tried as a name, then from each later word on, since names may hold spaces.

@@ -1,5 +1,5 @@
-// Sine and cosine of angles in degrees, the same on every machine: C libraries differ in the last bit, and a camera
-// that differs in the last bit can change pixels.
+// Sine and cosine of angles in degrees, the same on every machine: C libraries differ in the last bit, and a
+// camera that differs in the last bit can change pixels.
 #pragma once
 
 namespace softgl::cli {

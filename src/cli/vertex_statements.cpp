@@ -54,7 +54,8 @@ void VertexStatements::position() {
   // 4 numbers: x y z w (w matters to free-form geometry only); 6: x y z r g b; 7: x y z r g b a.
   const bool coloured = (count == 6 || count == 7) && !bad;
   if (!coloured && out.colours.empty()) return;
-  if (out.colours.empty()) out.colours.fill(out.positions.size() - 3, std::numeric_limits<float>::quiet_NaN());
+  if (out.colours.empty())
+    out.colours.fill(out.positions.size() - 3, std::numeric_limits<float>::quiet_NaN());
   float* rgb = out.colours.extend(3);
   for (int i = 0; i < 3; ++i)
     rgb[i] = coloured ? static_cast<float>(values[3 + i]) : std::numeric_limits<float>::quiet_NaN();

@@ -12,14 +12,15 @@
 
 namespace softgl::cli {
 
-// A remark while its place is still a position in the text. `kind` groups remarks: of each kind the first few are
-// shown one by one, the rest as a number.
+// A remark while its place is still a position in the text. `kind` groups remarks: of each kind the first few
+// are shown one by one, the rest as a number.
 class RemarkList {
 public:
   static constexpr size_t kShownPerKind = 3;
   static constexpr size_t kMaxKinds = 100;
 
-  // Counts a remark; true if the caller should add its text with `describe` (so that a million bad lines cost no text).
+  // Counts a remark; true if the caller should add its text with `describe` (so that a million bad lines cost
+  // no text).
   bool count(std::string_view kind);
   void describe(std::string_view kind, const char* at, std::string text);
   void add(std::string_view kind, const char* at, std::string text) {

@@ -101,7 +101,7 @@ const FragmentProgram* make_fragment_program(Context& context, Arena& arena, con
   const bool separate = s.lighting.enabled && s.lighting.color_control == GL_SEPARATE_SPECULAR_COLOR;
   key.color_sum = separate || (!s.lighting.enabled && s.fog.color_sum);
   key.lit = !image && lights_fragments(s.lighting, context.smooth_is_phong); // a raster position has been lit
-  key.secondary = key.color_sum && !key.lit; // lit fragments make their own
+  key.secondary = key.color_sum && !key.lit;                                 // lit fragments make their own
   set_fog(s.fog, key, k);
 
   key.alpha_function = uint64_t(Compare::Always);
@@ -158,7 +158,8 @@ const FragmentProgram* make_fragment_program(Context& context, Arena& arena, con
   return &program;
 }
 
-const FragmentProgram* make_stencil_program(Context& context, Arena& arena, const PixelImage& image, uint8_t value) {
+const FragmentProgram* make_stencil_program(Context& context, Arena& arena, const PixelImage& image,
+                                            uint8_t value) {
   const Surface& surface = context.framebuffer.surface;
   auto& k = *arena.make<FragmentConstants>();
   auto& program = *arena.make<FragmentProgram>();

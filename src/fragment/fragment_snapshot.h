@@ -9,11 +9,14 @@ namespace softgl {
 struct Context;
 struct PixelImage; // pixel_image.h
 
-/// The program that the context's state asks for, in `arena`. `key` tells which inputs the vertices must carry:
-/// secondary colour, fog coordinate and the texture coordinates of the units in texture_units.
+/// The program that the context's state asks for, in `arena`. `key` tells which inputs the vertices must
+/// carry: secondary colour, fog coordinate and the texture coordinates of the units in texture_units.
 /// `image`: of a pixel rectangle, whose fragments have been lit.
-const FragmentProgram* make_fragment_program(Context& context, Arena& arena, const PixelImage* image = nullptr);
-/// Sets the stencil values of an image's bits to `value`, under the mask, whatever the tests are (GL 1.5, 3.6.4, 4.3.3).
-const FragmentProgram* make_stencil_program(Context& context, Arena& arena, const PixelImage& image, uint8_t value);
+const FragmentProgram* make_fragment_program(Context& context, Arena& arena,
+                                             const PixelImage* image = nullptr);
+/// Sets the stencil values of an image's bits to `value`, under the mask, whatever the tests are
+/// (GL 1.5, 3.6.4, 4.3.3).
+const FragmentProgram* make_stencil_program(Context& context, Arena& arena, const PixelImage& image,
+                                            uint8_t value);
 
 } // namespace softgl

@@ -15,7 +15,8 @@ void append_fragment_stages(FragmentProgram& program) {
   case FogMode::Exp2: program.add(k.fog_exp2); break;
   }
   if (static_cast<Compare>(key.alpha_function) != Compare::Always)
-    program.add(static_cast<ColorFormat>(key.color_format) == ColorFormat::Rgba8 ? k.alpha_test_8 : k.alpha_test_float,
+    program.add(static_cast<ColorFormat>(key.color_format) == ColorFormat::Rgba8 ? k.alpha_test_8
+                                                                                 : k.alpha_test_float,
                 static_cast<int32_t>(key.alpha_function));
 }
 

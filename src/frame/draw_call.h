@@ -14,31 +14,33 @@ struct VertexSource {
   AttributeStream stream[kAttributeSlots];
 };
 
-/// One primitive (what stands between Begin and End, or one DrawArrays): count elements from element `first`. An
-/// element is an index into the source, or into `indices` of the call where there are indices.
+/// One primitive (what stands between Begin and End, or one DrawArrays): count elements from element `first`.
+/// An element is an index into the source, or into `indices` of the call where there are indices.
 struct PrimitiveRange {
   GLenum mode;
   uint32_t first, count;
-  // A primitive too large for one run is continued in the next call; the line stipple and the closing edge of a loop
-  // depend on it.
+  // A primitive too large for one run is continued in the next call; the line stipple and the closing edge of
+  // a loop depend on it.
   bool begins = true, ends = true;
 };
 
-/// A draw. All memory it points to must stay unchanged until the frame is flushed: it lies in the frame's arena, or in
-/// an object that the frame retains.
+/// A draw. All memory it points to must stay unchanged until the frame is flushed: it lies in the frame's
+/// arena, or in an object that the frame retains.
 struct DrawCall {
   const VertexSource* source = nullptr;
-  const Vec4* constant = nullptr; // [kMaterial0]: the values of the slots below kMaterial0 that have no stream. A
-                                  // material slot without a stream has the value of State::current at submit().
+  const Vec4* constant =
+      nullptr; // [kMaterial0]: the values of the slots below kMaterial0 that have no stream. A
+               // material slot without a stream has the value of State::current at submit().
   const PrimitiveRange* primitives = nullptr;
   uint32_t primitive_count = 0;
-  const void* indices = nullptr;      // null: elements are vertex numbers
+  const void* indices = nullptr;       // null: elements are vertex numbers
   GLenum index_type = GL_UNSIGNED_INT; // GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT or GL_UNSIGNED_INT
-  uint32_t first_vertex = 0, vertex_count = 0; // every vertex used lies in [first_vertex, first_vertex + vertex_count)
+  uint32_t first_vertex = 0,
+           vertex_count = 0; // every vertex used lies in [first_vertex, first_vertex + vertex_count)
 };
 
-/// Draws with the context's present state (defined in geometry/draw_record.cpp). May flush the frame when its memory
-/// is over budget, so pointers into the frame's arena are dead after the call.
+/// Draws with the context's present state (defined in geometry/draw_record.cpp). May flush the frame when its
+/// memory is over budget, so pointers into the frame's arena are dead after the call.
 void submit(Context& context, const DrawCall& call);
 
 struct PixelImage; // pixel_image.h
@@ -48,8 +50,8 @@ struct WindowBox {
   int32_t x0, y0, x1, y1;
 };
 
-/// Draws a rectangle of pixels whose fragments have the raster position's attributes, but for what the image gives them.
-/// The image lies in the frame's arena. May flush the frame as submit() does.
+/// Draws a rectangle of pixels whose fragments have the raster position's attributes, but for what the image
+/// gives them. The image lies in the frame's arena. May flush the frame as submit() does.
 void submit_pixels(Context& context, const PixelImage& image, const WindowBox& box);
 /// Sets stencil values: those of the bits that are set.
 void submit_stencil(Context& context, const PixelImage& image, uint8_t value, const WindowBox& box);

@@ -1,4 +1,5 @@
-// An immutable draw: the call and pointers to snapshots of the state it needs. Nothing behind submit() sees Context.
+// An immutable draw: the call and pointers to snapshots of the state it needs. Nothing behind submit() sees
+// Context.
 #pragma once
 
 #include "draw_call.h"
@@ -6,7 +7,8 @@
 
 namespace softgl {
 
-struct VertexProgram;   // geometry/vertex_program.h: key, constants and stages from eye space to shaded vertices
+struct VertexProgram;   // geometry/vertex_program.h: key, constants and stages from eye space to shaded
+                        // vertices
 struct RasterConstants; // shaders/raster_constants.h: culling, offset, scissor, sizes
 struct FragmentProgram; // shaders/fragment_program.h: key, constants and stages of the fragments
 
@@ -22,7 +24,8 @@ struct DrawRecord {
   const VertexProgram* vertex;
   const RasterConstants* raster;
   const FragmentProgram* fragment;
-  const PixelRectangle* rectangle = nullptr; // in place of the call's primitives; then there is no vertex program
+  const PixelRectangle* rectangle =
+      nullptr; // in place of the call's primitives; then there is no vertex program
 };
 
 } // namespace softgl

@@ -15,19 +15,21 @@ namespace softgl {
 
 namespace {
 
-// Work is cut by these constants only, never by the number of threads, so that bins and bits do not depend on it.
-constexpr uint32_t kUnitSteps = 2048;         // assembly steps (or vertices) of a unit
-constexpr uint32_t kShadeChunk = 2048;        // vertices shaded at a time; a multiple of 64
-constexpr uint32_t kSmallDraw = 1024;         // draws of up to so many steps and vertices are shaded inside their unit
-// Steps whose bins are in memory at the same time. The first frames have little memory, which takes longer to come than
-// the waits for each other at the end of a round; later ones have it.
+// Work is cut by these constants only, never by the number of threads, so that bins and bits do not depend on
+// it.
+constexpr uint32_t kUnitSteps = 2048;  // assembly steps (or vertices) of a unit
+constexpr uint32_t kShadeChunk = 2048; // vertices shaded at a time; a multiple of 64
+constexpr uint32_t kSmallDraw =
+    1024; // draws of up to so many steps and vertices are shaded inside their unit
+// Steps whose bins are in memory at the same time. The first frames have little memory, which takes longer to
+// come than the waits for each other at the end of a round; later ones have it.
 constexpr uint32_t kFirstRoundSteps = 1u << 14, kRoundSteps = 1u << 19;
 
 /// A part of a draw: steps of one primitive, or the whole draw when it is small.
 struct Piece {
   const DrawRecord* draw;
   const RasterDraw* raster;
-  const ShadedVertices* vertices; // null: they are shaded with the piece
+  const ShadedVertices* vertices;   // null: they are shaded with the piece
   uint32_t primitive, first, count; // count 0: the whole draw
 };
 
@@ -46,27 +48,29 @@ struct Unit {
   uint32_t touched_count = 0;
 };
 
-/// True when steps read neighbouring vertices, each few times: then those of a piece are shaded with it, which saves
-/// writing and reading all of them (262,144 immediate triangles: 67 MB instead of 103, 3 to 7 % of the time).
+/// True when steps read neighbouring vertices, each few times: then those of a piece are shaded with it,
+/// which saves writing and reading all of them (262,144 immediate triangles: 67 MB instead of 103, 3 to 7 %
+/// of the time).
 bool reads_in_order(const DrawRecord& draw) {
   const DrawCall& call = draw.call;
   if (call.indices || draw.vertex->line_stipple) return false; // the stipple counts the lines in front
-  return std::all_of(call.primitives, call.primitives + call.primitive_count,
-                     [](const PrimitiveRange& p) { return assembly_steps(p) == 0 || elements_of_steps(p, 0, 1).count > 0; });
+  return std::all_of(call.primitives, call.primitives + call.primitive_count, [](const PrimitiveRange& p) {
+    return assembly_steps(p) == 0 || elements_of_steps(p, 0, 1).count > 0;
+  });
 }
 
 } // namespace
 
 struct Frame::Workers {
-  /// Zeros at first, which the blocks rely on: fresh pages are, and nothing is written here before a worker needs it, for
-  /// the thread that brings them in is another one.
+  /// Zeros at first, which the blocks rely on: fresh pages are, and nothing is written here before a worker
+  /// needs it, for the thread that brings them in is another one.
   struct Scratch {
     BinnerScratch binner;
     FragmentBlock block;
   };
   struct Worker {
     Scratch* scratch;
-    Arena arena; // begins in what is left of the worker's memory
+    Arena arena;      // begins in what is left of the worker's memory
     Arena vertices{}; // of pieces
     TileLists lists{};
     explicit Worker(Pages memory) : scratch(new (memory.memory) Scratch) {
@@ -81,7 +85,9 @@ struct Frame::Workers {
 
   Workers() = default;
   Workers(const Workers&) = delete;
-  ~Workers() { for (const Pages& m : memory) unmap_pages(m.memory, m.bytes); }
+  ~Workers() {
+    for (const Pages& m : memory) unmap_pages(m.memory, m.bytes);
+  }
 
   /// Makes workers up to `count`, the new ones with so much memory each, all of it in one piece.
   void make(int count, size_t bytes) {
@@ -93,7 +99,8 @@ struct Frame::Workers {
     if (!all.memory) throw std::bad_alloc();
     memory.push_back(all);
     auto* next = static_cast<unsigned char*>(all.memory);
-    for (int i = first; i < count; ++i, next += bytes) worker[i] = std::make_unique<Worker>(Pages{next, bytes});
+    for (int i = first; i < count; ++i, next += bytes)
+      worker[i] = std::make_unique<Worker>(Pages{next, bytes});
   }
 };
 
@@ -101,7 +108,8 @@ struct Frame::Workers {
 class FrameWork {
 public:
   FrameWork(Frame& frame, const Surface& surface, const TileReader* reader)
-      : frame_(frame), surface_(surface), reader_(reader), tiles_(size_t(surface.tiles_x) * size_t(surface.tiles_y)), head_(tiles_), tail_(tiles_) {}
+      : frame_(frame), surface_(surface), reader_(reader),
+        tiles_(size_t(surface.tiles_x) * size_t(surface.tiles_y)), head_(tiles_), tail_(tiles_) {}
 
   void run() {
     for (const Frame::Item& item : frame_.items_) {
@@ -147,7 +155,8 @@ private:
     if (!reads_in_order(draw)) {
       vertices = allocate_vertices(draw, call.first_vertex, call.vertex_count, frame_.arena_);
       for (uint32_t first = 0; first < call.vertex_count; first += kShadeChunk)
-        shade_.push_back({&draw, vertices, call.first_vertex + first, std::min(kShadeChunk, call.vertex_count - first)});
+        shade_.push_back(
+            {&draw, vertices, call.first_vertex + first, std::min(kShadeChunk, call.vertex_count - first)});
     }
     for (uint32_t i = 0; i < call.primitive_count; ++i) {
       const uint32_t count = assembly_steps(call.primitives[i]);
@@ -234,10 +243,12 @@ private:
       const Arena::Mark mark = worker.vertices.mark();
       const ShadedVertices* vertices = piece.vertices ? piece.vertices : shade_piece(piece, worker.vertices);
       if (piece.count) {
-        assemble(*piece.draw, *vertices, call.primitives[piece.primitive], piece.first, piece.count, worker.arena, binner);
+        assemble(*piece.draw, *vertices, call.primitives[piece.primitive], piece.first, piece.count,
+                 worker.arena, binner);
       } else {
         for (uint32_t k = 0; k < call.primitive_count; ++k)
-          assemble(*piece.draw, *vertices, call.primitives[k], 0, assembly_steps(call.primitives[k]), worker.arena, binner);
+          assemble(*piece.draw, *vertices, call.primitives[k], 0, assembly_steps(call.primitives[k]),
+                   worker.arena, binner);
       }
       if (!binner.keeps_vertices()) worker.vertices.rewind(mark); // the next piece's stay in the cache
     }
@@ -255,13 +266,16 @@ private:
         join_clear(unit);
         continue;
       }
-      for (uint32_t i = 0; i < unit.touched_count; ++i) link(unit.touched[i].tile, unit.touched[i].first, unit.touched[i].last);
+      for (uint32_t i = 0; i < unit.touched_count; ++i)
+        link(unit.touched[i].tile, unit.touched[i].first, unit.touched[i].last);
     }
   }
 
   void link(uint32_t tile, TileChunk* first, TileChunk* last) {
-    if (head_[tile]) tail_[tile]->next = first;
-    else head_[tile] = first, busy_.push_back(tile);
+    if (head_[tile])
+      tail_[tile]->next = first;
+    else
+      head_[tile] = first, busy_.push_back(tile);
     tail_[tile] = last;
   }
 
@@ -271,7 +285,8 @@ private:
     for (int32_t ty = c.y0 >> 6; ty <= (c.y1 - 1) >> 6; ++ty)
       for (int32_t tx = c.x0 >> 6; tx <= (c.x1 - 1) >> 6; ++tx) {
         const auto tile = static_cast<uint32_t>(ty * surface_.tiles_x + tx);
-        auto* chunk = static_cast<TileChunk*>(frame_.arena_.allocate(sizeof(TileChunk) + sizeof(TileSegment)));
+        auto* chunk =
+            static_cast<TileChunk*>(frame_.arena_.allocate(sizeof(TileChunk) + sizeof(TileSegment)));
         *chunk = {nullptr, sizeof(TileSegment), 0};
         auto* segment = new (chunk + 1) TileSegment;
         segment->kind = TileSegment::Clear;
@@ -304,8 +319,9 @@ Frame::Frame() : most_round_steps_(kFirstRoundSteps) {}
 Frame::~Frame() = default;
 
 void Frame::prepare(std::vector<Pages>& pages) {
-  // 70,000 triangles of a mesh make 1.2 MB of vertices, and in lists, where each takes 32 bytes for every tile it touches,
-  // 0.8 MB for each of two workers in the first frame's rounds. More would be made zero for nothing.
+  // 70,000 triangles of a mesh make 1.2 MB of vertices, and in lists, where each takes 32 bytes for every
+  // tile it touches, 0.8 MB for each of two workers in the first frame's rounds. More would be made zero for
+  // nothing.
   static_assert(sizeof(Workers::Scratch) < kHugePage / 8);
   make_workers(kHugePage / 2);
   const Pages& memory = workers_->memory.front();
@@ -317,7 +333,8 @@ void Frame::prepare(std::vector<Pages>& pages) {
 void Frame::make_workers(size_t bytes) {
   if (!workers_) workers_ = std::make_unique<Workers>();
   // No allocation inside the workers.
-  workers_->make(ThreadPool::instance().workers(), std::max(bytes, (sizeof(Workers::Scratch) + 63) & ~size_t(63)));
+  workers_->make(ThreadPool::instance().workers(),
+                 std::max(bytes, (sizeof(Workers::Scratch) + 63) & ~size_t(63)));
 }
 
 void Frame::flush(const Surface& surface, const TileReader* reader) {
@@ -335,8 +352,11 @@ void Frame::flush(const Surface& surface, const TileReader* reader) {
 }
 
 size_t Frame::abandoned_bytes() {
-  std::sort(retained_.begin(), retained_.end(), [](const Retained& a, const Retained& b) { return a.object < b.object; });
-  retained_.erase(std::unique(retained_.begin(), retained_.end(), [](const Retained& a, const Retained& b) { return a.object == b.object; }), retained_.end());
+  std::sort(retained_.begin(), retained_.end(),
+            [](const Retained& a, const Retained& b) { return a.object < b.object; });
+  retained_.erase(std::unique(retained_.begin(), retained_.end(),
+                              [](const Retained& a, const Retained& b) { return a.object == b.object; }),
+                  retained_.end());
   size_t abandoned = 0, kept = 0;
   for (const Retained& r : retained_) (r.object.use_count() == 1 ? abandoned : kept) += r.bytes;
   retained_bytes_ = abandoned + kept;

@@ -11,8 +11,8 @@
 
 namespace softgl {
 
-/// A glClear in the order of the frame. Values are already the numbers that the surface's format stores (colours: 0-255,
-/// 0-65535, 5-6-5 bits or the floats themselves).
+/// A glClear in the order of the frame. Values are already the numbers that the surface's format stores
+/// (colours: 0-255, 0-65535, 5-6-5 bits or the floats themselves).
 struct ClearRecord {
   bool color, depth, stencil;
   bool color_mask[4];
@@ -34,7 +34,8 @@ public:
   ~Frame();
   /// Memory for everything that draws of this frame point to. Freed by flush().
   Arena& arena() { return arena_; }
-  /// Keeps an object (buffer storage, texture image, display list run) of so many bytes alive and unchanged until the flush.
+  /// Keeps an object (buffer storage, texture image, display list run) of so many bytes alive and unchanged
+  /// until the flush.
   void retain(std::shared_ptr<const void> object, size_t bytes) {
     retained_.push_back({std::move(object), bytes});
     retained_bytes_ += bytes;
@@ -43,14 +44,20 @@ public:
   void append(const DrawRecord* draw) { items_.push_back({draw, nullptr}); }
   void append(const ClearRecord* clear) { items_.push_back({nullptr, clear}); }
   bool empty() const { return items_.empty(); }
-  struct Item { const DrawRecord* draw; const ClearRecord* clear; }; // one of the two
+  struct Item {
+    const DrawRecord* draw;
+    const ClearRecord* clear;
+  }; // one of the two
   const std::vector<Item>& items() const { return items_; }
   /// True when so much memory is in use that the owner should flush before more work is added.
-  bool over_budget() { return arena_.used() > kBudgetBytes || (retained_bytes_ > next_count_ && abandoned_bytes() > kBudgetBytes); }
+  bool over_budget() {
+    return arena_.used() > kBudgetBytes ||
+           (retained_bytes_ > next_count_ && abandoned_bytes() > kBudgetBytes);
+  }
   /// Appends the memory that frames of some size will write first, to be brought in early.
   void prepare(std::vector<Pages>& pages);
-  /// Does all work on `surface` with all threads and forgets it; snapshots taken from State must be taken anew after
-  /// it (kDirtyAll). Same bytes for any number of threads.
+  /// Does all work on `surface` with all threads and forgets it; snapshots taken from State must be taken
+  /// anew after it (kDirtyAll). Same bytes for any number of threads.
   void flush(const Surface& surface, const TileReader* reader = nullptr);
 
 private:
@@ -62,14 +69,15 @@ private:
     size_t bytes;
   };
   std::vector<Retained> retained_;
-  size_t retained_bytes_ = 0;          // an object counts as often as it was retained
-  size_t next_count_ = kBudgetBytes;   // retained_bytes_ at which the abandoned ones are counted
-  /// The bytes of objects that only this frame still holds: textures and buffers that were deleted or specified anew.
+  size_t retained_bytes_ = 0;        // an object counts as often as it was retained
+  size_t next_count_ = kBudgetBytes; // retained_bytes_ at which the abandoned ones are counted
+  /// The bytes of objects that only this frame still holds: textures and buffers that were deleted or
+  /// specified anew.
   size_t abandoned_bytes();
   std::vector<Item> items_;
   uint32_t most_round_steps_;
   void make_workers(size_t bytes); // of scratch memory for each new one, at least
-  struct Workers; // memory of the workers, kept from flush to flush
+  struct Workers;                  // memory of the workers, kept from flush to flush
   std::unique_ptr<Workers> workers_;
 };
 

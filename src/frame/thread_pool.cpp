@@ -51,15 +51,19 @@ struct ThreadPool::State {
   int caller_processor = -1;      // where no thread runs; guarded by owner
   cpu_set_t elsewhere{};          // where they may; empty: anywhere
 
-  // The run under way; written under mutex. Workers join while it is open; one that wakes too late is not waited for.
+  // The run under way; written under mutex. Workers join while it is open; one that wakes too late is not
+  // waited for.
   std::atomic<uint64_t> generation{0};
   bool open = false;
   int wanted = 0;             // workers of this run, the caller included
   std::atomic<int> active{0}; // threads that have joined and not finished
   Call call = nullptr;
   void* object = nullptr;
-  /// Indices that nobody has taken yet: the first one in the lower half, the one behind the last in the upper half.
-  struct alignas(64) Share { std::atomic<uint64_t> rest{0}; };
+  /// Indices that nobody has taken yet: the first one in the lower half, the one behind the last in the upper
+  /// half.
+  struct alignas(64) Share {
+    std::atomic<uint64_t> rest{0};
+  };
   Share share[kMaxWorkers];
   std::exception_ptr failure;
   std::vector<Pages> pages; // to be brought in; guarded by mutex
@@ -74,7 +78,9 @@ struct ThreadPool::State {
     for (;;) {
       const uint64_t first = r & 0xffffffff, end = r >> 32;
       if (first >= end) return kNone;
-      if (rest.compare_exchange_weak(r, last ? range(first, end - 1) : range(first + 1, end), std::memory_order_relaxed)) return last ? end - 1 : first;
+      if (rest.compare_exchange_weak(r, last ? range(first, end - 1) : range(first + 1, end),
+                                     std::memory_order_relaxed))
+        return last ? end - 1 : first;
     }
   }
 
@@ -105,12 +111,15 @@ struct ThreadPool::State {
       {
         std::unique_lock lock(mutex);
         wake.wait(lock, [&] { return generation.load(std::memory_order_relaxed) != seen || !pages.empty(); });
-        if (!pages.empty()) { // memory that is used before it has been brought in brings itself in, so a run comes first
+        if (!pages.empty()) { // memory that is used before it has been brought in brings itself in, so a run
+                              // comes first
           const std::vector<Pages> taken = std::exchange(pages, {});
           lock.unlock();
           for (const Pages& p : taken) {
-            for (size_t done = 0; done < p.bytes && generation.load(std::memory_order_relaxed) == seen; done += kHugePage)
-              populate_pages({static_cast<unsigned char*>(p.memory) + done, std::min(kHugePage, p.bytes - done)});
+            for (size_t done = 0; done < p.bytes && generation.load(std::memory_order_relaxed) == seen;
+                 done += kHugePage)
+              populate_pages(
+                  {static_cast<unsigned char*>(p.memory) + done, std::min(kHugePage, p.bytes - done)});
           }
           continue;
         }
@@ -124,14 +133,16 @@ struct ThreadPool::State {
     }
   }
 
-  /// Keeps the threads off the processor that the caller is on. Left alone, Linux starts a thread there, next to idle
-  /// ones, and moves it when its balancer comes by: of a first frame of 16 ms that was 2 to 4.
+  /// Keeps the threads off the processor that the caller is on. Left alone, Linux starts a thread there, next
+  /// to idle ones, and moves it when its balancer comes by: of a first frame of 16 ms that was 2 to 4.
   void leave_callers_processor() {
     const int processor = sched_getcpu();
     if (processor == caller_processor) return;
     caller_processor = processor;
-    if (processor < 0 || processor >= CPU_SETSIZE || sched_getaffinity(0, sizeof elsewhere, &elsewhere) != 0) CPU_ZERO(&elsewhere);
-    else CPU_CLR(processor, &elsewhere);
+    if (processor < 0 || processor >= CPU_SETSIZE || sched_getaffinity(0, sizeof elsewhere, &elsewhere) != 0)
+      CPU_ZERO(&elsewhere);
+    else
+      CPU_CLR(processor, &elsewhere);
     if (CPU_COUNT(&elsewhere) == 0) return;
     for (pthread_t thread : threads) pthread_setaffinity_np(thread, sizeof elsewhere, &elsewhere);
   }
@@ -172,9 +183,9 @@ struct ThreadPool::State {
     pthread_sigmask(SIG_SETMASK, &all, &old); // signals are the application's business
     try {
       // A sandbox may forbid to choose processors.
-      while (static_cast<int>(threads.size()) < wanted_threads && ((CPU_COUNT(&elsewhere) > 0 && start_thread(true)) || start_thread(false))) {}
-    } catch (const std::bad_alloc&) {
-    }
+      while (static_cast<int>(threads.size()) < wanted_threads &&
+             ((CPU_COUNT(&elsewhere) > 0 && start_thread(true)) || start_thread(false))) {}
+    } catch (const std::bad_alloc&) {}
     pthread_sigmask(SIG_SETMASK, &old, nullptr);
     return std::min(static_cast<int>(threads.size()), wanted_threads);
   }
@@ -201,7 +212,9 @@ ThreadPool& ThreadPool::instance() {
 }
 
 int ThreadPool::workers() const { return state_->workers.load(std::memory_order_relaxed); }
-void ThreadPool::set_workers(int count) { state_->workers.store(std::clamp(count, 1, kMaxWorkers), std::memory_order_relaxed); }
+void ThreadPool::set_workers(int count) {
+  state_->workers.store(std::clamp(count, 1, kMaxWorkers), std::memory_order_relaxed);
+}
 
 void ThreadPool::prepare(const std::vector<Pages>& pages) {
   State& s = *state_;

@@ -8,13 +8,14 @@
 namespace softgl {
 
 /// Does all work of a chain of chunks on tile number `tile`, in order. `scratch` belongs to the worker.
-void execute_tile(const Surface& surface, uint32_t tile, const TileChunk* work, const RasterKernels& kernels, FragmentBlock& scratch);
+void execute_tile(const Surface& surface, uint32_t tile, const TileChunk* work, const RasterKernels& kernels,
+                  FragmentBlock& scratch);
 
 /// Tells the planes of a tile what waits to be written to them.
 void write_tile(const Surface& surface, uint32_t tile);
 
-/// True when a clear overwrites all that earlier work of the tile can have written. `stencil_drawn`: that work may have
-/// written stencil values.
+/// True when a clear overwrites all that earlier work of the tile can have written. `stencil_drawn`: that
+/// work may have written stencil values.
 bool clear_hides_all(const ClearRecord& clear, const Surface& surface, uint32_t tile, bool stencil_drawn);
 
 } // namespace softgl

@@ -9,26 +9,28 @@
 namespace softgl {
 namespace {
 
-/// OSMesa 22.3.6: float to integer rounds to nearest even; where it clears by drawing a rectangle (a part of the surface or
-/// of its components), 5 and 6 bits are cut from the 8-bit value, as everything drawn is.
+/// OSMesa 22.3.6: float to integer rounds to nearest even; where it clears by drawing a rectangle (a part of
+/// the surface or of its components), 5 and 6 bits are cut from the 8-bit value, as everything drawn is.
 void store_color(ColorFormat format, const Vec4& color, bool drawn, float (&value)[4]) {
   for (int i = 0; i < 4; ++i) {
     switch (format) {
-      case ColorFormat::Rgba8: value[i] = std::nearbyint(unit_range(color[i]) * 255.0f); break;
-      case ColorFormat::Rgba16: value[i] = std::nearbyint(unit_range(color[i]) * 65535.0f); break;
-      case ColorFormat::Rgb565: {
-        const int byte = int(std::nearbyint(unit_range(color[i]) * 255.0f));
-        if (drawn) value[i] = float(i == 1 ? byte >> 2 : byte >> 3);
-        else value[i] = std::nearbyint(unit_range(color[i]) * (i == 1 ? 63.0f : 31.0f));
-        break;
-      }
-      case ColorFormat::RgbaFloat: value[i] = color[i]; break;
+    case ColorFormat::Rgba8: value[i] = std::nearbyint(unit_range(color[i]) * 255.0f); break;
+    case ColorFormat::Rgba16: value[i] = std::nearbyint(unit_range(color[i]) * 65535.0f); break;
+    case ColorFormat::Rgb565: {
+      const int byte = int(std::nearbyint(unit_range(color[i]) * 255.0f));
+      if (drawn)
+        value[i] = float(i == 1 ? byte >> 2 : byte >> 3);
+      else
+        value[i] = std::nearbyint(unit_range(color[i]) * (i == 1 ? 63.0f : 31.0f));
+      break;
+    }
+    case ColorFormat::RgbaFloat: value[i] = color[i]; break;
     }
   }
 }
 
-/// The depth in the surface's integers. OSMesa 22.3.6 clears a whole buffer in double; a part of it, or one whose stencil
-/// is masked, by drawing a rectangle, whose depth goes through float.
+/// The depth in the surface's integers. OSMesa 22.3.6 clears a whole buffer in double; a part of it, or one
+/// whose stencil is masked, by drawing a rectangle, whose depth goes through float.
 uint32_t store_depth(DepthFormat format, double depth, bool drawn) {
   const double one = largest_depth(format);
   if (!drawn) return uint32_t(std::nearbyint(depth * one));
@@ -41,7 +43,8 @@ uint32_t store_depth(DepthFormat format, double depth, bool drawn) {
 namespace gl {
 
 void Clear(Context& c, GLbitfield mask) {
-  if (mask & ~GLbitfield(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT))
+  if (mask &
+      ~GLbitfield(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT))
     return set_error(c, GL_INVALID_VALUE);
   if (c.state.render_mode.mode != GL_RENDER) return;
   c.framebuffer.unresolved = true; // OSMesa: also when nothing is cleared in the end
@@ -73,11 +76,13 @@ void Clear(Context& c, GLbitfield mask) {
   }
   if ((mask & GL_DEPTH_BUFFER_BIT) && c.framebuffer.depth_bits > 0 && s.depth.mask) {
     const GLuint stencil_mask = s.stencil.write_mask & 0xff;
-    const bool with_masked_stencil = (mask & GL_STENCIL_BUFFER_BIT) && c.framebuffer.stencil_bits > 0 && stencil_mask != 0 && stencil_mask != 0xff;
+    const bool with_masked_stencil = (mask & GL_STENCIL_BUFFER_BIT) && c.framebuffer.stencil_bits > 0 &&
+                                     stencil_mask != 0 && stencil_mask != 0xff;
     record.depth = true;
     record.depth_value = store_depth(surface.depth_format, s.depth.clear, part || with_masked_stencil);
   }
-  if ((mask & GL_STENCIL_BUFFER_BIT) && c.framebuffer.stencil_bits > 0 && (s.stencil.write_mask & 0xff) != 0) {
+  if ((mask & GL_STENCIL_BUFFER_BIT) && c.framebuffer.stencil_bits > 0 &&
+      (s.stencil.write_mask & 0xff) != 0) {
     record.stencil = true;
     record.stencil_value = uint32_t(s.stencil.clear) & 0xff;
     record.stencil_write_mask = s.stencil.write_mask & 0xff;
@@ -97,7 +102,9 @@ void ClearColor(Context& c, GLfloat red, GLfloat green, GLfloat blue, GLfloat al
 
 void ClearIndex(Context& c, GLfloat value) { c.state.color_buffer.clear_index = value; }
 
-void ClearDepth(Context& c, GLdouble depth) { c.state.depth.clear = depth > 0 ? (depth < 1 ? depth : 1.0) : 0.0; }
+void ClearDepth(Context& c, GLdouble depth) {
+  c.state.depth.clear = depth > 0 ? (depth < 1 ? depth : 1.0) : 0.0;
+}
 
 void ClearStencil(Context& c, GLint s) { c.state.stencil.clear = s; }
 

@@ -31,17 +31,20 @@ void finish_and_resolve(Context& c) {
   if (c.guard & kRunPending) close_run(c);
   Framebuffer& f = c.framebuffer;
   const Resolver resolver(f.surface, f.client);
-  if (!c.frame.empty()) flush_rendering(c, &resolver);
-  else if (f.unresolved) resolve(f.surface, f.client);
-  else return;
+  if (!c.frame.empty())
+    flush_rendering(c, &resolver);
+  else if (f.unresolved)
+    resolve(f.surface, f.client);
+  else
+    return;
   f.unresolved = false;
   if (!f.depth_copy.empty()) copy_depth(f);
   ++f.counts.resolves;
 }
 
 void prepare_first_frame(Context& c) {
-  // 4 ms of a first frame of 1024x1024 pixels and 70,000 triangles. Small surfaces see small frames; of very large ones
-  // not all may ever be drawn on.
+  // 4 ms of a first frame of 1024x1024 pixels and 70,000 triangles. Small surfaces see small frames; of very
+  // large ones not all may ever be drawn on.
   constexpr int64_t kLeast = 256 * 1024, kMost = 8 << 20;
   const Surface& s = c.framebuffer.surface;
   const int64_t pixels = int64_t(s.width) * s.height;

@@ -1,5 +1,5 @@
-// What is drawn to, and the caller's buffer that shows it. The caller's buffer is never drawn to: it is written when the
-// picture is asked for (glFlush, glFinish, a context losing its thread).
+// What is drawn to, and the caller's buffer that shows it. The caller's buffer is never drawn to: it is
+// written when the picture is asked for (glFlush, glFinish, a context losing its thread).
 #pragma once
 
 #include <cstdint>
@@ -22,14 +22,17 @@ struct ClientBuffer {
 };
 
 /// What has been done, for softgl_get_statistics().
-struct FramebufferCounts { uint64_t flushes = 0, resolves = 0, clears = 0, reads = 0; };
+struct FramebufferCounts {
+  uint64_t flushes = 0, resolves = 0, clears = 0, reads = 0;
+};
 
 struct Framebuffer {
-  Surface surface{};           // what is drawn to; empty before the first MakeCurrent
-  int depth_bits = 0, stencil_bits = 0, accumulation_bits = 0; // a depth_stencil plane may serve only one of the two
-  bool has_alpha = true;       // false for RGB and RGB_565: alpha reads as 1 and is never written
-  bool unwritten = false;      // something may wait to be written to the planes (TileWords)
-  bool unresolved = false;     // something was drawn that the caller's buffer does not show
+  Surface surface{}; // what is drawn to; empty before the first MakeCurrent
+  int depth_bits = 0, stencil_bits = 0,
+      accumulation_bits = 0; // a depth_stencil plane may serve only one of the two
+  bool has_alpha = true;     // false for RGB and RGB_565: alpha reads as 1 and is never written
+  bool unwritten = false;    // something may wait to be written to the planes (TileWords)
+  bool unresolved = false;   // something was drawn that the caller's buffer does not show
   ClientBuffer client;
   FramebufferCounts counts;
   std::vector<unsigned char> depth_copy; // what OSMesaGetDepthBuffer gave out; empty until it is called
@@ -39,7 +42,8 @@ struct Framebuffer {
   Framebuffer(const Framebuffer&) = delete;
   Framebuffer& operator=(const Framebuffer&) = delete;
 
-  /// New planes of zeros (alpha 1 where there is none). False, and nothing changed, when memory does not suffice.
+  /// New planes of zeros (alpha 1 where there is none). False, and nothing changed, when memory does not
+  /// suffice.
   bool allocate(int width, int height, ColorFormat color_format);
   /// Appends the planes and the caller's buffer, to be brought in early.
   void prepare(std::vector<Pages>& pages) const;
@@ -72,9 +76,11 @@ void resolve(const Surface& surface, const ClientBuffer& client);
 int depth_copy_bytes(const Framebuffer& framebuffer);
 /// Fills depth_copy from the surface, bottom row first.
 void copy_depth(Framebuffer& framebuffer);
-/// To be called when the planes are new: has the memory of the first frame brought in while the caller prepares it.
+/// To be called when the planes are new: has the memory of the first frame brought in while the caller
+/// prepares it.
 void prepare_first_frame(Context& c);
-/// Finishes all rendering and brings the caller's buffer up to date if something was drawn since the last time.
+/// Finishes all rendering and brings the caller's buffer up to date if something was drawn since the last
+/// time.
 void finish_and_resolve(Context& c);
 
 } // namespace softgl

@@ -18,13 +18,13 @@ namespace {
 
 /// The part of the rectangle that lies on the surface, and where it goes.
 struct Target {
-  int x, count;           // columns of the surface
-  int first_row, rows;    // rows of the rectangle, bottom first
-  int bottom;             // y (up) of row 0 of the rectangle
-  unsigned char* memory;  // the client's image
+  int x, count;          // columns of the surface
+  int first_row, rows;   // rows of the rectangle, bottom first
+  int bottom;            // y (up) of row 0 of the rectangle
+  unsigned char* memory; // the client's image
   PixelFormat format;
   ImageLayout layout;
-  int skipped;            // columns of the rectangle left of the surface
+  int skipped; // columns of the rectangle left of the surface
   bool swap;
   unsigned char* row(int r) const { return memory + layout.offset + size_t(r) * layout.row_stride; }
   unsigned char* pixels(int r) const { return row(r) + size_t(skipped) * format.bytes; }
@@ -35,9 +35,11 @@ bool needs_floats(const Context& c, const PixelFormat& f) {
   if (PixelTransfer(c).changes_color() || f.luminance) return true;
   if (f.channel == PixelChannel::Packed && f.bits[0] > 8) return true;
   switch (c.framebuffer.surface.color_format) {
-    case ColorFormat::Rgba8: case ColorFormat::Rgba16: return false;
-    case ColorFormat::Rgb565: return f.channel != PixelChannel::UnsignedByte && f.channel != PixelChannel::Packed;
-    default: return true;
+  case ColorFormat::Rgba8:
+  case ColorFormat::Rgba16: return false;
+  case ColorFormat::Rgb565:
+    return f.channel != PixelChannel::UnsignedByte && f.channel != PixelChannel::Packed;
+  default: return true;
   }
 }
 
@@ -56,13 +58,16 @@ void transfer(const Context& c, float (*rgba)[4], int count, bool clamp, bool lu
 }
 
 /// The rows first .. end - 1 of the target. Scratch memory is the caller's: 16 bytes per pixel each.
-void read_color_rows(const Context& c, const Target& t, int first, int end, unsigned char* row, unsigned char* converted) {
+void read_color_rows(const Context& c, const Target& t, int first, int end, unsigned char* row,
+                     unsigned char* converted) {
   const Surface& s = c.framebuffer.surface;
-  const auto surface_row = [&](int r, void* to) { copy_color_row(s, t.x, s.height - 1 - (t.bottom + r), t.count, to); };
+  const auto surface_row = [&](int r, void* to) {
+    copy_color_row(s, t.x, s.height - 1 - (t.bottom + r), t.count, to);
+  };
   if (needs_floats(c, t.format)) {
     auto* rgba = reinterpret_cast<float(*)[4]>(converted);
-    // OSMesa 22.3.6: floating-point surfaces are clamped when read; of others a transfer may leave [0,1] when the result
-    // is signed or float, except where luminance is summed.
+    // OSMesa 22.3.6: floating-point surfaces are clamped when read; of others a transfer may leave [0,1] when
+    // the result is signed or float, except where luminance is summed.
     const bool clamp = s.color_format == ColorFormat::RgbaFloat || t.format.luminance;
     for (int r = first; r < end; ++r) {
       surface_row(r, row);
@@ -75,7 +80,8 @@ void read_color_rows(const Context& c, const Target& t, int first, int end, unsi
       surface_row(r, row);
       pack_pixels(t.format, reinterpret_cast<const uint16_t(*)[4]>(row), t.count, t.swap, t.pixels(r));
     }
-  } else if (s.color_format == ColorFormat::Rgba8 && t.format.format == GL_RGBA && t.format.channel == PixelChannel::UnsignedByte) {
+  } else if (s.color_format == ColorFormat::Rgba8 && t.format.format == GL_RGBA &&
+             t.format.channel == PixelChannel::UnsignedByte) {
     for (int r = first; r < end; ++r) surface_row(r, t.pixels(r));
   } else {
     auto* rgba = reinterpret_cast<uint8_t(*)[4]>(converted);
@@ -90,7 +96,8 @@ void read_color_rows(const Context& c, const Target& t, int first, int end, unsi
 void read_colors(const Context& c, const Target& t) {
   const size_t scratch_bytes = size_t(t.count) * 16;
   constexpr int kRowsPerTask = 32;
-  // Rows that overlap (a row length below the width) have an order; a small rectangle is read before a thread wakes.
+  // Rows that overlap (a row length below the width) have an order; a small rectangle is read before a thread
+  // wakes.
   const bool overlapping = t.layout.row_stride < t.layout.row_bytes;
   const auto read = [&](int first, int end) {
     const std::unique_ptr<unsigned char[]> scratch(new unsigned char[2 * scratch_bytes]);
@@ -117,7 +124,8 @@ void read_depths(const Context& c, const Target& t) {
       unsigned char* out = t.pixels(r);
       for (int i = 0; i < t.count; ++i) {
         const uint32_t z = row[size_t(i)] & 0xffffff;
-        const uint32_t v = s.depth_format == DepthFormat::Z16 ? (z & 0xffff) << 16 | (z & 0xffff) : z << 8 | z >> 16;
+        const uint32_t v =
+            s.depth_format == DepthFormat::Z16 ? (z & 0xffff) << 16 | (z & 0xffff) : z << 8 | z >> 16;
         std::memcpy(out + 4 * i, &v, 4);
       }
       continue;
@@ -146,19 +154,22 @@ void read_stencils(const Context& c, const Target& t) {
     for (int i = 0; i < t.count; ++i, out += t.format.bytes) {
       const uint32_t v = operations.stencil(row[size_t(i)] >> 24);
       switch (t.format.channel) {
-        case PixelChannel::UnsignedByte: *out = uint8_t(v); break;
-        case PixelChannel::Byte: *out = uint8_t(v & 0x7f); break;
-        case PixelChannel::UnsignedShort: case PixelChannel::Short: store(out, uint16_t(v), t.swap); break;
-        case PixelChannel::UnsignedInt: case PixelChannel::Int: store(out, v, t.swap); break;
-        case PixelChannel::Float: store(out, float(v), t.swap); break;
-        case PixelChannel::Bitmap: {
-          const size_t bit = size_t(t.layout.bit_offset) + size_t(t.skipped) + size_t(i);
-          const uint8_t mask = c.client.pixel_store.pack.lsb_first ? uint8_t(1u << (bit & 7)) : uint8_t(0x80u >> (bit & 7));
-          unsigned char& byte = t.row(r)[bit >> 3];
-          byte = v ? byte | mask : byte & uint8_t(~mask);
-          break;
-        }
-        default: break;
+      case PixelChannel::UnsignedByte: *out = uint8_t(v); break;
+      case PixelChannel::Byte: *out = uint8_t(v & 0x7f); break;
+      case PixelChannel::UnsignedShort:
+      case PixelChannel::Short: store(out, uint16_t(v), t.swap); break;
+      case PixelChannel::UnsignedInt:
+      case PixelChannel::Int: store(out, v, t.swap); break;
+      case PixelChannel::Float: store(out, float(v), t.swap); break;
+      case PixelChannel::Bitmap: {
+        const size_t bit = size_t(t.layout.bit_offset) + size_t(t.skipped) + size_t(i);
+        const uint8_t mask =
+            c.client.pixel_store.pack.lsb_first ? uint8_t(1u << (bit & 7)) : uint8_t(0x80u >> (bit & 7));
+        unsigned char& byte = t.row(r)[bit >> 3];
+        byte = v ? byte | mask : byte & uint8_t(~mask);
+        break;
+      }
+      default: break;
       }
     }
   }
@@ -178,7 +189,8 @@ GLenum check(const Context& c, GLsizei width, GLsizei height, GLenum format, GLe
 
 } // namespace
 
-void gl::ReadPixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, void* pixels) {
+void gl::ReadPixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type,
+                    void* pixels) {
   if (const GLenum error = check(c, width, height, format, type)) return set_error(c, error);
   if (width == 0 || height == 0 || !pixels) return;
   flush_rendering(c);

@@ -11,7 +11,8 @@ namespace softgl {
 namespace {
 
 /// Copies the pixels of a row block by block: 8 neighbours are contiguous.
-template <class Pixel> void copy_row(const Surface& s, const Pixel* plane, int x, int y, int count, Pixel* row) {
+template <class Pixel>
+void copy_row(const Surface& s, const Pixel* plane, int x, int y, int count, Pixel* row) {
   while (count > 0) {
     const int run = std::min(count, 8 - (x & 7));
     std::memcpy(row, plane + pixel_index(s, x, y), size_t(run) * sizeof(Pixel));
@@ -22,16 +23,26 @@ template <class Pixel> void copy_row(const Surface& s, const Pixel* plane, int x
 }
 
 // `row` may be the client's memory, which need not be aligned.
-struct Bytes2 { unsigned char b[2]; };
-struct Bytes4 { unsigned char b[4]; };
-struct Bytes8 { unsigned char b[8]; };
-struct Bytes16 { unsigned char b[16]; };
+struct Bytes2 {
+  unsigned char b[2];
+};
+struct Bytes4 {
+  unsigned char b[4];
+};
+struct Bytes8 {
+  unsigned char b[8];
+};
+struct Bytes16 {
+  unsigned char b[16];
+};
 
-/// Calls row(y down, first column within the rectangle, count, row within the rectangle) for the part on the surface.
+/// Calls row(y down, first column within the rectangle, count, row within the rectangle) for the part on the
+/// surface.
 template <class Row> void for_each_row(const Surface& s, int x, int y, int width, int height, Row&& row) {
   const int64_t left = std::max<int64_t>(x, 0), right = std::min<int64_t>(int64_t(x) + width, s.width);
   if (left >= right) return;
-  for (int64_t line = std::max<int64_t>(y, 0); line < std::min<int64_t>(int64_t(y) + height, s.height); ++line)
+  for (int64_t line = std::max<int64_t>(y, 0); line < std::min<int64_t>(int64_t(y) + height, s.height);
+       ++line)
     row(int(s.height - 1 - line), int(left), int(right - left), size_t(line - y), size_t(left - x));
 }
 
@@ -39,10 +50,14 @@ template <class Row> void for_each_row(const Surface& s, int x, int y, int width
 
 void copy_color_row(const Surface& s, int x, int y, int count, void* row) {
   switch (s.color_format) {
-    case ColorFormat::Rgba8: return copy_row(s, static_cast<const Bytes4*>(s.color), x, y, count, static_cast<Bytes4*>(row));
-    case ColorFormat::Rgba16: return copy_row(s, static_cast<const Bytes8*>(s.color), x, y, count, static_cast<Bytes8*>(row));
-    case ColorFormat::RgbaFloat: return copy_row(s, static_cast<const Bytes16*>(s.color), x, y, count, static_cast<Bytes16*>(row));
-    case ColorFormat::Rgb565: return copy_row(s, static_cast<const Bytes2*>(s.color), x, y, count, static_cast<Bytes2*>(row));
+  case ColorFormat::Rgba8:
+    return copy_row(s, static_cast<const Bytes4*>(s.color), x, y, count, static_cast<Bytes4*>(row));
+  case ColorFormat::Rgba16:
+    return copy_row(s, static_cast<const Bytes8*>(s.color), x, y, count, static_cast<Bytes8*>(row));
+  case ColorFormat::RgbaFloat:
+    return copy_row(s, static_cast<const Bytes16*>(s.color), x, y, count, static_cast<Bytes16*>(row));
+  case ColorFormat::Rgb565:
+    return copy_row(s, static_cast<const Bytes2*>(s.color), x, y, count, static_cast<Bytes2*>(row));
   }
 }
 
@@ -52,43 +67,47 @@ void copy_depth_stencil_row(const Surface& s, int x, int y, int count, uint32_t*
 
 void color_row_to_bytes(ColorFormat format, const void* row, int count, uint8_t (*rgba)[4]) {
   switch (format) {
-    case ColorFormat::Rgba8: std::memcpy(rgba, row, size_t(count) * 4); return;
-    case ColorFormat::Rgba16:
-      for (int i = 0; i < count * 4; ++i) rgba[i / 4][i % 4] = uint8_t(convert_unorm(static_cast<const uint16_t*>(row)[i], 16, 8));
-      return;
-    case ColorFormat::RgbaFloat:
-      for (int i = 0; i < count * 4; ++i) rgba[i / 4][i % 4] = uint8_t(float_to_unorm(static_cast<const float*>(row)[i], 8));
-      return;
-    case ColorFormat::Rgb565:
-      for (int i = 0; i < count; ++i) {
-        const uint32_t p = static_cast<const uint16_t*>(row)[i];
-        rgba[i][0] = uint8_t(convert_unorm(p >> 11, 5, 8));
-        rgba[i][1] = uint8_t(convert_unorm(p >> 5 & 63, 6, 8));
-        rgba[i][2] = uint8_t(convert_unorm(p & 31, 5, 8));
-        rgba[i][3] = 255;
-      }
-      return;
+  case ColorFormat::Rgba8: std::memcpy(rgba, row, size_t(count) * 4); return;
+  case ColorFormat::Rgba16:
+    for (int i = 0; i < count * 4; ++i)
+      rgba[i / 4][i % 4] = uint8_t(convert_unorm(static_cast<const uint16_t*>(row)[i], 16, 8));
+    return;
+  case ColorFormat::RgbaFloat:
+    for (int i = 0; i < count * 4; ++i)
+      rgba[i / 4][i % 4] = uint8_t(float_to_unorm(static_cast<const float*>(row)[i], 8));
+    return;
+  case ColorFormat::Rgb565:
+    for (int i = 0; i < count; ++i) {
+      const uint32_t p = static_cast<const uint16_t*>(row)[i];
+      rgba[i][0] = uint8_t(convert_unorm(p >> 11, 5, 8));
+      rgba[i][1] = uint8_t(convert_unorm(p >> 5 & 63, 6, 8));
+      rgba[i][2] = uint8_t(convert_unorm(p & 31, 5, 8));
+      rgba[i][3] = 255;
+    }
+    return;
   }
 }
 
 void color_row_to_floats(ColorFormat format, const void* row, int count, float (*rgba)[4]) {
   switch (format) {
-    case ColorFormat::Rgba8:
-      for (int i = 0; i < count * 4; ++i) rgba[i / 4][i % 4] = unorm_to_float(static_cast<const uint8_t*>(row)[i], 8);
-      return;
-    case ColorFormat::Rgba16:
-      for (int i = 0; i < count * 4; ++i) rgba[i / 4][i % 4] = unorm_to_float(static_cast<const uint16_t*>(row)[i], 16);
-      return;
-    case ColorFormat::RgbaFloat: std::memcpy(rgba, row, size_t(count) * 16); return;
-    case ColorFormat::Rgb565:
-      for (int i = 0; i < count; ++i) {
-        const uint32_t p = static_cast<const uint16_t*>(row)[i];
-        rgba[i][0] = unorm_to_float(p >> 11, 5);
-        rgba[i][1] = unorm_to_float(p >> 5 & 63, 6);
-        rgba[i][2] = unorm_to_float(p & 31, 5);
-        rgba[i][3] = 1.0f;
-      }
-      return;
+  case ColorFormat::Rgba8:
+    for (int i = 0; i < count * 4; ++i)
+      rgba[i / 4][i % 4] = unorm_to_float(static_cast<const uint8_t*>(row)[i], 8);
+    return;
+  case ColorFormat::Rgba16:
+    for (int i = 0; i < count * 4; ++i)
+      rgba[i / 4][i % 4] = unorm_to_float(static_cast<const uint16_t*>(row)[i], 16);
+    return;
+  case ColorFormat::RgbaFloat: std::memcpy(rgba, row, size_t(count) * 16); return;
+  case ColorFormat::Rgb565:
+    for (int i = 0; i < count; ++i) {
+      const uint32_t p = static_cast<const uint16_t*>(row)[i];
+      rgba[i][0] = unorm_to_float(p >> 11, 5);
+      rgba[i][1] = unorm_to_float(p >> 5 & 63, 6);
+      rgba[i][2] = unorm_to_float(p & 31, 5);
+      rgba[i][3] = 1.0f;
+    }
+    return;
   }
 }
 
@@ -125,7 +144,8 @@ void read_rgba_float(Context& c, int x, int y, int width, int height, float (*rg
 namespace {
 
 /// Calls convert(word) for the depth and stencil words of a rectangle.
-template <class T, class Convert> void read_words(Context& c, int x, int y, int width, int height, T* out, Convert convert) {
+template <class T, class Convert>
+void read_words(Context& c, int x, int y, int width, int height, T* out, Convert convert) {
   flush_rendering(c);
   if (width <= 0 || height <= 0) return;
   std::fill_n(out, size_t(width) * size_t(height), T(0));

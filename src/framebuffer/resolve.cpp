@@ -15,25 +15,36 @@ namespace {
 
 constexpr int kBlock = 8;
 
-// Each of these writes `count` pixels of a row. In rows of a block they run with the constant 8, which unrolls them.
+// Each of these writes `count` pixels of a row. In rows of a block they run with the constant 8, which
+// unrolls them.
 struct Copy32 {
   static constexpr size_t kFrom = 4, kTo = 4;
-  static void run(const unsigned char* from, unsigned char* to, int count) { std::memcpy(to, from, size_t(count) * 4); }
+  static void run(const unsigned char* from, unsigned char* to, int count) {
+    std::memcpy(to, from, size_t(count) * 4);
+  }
 };
 struct Copy64 {
   static constexpr size_t kFrom = 8, kTo = 8;
-  static void run(const unsigned char* from, unsigned char* to, int count) { std::memcpy(to, from, size_t(count) * 8); }
+  static void run(const unsigned char* from, unsigned char* to, int count) {
+    std::memcpy(to, from, size_t(count) * 8);
+  }
 };
 struct Copy128 {
   static constexpr size_t kFrom = 16, kTo = 16;
-  static void run(const unsigned char* from, unsigned char* to, int count) { std::memcpy(to, from, size_t(count) * 16); }
+  static void run(const unsigned char* from, unsigned char* to, int count) {
+    std::memcpy(to, from, size_t(count) * 16);
+  }
 };
 struct Copy16 {
   static constexpr size_t kFrom = 2, kTo = 2;
-  static void run(const unsigned char* from, unsigned char* to, int count) { std::memcpy(to, from, size_t(count) * 2); }
+  static void run(const unsigned char* from, unsigned char* to, int count) {
+    std::memcpy(to, from, size_t(count) * 2);
+  }
 };
-/// Applies `Swizzle` to four pixels at a time, then to the rest. GCC 12 leaves the plain loop scalar: three times slower.
-template <class Swizzle> void swizzle_row(const unsigned char* from, unsigned char* to, int count, Swizzle swizzle) {
+/// Applies `Swizzle` to four pixels at a time, then to the rest. GCC 12 leaves the plain loop scalar: three
+/// times slower.
+template <class Swizzle>
+void swizzle_row(const unsigned char* from, unsigned char* to, int count, Swizzle swizzle) {
   const size_t n = size_t(count), whole = n & ~size_t(3);
   for (size_t i = 0; i < whole; i += 4) {
     const __m128i p = _mm_loadu_si128(reinterpret_cast<const __m128i*>(from + 4 * i));
@@ -52,14 +63,16 @@ struct SwapRedAndBlue {
     swizzle_row(from, to, count, [](__m128i p) {
       const __m128i green_alpha = _mm_and_si128(p, _mm_set1_epi32(int(0xff00ff00u)));
       const __m128i red_blue = _mm_andnot_si128(_mm_set1_epi32(int(0xff00ff00u)), p);
-      return _mm_or_si128(green_alpha, _mm_or_si128(_mm_slli_epi32(red_blue, 16), _mm_srli_epi32(red_blue, 16)));
+      return _mm_or_si128(green_alpha,
+                          _mm_or_si128(_mm_slli_epi32(red_blue, 16), _mm_srli_epi32(red_blue, 16)));
     });
   }
 };
 struct AlphaFirst {
   static constexpr size_t kFrom = 4, kTo = 4;
   static void run(const unsigned char* from, unsigned char* to, int count) {
-    swizzle_row(from, to, count, [](__m128i p) { return _mm_or_si128(_mm_slli_epi32(p, 8), _mm_srli_epi32(p, 24)); });
+    swizzle_row(from, to, count,
+                [](__m128i p) { return _mm_or_si128(_mm_slli_epi32(p, 8), _mm_srli_epi32(p, 24)); });
   }
 };
 struct BytesWithoutAlpha {
@@ -69,7 +82,8 @@ struct BytesWithoutAlpha {
     for (size_t i = 0; i < whole; i += 4) {
       uint32_t p[4];
       std::memcpy(p, from + 4 * i, 16);
-      const uint32_t q[3] = {(p[0] & 0xffffffu) | p[1] << 24, (p[1] >> 8 & 0xffffu) | p[2] << 16, (p[2] >> 16 & 0xffu) | p[3] << 8};
+      const uint32_t q[3] = {(p[0] & 0xffffffu) | p[1] << 24, (p[1] >> 8 & 0xffffu) | p[2] << 16,
+                             (p[2] >> 16 & 0xffu) | p[3] << 8};
       std::memcpy(to + 3 * i, q, 12);
     }
     for (size_t i = whole; i < n; ++i) std::memcpy(to + 3 * i, from + 4 * i, 3);
@@ -90,7 +104,8 @@ struct Destination {
 
 /// The caller's buffer as rows of the surface (y down).
 Destination destination_of(const Surface& s, const ClientBuffer& client, size_t pixel_bytes) {
-  const ptrdiff_t stride = ptrdiff_t(client.row_length ? client.row_length : s.width) * ptrdiff_t(pixel_bytes);
+  const ptrdiff_t stride =
+      ptrdiff_t(client.row_length ? client.row_length : s.width) * ptrdiff_t(pixel_bytes);
   auto* data = static_cast<unsigned char*>(client.data);
   if (client.y_up) return {data + ptrdiff_t(s.height - 1) * stride, -stride};
   return {data, stride};
@@ -99,21 +114,29 @@ Destination destination_of(const Surface& s, const ClientBuffer& client, size_t 
 template <class Convert> void resolve_tile(const Surface& s, const ClientBuffer& client, uint32_t tile) {
   const Destination to = destination_of(s, client, Convert::kTo);
   const int x0 = int(tile) % s.tiles_x * kTileSize, y0 = int(tile) / s.tiles_x * kTileSize;
-  const int columns = s.width - x0 < kTileSize ? s.width - x0 : kTileSize, rows = s.height - y0 < kTileSize ? s.height - y0 : kTileSize;
+  const int columns = s.width - x0 < kTileSize ? s.width - x0 : kTileSize,
+            rows = s.height - y0 < kTileSize ? s.height - y0 : kTileSize;
   // Of a tile that waits all rows of blocks are this one.
   const bool waits = s.tile[tile].color.waits;
-  const auto* color = static_cast<const unsigned char*>(s.color) + (waits ? 0 : s.tile[tile].place * size_t(kTilePixels) * Convert::kFrom);
+  const auto* color = static_cast<const unsigned char*>(s.color) +
+                      (waits ? 0 : s.tile[tile].place * size_t(kTilePixels) * Convert::kFrom);
   uint32_t same[kBlock * Convert::kFrom / sizeof(uint32_t)];
   if (waits) std::fill(std::begin(same), std::end(same), s.tile[tile].color.word);
-  auto pixels = [&](int x, int y) { return waits ? reinterpret_cast<const unsigned char*>(same) : color + size_t(pixel_in_tile(x, y)) * Convert::kFrom; };
-  // Rows of the buffer are far apart, which no prefetcher foresees: without this a tile takes three times as long (3.5
-  // instead of 1.2 us for RGBA8).
+  auto pixels = [&](int x, int y) {
+    return waits ? reinterpret_cast<const unsigned char*>(same)
+                 : color + size_t(pixel_in_tile(x, y)) * Convert::kFrom;
+  };
+  // Rows of the buffer are far apart, which no prefetcher foresees: without this a tile takes three times as
+  // long (3.5 instead of 1.2 us for RGBA8).
   constexpr int kAhead = 6; // rows
-  auto prefetch = [](const unsigned char* p, size_t bytes) { for (size_t i = 0; i < bytes; i += 64) __builtin_prefetch(p + i, 1); };
+  auto prefetch = [](const unsigned char* p, size_t bytes) {
+    for (size_t i = 0; i < bytes; i += 64) __builtin_prefetch(p + i, 1);
+  };
   for (int y = 0; y < rows; ++y) {
     unsigned char* out = to.top + ptrdiff_t(y0 + y) * to.row_stride + ptrdiff_t(x0) * ptrdiff_t(Convert::kTo);
     if (y + kAhead < rows) prefetch(out + kAhead * to.row_stride, size_t(columns) * Convert::kTo + 63);
-    if (!waits && y % kBlock == 0 && y + kBlock < rows) prefetch(pixels(0, y + kBlock), kTileSize * kBlock * Convert::kFrom);
+    if (!waits && y % kBlock == 0 && y + kBlock < rows)
+      prefetch(pixels(0, y + kBlock), kTileSize * kBlock * Convert::kFrom);
     int x = 0;
     for (; x + kBlock <= columns; x += kBlock, out += kBlock * Convert::kTo)
       Convert::run(pixels(x, y), out, kBlock);
@@ -125,15 +148,15 @@ auto resolver_of(const Surface& s, const ClientBuffer& client) -> decltype(&reso
   if (!s.color || !client.data) return [](const Surface&, const ClientBuffer&, uint32_t) {};
   const bool rgb = client.format == OSMESA_RGB;
   switch (s.color_format) {
-    case ColorFormat::Rgba8:
-      if (rgb) return resolve_tile<BytesWithoutAlpha>;
-      if (client.format == OSMESA_BGRA) return resolve_tile<SwapRedAndBlue>;
-      if (client.format == OSMESA_ARGB) return resolve_tile<AlphaFirst>;
-      return resolve_tile<Copy32>;
-    // OSMesa 22.3.6: shorts and floats are stored as R, G, B, A whatever the format's name says.
-    case ColorFormat::Rgba16: return rgb ? resolve_tile<DropAlpha<2>> : resolve_tile<Copy64>;
-    case ColorFormat::RgbaFloat: return rgb ? resolve_tile<DropAlpha<4>> : resolve_tile<Copy128>;
-    case ColorFormat::Rgb565: break;
+  case ColorFormat::Rgba8:
+    if (rgb) return resolve_tile<BytesWithoutAlpha>;
+    if (client.format == OSMESA_BGRA) return resolve_tile<SwapRedAndBlue>;
+    if (client.format == OSMESA_ARGB) return resolve_tile<AlphaFirst>;
+    return resolve_tile<Copy32>;
+  // OSMesa 22.3.6: shorts and floats are stored as R, G, B, A whatever the format's name says.
+  case ColorFormat::Rgba16: return rgb ? resolve_tile<DropAlpha<2>> : resolve_tile<Copy64>;
+  case ColorFormat::RgbaFloat: return rgb ? resolve_tile<DropAlpha<4>> : resolve_tile<Copy128>;
+  case ColorFormat::Rgb565: break;
   }
   return resolve_tile<Copy16>;
 }
@@ -170,8 +193,12 @@ void copy_depth(Framebuffer& f) {
   for (int y = s.height - 1; y >= 0; --y)
     for (int x = 0; x < s.width; ++x, out += bytes) {
       const uint32_t word = s.depth_stencil[pixel_index(s, x, y)];
-      if (bytes == 4) std::memcpy(out, &word, 4);
-      else { const uint16_t depth = uint16_t(word); std::memcpy(out, &depth, 2); }
+      if (bytes == 4)
+        std::memcpy(out, &word, 4);
+      else {
+        const uint16_t depth = uint16_t(word);
+        std::memcpy(out, &depth, 2);
+      }
     }
 }
 

@@ -1,5 +1,5 @@
-// The border between geometry and raster: batches of triangles, lines and points in window space, after clipping,
-// before facing and culling.
+// The border between geometry and raster: batches of triangles, lines and points in window space, after
+// clipping, before facing and culling.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,13 @@ namespace softgl {
 
 struct DrawRecord;
 
-/// 64 or 128 primitives are best for the setup kernels (measured: 256 and more cost 0.3-1.0 ns a triangle, L1).
+/// 64 or 128 primitives are best for the setup kernels (measured: 256 and more cost 0.3-1.0 ns a triangle,
+/// L1).
 constexpr int kAssemblyBatch = 64;
 
-/// Triangles in drawing order, corners in the order that set-up wants (as OSMesa 22.3.6 orders them). Corner 2 is the provoking
-/// vertex; clipping has already copied flat colours to it. Vertices made by clipping live in the chunk's arena.
+/// Triangles in drawing order, corners in the order that set-up wants (as OSMesa 22.3.6 orders them). Corner
+/// 2 is the provoking vertex; clipping has already copied flat colours to it. Vertices made by clipping live
+/// in the chunk's arena.
 struct AssembledTriangles {
   int32_t count = 0;
   const ShadedVertices::Slot* corner[3][kAssemblyBatch];
@@ -34,8 +36,8 @@ struct AssembledPoints {
   const ShadedVertices::Slot* corner[kAssemblyBatch];
 };
 
-/// Takes assembled primitives in drawing order: the tile binner, or feedback and selection. The virtual call is once
-/// per batch.
+/// Takes assembled primitives in drawing order: the tile binner, or feedback and selection. The virtual call
+/// is once per batch.
 class PrimitiveSink {
 public:
   virtual ~PrimitiveSink() = default;

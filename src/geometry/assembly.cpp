@@ -1,6 +1,6 @@
-// Primitive assembly (GL 1.5, 2.6.1): vertices become triangles, lines and points in the corner order that OSMesa hands
-// to set-up, because the order decides last bits. GL_QUADS are cut from corner 0 to corner 2, flat-shaded ones from 1
-// to 3, see reference/DEVIATIONS.md.
+// Primitive assembly (GL 1.5, 2.6.1): vertices become triangles, lines and points in the corner order that
+// OSMesa hands to set-up, because the order decides last bits. GL_QUADS are cut from corner 0 to corner 2,
+// flat-shaded ones from 1 to 3, see reference/DEVIATIONS.md.
 #include "clipping.h"
 #include "geometry.h"
 #include "line_stipple.h"
@@ -23,10 +23,11 @@ template <class T> struct Indices {
   uint32_t operator[](uint32_t element) const { return index[element]; }
 };
 
-/// Calls emit(triangle, v0, v1, v2) with the vertices of triangles 0, 1, ... n - 1 of steps [step, ...), v2 provoking;
-/// returns n. Two triangles a step for quadrilaterals.
-template <class Elements, class Emit>
-int for_each_triangle(GLenum mode, bool flat, bool right_first, const Elements e, uint32_t step, uint32_t steps, Emit emit) {
+/// Calls emit(triangle, v0, v1, v2) with the vertices of triangles 0, 1, ... n - 1 of steps [step, ...), v2
+/// provoking; returns n. Two triangles a step for quadrilaterals.
+template <class Elements, class Emit> int for_each_triangle(GLenum mode, bool flat, bool right_first,
+                                                            const Elements e, uint32_t step, uint32_t steps,
+                                                            Emit emit) {
   const int n = int(steps);
   switch (mode) {
   case GL_TRIANGLES:
@@ -77,7 +78,8 @@ class Assembler {
 public:
   Assembler(const DrawRecord& draw, const ShadedVertices& vertices, const PrimitiveRange& range, Arena& arena,
             PrimitiveSink& sink)
-      : draw_(draw), vertices_(vertices), range_(range), arena_(arena), sink_(sink), slots_(draw.layout.slots) {}
+      : draw_(draw), vertices_(vertices), range_(range), arena_(arena), sink_(sink),
+        slots_(draw.layout.slots) {}
 
   template <class Elements> void run(const Elements& e, uint32_t first_step, uint32_t step_count) {
     switch (range_.mode) {
@@ -85,7 +87,9 @@ public:
     case GL_LINES:
     case GL_LINE_STRIP:
     case GL_LINE_LOOP: return lines(e, first_step, step_count);
-    default: return draw_.vertex->polygons ? staged_triangles(e, first_step, step_count) : triangles(e, first_step, step_count);
+    default:
+      return draw_.vertex->polygons ? staged_triangles(e, first_step, step_count)
+                                    : triangles(e, first_step, step_count);
     }
   }
 
@@ -100,27 +104,35 @@ private:
     AssembledTriangles batch;
     for (const uint32_t end = step + steps; step < end; step += batch_steps) {
       const uint32_t left = end - step;
-      auto for_each = [&](auto emit) { return for_each_triangle(range_.mode, draw_.raster->flat, right_first, e, step, left < batch_steps ? left : batch_steps, emit); };
-      // One pass for the corners and for what clips them: of lists of indices GCC makes vectors that are slower (frames of
-      // meshes 4 to 8 %).
+      auto for_each = [&](auto emit) {
+        return for_each_triangle(range_.mode, draw_.raster->flat, right_first, e, step,
+                                 left < batch_steps ? left : batch_steps, emit);
+      };
+      // One pass for the corners and for what clips them: of lists of indices GCC makes vectors that are
+      // slower (frames of meshes 4 to 8 %).
       uint32_t any = 0;
-      batch.count = for_each([&, vertices = vertices_, slots = size_t(slots_)](int i, uint32_t v0, uint32_t v1, uint32_t v2) {
-        v0 -= vertices.first, v1 -= vertices.first, v2 -= vertices.first;
-        any |= uint32_t(vertices.clip_mask[v0]) | vertices.clip_mask[v1] | vertices.clip_mask[v2];
-        batch.corner[0][i] = vertices.slot + v0 * slots, batch.corner[1][i] = vertices.slot + v1 * slots, batch.corner[2][i] = vertices.slot + v2 * slots;
-      });
+      batch.count = for_each(
+          [&, vertices = vertices_, slots = size_t(slots_)](int i, uint32_t v0, uint32_t v1, uint32_t v2) {
+            v0 -= vertices.first, v1 -= vertices.first, v2 -= vertices.first;
+            any |= uint32_t(vertices.clip_mask[v0]) | vertices.clip_mask[v1] | vertices.clip_mask[v2];
+            batch.corner[0][i] = vertices.slot + v0 * slots, batch.corner[1][i] = vertices.slot + v1 * slots,
+            batch.corner[2][i] = vertices.slot + v2 * slots;
+          });
       if (any) {
         batch.count = 0;
         for_each([&](int, uint32_t v0, uint32_t v1, uint32_t v2) {
-          clip_triangle(v0, v1, v2, 7, [&](const Slot* a, const Slot* b, const Slot* c, uint32_t, int) { add_triangle(batch, a, b, c); });
+          clip_triangle(v0, v1, v2, 7, [&](const Slot* a, const Slot* b, const Slot* c, uint32_t, int) {
+            add_triangle(batch, a, b, c);
+          });
         });
       }
       if (batch.count) sink_.triangles(draw_, batch);
     }
   }
 
-  /// True if a vertex of the primitive is clipped; not asked of primitives longer than OSMesa's batches. OSMesa draws
-  /// the two triangles of a strip's quadrilaterals in an order that depends on it, seen where one overlaps itself.
+  /// True if a vertex of the primitive is clipped; not asked of primitives longer than OSMesa's batches.
+  /// OSMesa draws the two triangles of a strip's quadrilaterals in an order that depends on it, seen where
+  /// one overlaps itself.
   template <class Elements> bool any_clipped(const Elements& e) const {
     if (range_.count > 8192) return false;
     uint32_t any = 0;
@@ -139,9 +151,11 @@ private:
     ++batch.count;
   }
 
-  /// Calls emit(a, b, c, edges, part) with the corners of the triangle, or of the parts 0, 1, ... that clipping leaves of it;
-  /// the whole triangle is part -1. Bit k of `edges`: the edge that begins at corner k is one of the polygon.
-  template <class Emit> __attribute__((noinline)) void clip_triangle(uint32_t v0, uint32_t v1, uint32_t v2, uint32_t edges, Emit emit) {
+  /// Calls emit(a, b, c, edges, part) with the corners of the triangle, or of the parts 0, 1, ... that
+  /// clipping leaves of it; the whole triangle is part -1. Bit k of `edges`: the edge that begins at corner k
+  /// is one of the polygon.
+  template <class Emit> __attribute__((noinline)) void clip_triangle(uint32_t v0, uint32_t v1, uint32_t v2,
+                                                                     uint32_t edges, Emit emit) {
     const uint32_t v[3] = {v0, v1, v2}, m0 = mask(v0), m1 = mask(v1), m2 = mask(v2);
     if ((m0 | m1 | m2) == 0) return emit(shaded(v0), shaded(v1), shaded(v2), edges, -1);
     if (m0 & m1 & m2) return;
@@ -153,7 +167,8 @@ private:
     }
   }
 
-  /// Triangles that go through the polygon stage. Which of their edges are edges of the polygons matters, too.
+  /// Triangles that go through the polygon stage. Which of their edges are edges of the polygons matters,
+  /// too.
   template <class Elements> void staged_triangles(const Elements& e, uint32_t step, uint32_t steps) {
     PolygonStage polygons(draw_, arena_, sink_);
     const bool polygon = range_.mode == GL_POLYGON;
@@ -162,20 +177,22 @@ private:
     uint32_t at = polygon && polygons.stipples() ? 0 : step;
     for (const uint32_t end = step + steps; at < end; ++at) {
       polygons.count_only(at < step);
-      for_each_triangle(range_.mode, true, false, e, at, 1, [&](int i, uint32_t v0, uint32_t v1, uint32_t v2) {
-        uint32_t boundary = 7;
-        bool begins = true;
-        if (polygon) {
-          begins = at == 0 && range_.begins;
-          boundary = 1u | (begins ? 4u : 0u) | (at == last_step && range_.ends ? 2u : 0u);
-        } else if (range_.mode == GL_QUADS || range_.mode == GL_QUAD_STRIP) {
-          begins = i == 0;
-          boundary = begins ? 5 : 3;
-        }
-        clip_triangle(v0, v1, v2, boundary & flagged(v0, v1, v2), [&](const Slot* a, const Slot* b, const Slot* c, uint32_t edges, int part) {
-          polygons.triangle({{a, b, c}, edges, part < 0 ? begins : part == 0});
-        });
-      });
+      for_each_triangle(
+          range_.mode, true, false, e, at, 1, [&](int i, uint32_t v0, uint32_t v1, uint32_t v2) {
+            uint32_t boundary = 7;
+            bool begins = true;
+            if (polygon) {
+              begins = at == 0 && range_.begins;
+              boundary = 1u | (begins ? 4u : 0u) | (at == last_step && range_.ends ? 2u : 0u);
+            } else if (range_.mode == GL_QUADS || range_.mode == GL_QUAD_STRIP) {
+              begins = i == 0;
+              boundary = begins ? 5 : 3;
+            }
+            clip_triangle(v0, v1, v2, boundary & flagged(v0, v1, v2),
+                          [&](const Slot* a, const Slot* b, const Slot* c, uint32_t edges, int part) {
+                            polygons.triangle({{a, b, c}, edges, part < 0 ? begins : part == 0});
+                          });
+          });
     }
     polygons.finish();
   }
@@ -256,9 +273,12 @@ private:
       if (stippled && separate) stipple.reset();
       begins = begins || separate || (at == 0 && range_.begins);
       if (!clip_line(v, end)) continue;
-      if (!stippled) emit(end[0], end[1]);
-      else if (at < step) stipple.skip(end);
-      else stipple.cut(end, emit);
+      if (!stippled)
+        emit(end[0], end[1]);
+      else if (at < step)
+        stipple.skip(end);
+      else
+        stipple.cut(end, emit);
     }
     if (batch.count) sink_.lines(draw_, batch);
   }
@@ -273,18 +293,21 @@ private:
 
 } // namespace
 
-void assemble(const DrawRecord& draw, const ShadedVertices& vertices, const PrimitiveRange& range, uint32_t first_step,
-              uint32_t step_count, Arena& arena, PrimitiveSink& sink) {
+void assemble(const DrawRecord& draw, const ShadedVertices& vertices, const PrimitiveRange& range,
+              uint32_t first_step, uint32_t step_count, Arena& arena, PrimitiveSink& sink) {
   Assembler assembler(draw, vertices, range, arena, sink);
   const void* indices = draw.call.indices;
   if (!indices) return assembler.run(NoIndices{range.first}, first_step, step_count);
   switch (draw.call.index_type) {
   case GL_UNSIGNED_BYTE:
-    return assembler.run(Indices<uint8_t>{static_cast<const uint8_t*>(indices) + range.first}, first_step, step_count);
+    return assembler.run(Indices<uint8_t>{static_cast<const uint8_t*>(indices) + range.first}, first_step,
+                         step_count);
   case GL_UNSIGNED_SHORT:
-    return assembler.run(Indices<uint16_t>{static_cast<const uint16_t*>(indices) + range.first}, first_step, step_count);
+    return assembler.run(Indices<uint16_t>{static_cast<const uint16_t*>(indices) + range.first}, first_step,
+                         step_count);
   default:
-    return assembler.run(Indices<uint32_t>{static_cast<const uint32_t*>(indices) + range.first}, first_step, step_count);
+    return assembler.run(Indices<uint32_t>{static_cast<const uint32_t*>(indices) + range.first}, first_step,
+                         step_count);
   }
 }
 

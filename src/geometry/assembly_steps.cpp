@@ -30,7 +30,9 @@ ElementRange elements_of_steps(const PrimitiveRange& range, uint32_t first_step,
   case GL_TRIANGLES: return {3 * first_step, 3 * step_count};
   case GL_TRIANGLE_STRIP: return {first_step, step_count + 2};
   case GL_QUADS: return {4 * first_step, 4 * step_count};
-  default: return {0, 0}; // hubs, closing lines; strips of quadrilaterals ask whether any of their vertices is clipped
+  default:
+    return {0,
+            0}; // hubs, closing lines; strips of quadrilaterals ask whether any of their vertices is clipped
   }
 }
 

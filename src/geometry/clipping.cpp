@@ -1,5 +1,6 @@
-// Order of planes, order of operations and choice of the end from which a new vertex is interpolated are those of
-// OSMesa 22.3.6 (draw_pipe_clip): the end nearer to the plane, so that neighbours cut their shared edge at the same point.
+// Order of planes, order of operations and choice of the end from which a new vertex is interpolated are
+// those of OSMesa 22.3.6 (draw_pipe_clip): the end nearer to the plane, so that neighbours cut their shared
+// edge at the same point.
 #include "clipping.h"
 
 #include <bit>
@@ -17,19 +18,22 @@ bool is_finite(float f) { return (std::bit_cast<uint32_t>(f) & 0x7f800000u) != 0
 } // namespace
 
 Clipper::Clipper(const DrawRecord& draw, const ShadedVertices& vertices, Arena& arena)
-    : draw_(draw), vertices_(vertices), arena_(arena), transform_(*draw.vertex->transform), slots_(draw.layout.slots),
-      flat_(draw.raster->flat) {
-  static constexpr float kVolume[6][4] = {{-1, 0, 0, 1}, {1, 0, 0, 1}, {0, -1, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {0, 0, -1, 1}};
+    : draw_(draw), vertices_(vertices), arena_(arena), transform_(*draw.vertex->transform),
+      slots_(draw.layout.slots), flat_(draw.raster->flat) {
+  static constexpr float kVolume[6][4] = {{-1, 0, 0, 1}, {1, 0, 0, 1}, {0, -1, 0, 1},
+                                          {0, 1, 0, 1},  {0, 0, 1, 1}, {0, 0, -1, 1}};
   std::memcpy(plane_, kVolume, sizeof kVolume);
   if (const ClipPlaneConstants* user = draw.vertex->clip_planes)
-    for (int i = 0; i < user->count; ++i) std::memcpy(plane_[6 + user->index[i]], user->plane[i], sizeof(float[4]));
+    for (int i = 0; i < user->count; ++i)
+      std::memcpy(plane_[6 + user->index[i]], user->plane[i], sizeof(float[4]));
 }
 
 void Clipper::load(uint32_t vertex, Vertex& out) const {
   float p[4];
   fetch_vertex(draw_.call.source->stream[kPosition], vertex, p);
   const float* m = transform_.mvp;
-  for (int r = 0; r < 4; ++r) out.clip[r] = ((p[0] * m[r] + p[1] * m[4 + r]) + p[2] * m[8 + r]) + p[3] * m[12 + r];
+  for (int r = 0; r < 4; ++r)
+    out.clip[r] = ((p[0] * m[r] + p[1] * m[4 + r]) + p[2] * m[8 + r]) + p[3] * m[12 + r];
   out.shaded = shaded(vertex);
 }
 
@@ -102,8 +106,10 @@ int Clipper::triangle(const uint32_t v[3], uint32_t mask, const Slot* polygon[kM
         out[count++] = fresh;
         const Vertex &outside = d < 0 ? *vertex : *previous, &inside = d < 0 ? *previous : *vertex;
         const float d_out = d < 0 ? d : d_previous, d_in = d < 0 ? d_previous : d;
-        if (-d_out < d_in) interpolate(*fresh, d_out / (d_out - d_in), outside, inside);
-        else interpolate(*fresh, d_in / (d_in - d_out), inside, outside);
+        if (-d_out < d_in)
+          interpolate(*fresh, d_out / (d_out - d_in), outside, inside);
+        else
+          interpolate(*fresh, d_in / (d_in - d_out), inside, outside);
       }
       previous = vertex;
       d_previous = d;
@@ -129,7 +135,8 @@ bool Clipper::line(const uint32_t v[2], const Slot* end[2]) {
   Vertex a, b;
   load(v[0], a);
   load(v[1], b);
-  const uint32_t mask_a = vertices_.clip_mask[v[0] - vertices_.first], mask_b = vertices_.clip_mask[v[1] - vertices_.first];
+  const uint32_t mask_a = vertices_.clip_mask[v[0] - vertices_.first],
+                 mask_b = vertices_.clip_mask[v[1] - vertices_.first];
   float t0 = 0, t1 = 0;
   for (uint32_t mask = mask_a | mask_b; mask; mask &= mask - 1) {
     const int plane = std::countr_zero(mask);

@@ -7,8 +7,8 @@
 
 namespace softgl {
 
-/// Clips the primitives of one draw. Shaded vertices carry no clip coordinates (few need them): they are computed again
-/// from the draw's source, with the vertex program's arithmetic.
+/// Clips the primitives of one draw. Shaded vertices carry no clip coordinates (few need them): they are
+/// computed again from the draw's source, with the vertex program's arithmetic.
 class Clipper {
 public:
   using Slot = ShadedVertices::Slot;
@@ -17,16 +17,18 @@ public:
 
   Clipper(const DrawRecord& draw, const ShadedVertices& vertices, Arena& arena);
 
-  /// Clips triangle v (vertex numbers); `mask` is the union of its vertices' clip masks. Returns the number of vertices
-  /// of the polygon, or 0. Flat colours of v[2] are in polygon[0], which stays the provoking vertex. Bit i of `edges`: the
-  /// edge that begins at vertex i is one of the polygon that the triangle was cut from. As in OSMesa 22.3.6 edges along the
-  /// user's clip planes are, those along the view volume are not.
+  /// Clips triangle v (vertex numbers); `mask` is the union of its vertices' clip masks. Returns the number
+  /// of vertices of the polygon, or 0. Flat colours of v[2] are in polygon[0], which stays the provoking
+  /// vertex. Bit i of `edges`: the edge that begins at vertex i is one of the polygon that the triangle was
+  /// cut from. As in OSMesa 22.3.6 edges along the user's clip planes are, those along the view volume are
+  /// not.
   int triangle(const uint32_t v[3], uint32_t mask, const Slot* polygon[kMaxPolygon], uint32_t& edges);
   /// Clips a line; both ends carry the flat colours of v[1]. False when nothing is left.
   bool line(const uint32_t v[2], const Slot* end[2]);
 
 private:
-  static constexpr int kMaxSlots = 24; // position, fog, normal, eye, colour, materials, point size, coordinates
+  static constexpr int kMaxSlots =
+      24; // position, fog, normal, eye, colour, materials, point size, coordinates
   struct Vertex {
     float clip[4];
     const Slot* shaded;
@@ -37,7 +39,9 @@ private:
   void interpolate(Vertex& out, float t, const Vertex& from, const Vertex& to) const;
   void copy_flat_colors(Slot* to, const Slot* from) const;
   const Slot* keep(const Vertex& v);
-  const Slot* shaded(uint32_t vertex) const { return vertices_.slot + size_t(vertex - vertices_.first) * slots_; }
+  const Slot* shaded(uint32_t vertex) const {
+    return vertices_.slot + size_t(vertex - vertices_.first) * slots_;
+  }
 
   const DrawRecord& draw_;
   const ShadedVertices& vertices_;

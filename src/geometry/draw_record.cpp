@@ -1,5 +1,5 @@
-// submit(): snapshots of the state a draw needs, and the record of the draw. A snapshot block is used again as long as
-// no dirty bit tells of a change: 10,000 small draws a frame must not be dominated by them.
+// submit(): snapshots of the state a draw needs, and the record of the draw. A snapshot block is used again
+// as long as no dirty bit tells of a change: 10,000 small draws a frame must not be dominated by them.
 #include <cstring>
 
 #include "fragment/fragment_snapshot.h"
@@ -11,8 +11,8 @@
 namespace softgl {
 namespace {
 
-/// The few bits of the lighting group on which raster and fragment snapshots depend; materials and lights are not
-/// among them.
+/// The few bits of the lighting group on which raster and fragment snapshots depend; materials and lights are
+/// not among them.
 uint32_t lighting_mode(const LightingState& l, bool for_fragments) {
   return uint32_t(l.enabled) | uint32_t(l.enabled && l.two_side) << 1 |
          uint32_t(l.enabled && l.color_control == GL_SEPARATE_SPECULAR_COLOR) << 2 |
@@ -51,10 +51,12 @@ void take_snapshots(Context& c, const DrawCall& call) {
   const uint32_t present = call.source->present;
   const float* color = &call.constant[kColor][0];
   const bool color_feeds = lit && s.lighting.color_material_enabled && !(present >> kColor & 1);
-  if (present != cache.present || (color_feeds && std::memcmp(color, cache.color, sizeof cache.color) != 0)) dirty |= kDirtyLighting;
+  if (present != cache.present || (color_feeds && std::memcmp(color, cache.color, sizeof cache.color) != 0))
+    dirty |= kDirtyLighting;
 
   if (mode_changed || !cache.fragment || dirty & (kDirtyFragment | kDirtyTexture | kDirtyRaster))
-    cache.fragment = make_fragment_program(c, arena), cache.fragment_of_draw = nullptr, dirty |= kDirtyFragment;
+    cache.fragment = make_fragment_program(c, arena), cache.fragment_of_draw = nullptr,
+    dirty |= kDirtyFragment;
   if (mode_changed || !cache.raster || dirty & (kDirtyRaster | kDirtyViewport | kDirtyFragment))
     cache.raster = make_raster_constants(c, arena);
   cache.lighting_mode = mode;
@@ -63,7 +65,8 @@ void take_snapshots(Context& c, const DrawCall& call) {
   inverse(modelview);
   const uint32_t units = uint32_t(cache.fragment->key.texture_units);
   bool program = false;
-  if (dirty & (kDirtyMatrices | kDirtyLighting | kDirtyTransform | kDirtyFragment | kDirtyTexture | kDirtyRaster)) {
+  if (dirty &
+      (kDirtyMatrices | kDirtyLighting | kDirtyTransform | kDirtyFragment | kDirtyTexture | kDirtyRaster)) {
     const bool eye_space = needs_eye_space(c, units);
     if (eye_space != cache.eye_space) dirty |= kDirtyMatrices | kDirtyLighting;
     cache.eye_space = eye_space;
@@ -88,8 +91,10 @@ void take_snapshots(Context& c, const DrawCall& call) {
 
   const bool relight = mode_changed || dirty & kDirtyLighting || (!cache.eye_space && dirty & kDirtyMatrices);
   if (program) {
-    if (!lit) cache.lighting = nullptr;
-    else if (relight || !cache.lighting) cache.lighting = make_lighting(c, source, color, cache.eye_space, for_fragments, arena);
+    if (!lit)
+      cache.lighting = nullptr;
+    else if (relight || !cache.lighting)
+      cache.lighting = make_lighting(c, source, color, cache.eye_space, for_fragments, arena);
     std::memcpy(cache.color, color, sizeof cache.color);
     cache.present = present;
     cache.vertex = make_vertex_program(c, cache, arena);
@@ -102,11 +107,14 @@ void take_snapshots(Context& c, const DrawCall& call) {
 
 void submit(Context& c, const DrawCall& call) {
   const bool has_position = call.source && call.source->present >> kPosition & 1;
-  if (!has_position || call.primitive_count == 0 || call.vertex_count == 0 || c.framebuffer.surface.width == 0) return;
+  if (!has_position || call.primitive_count == 0 || call.vertex_count == 0 ||
+      c.framebuffer.surface.width == 0)
+    return;
   if (c.state.render_mode.mode != GL_RENDER) return feed_back(c, call);
   take_snapshots(c, call);
   const SnapshotCache& cache = c.snapshots;
-  c.frame.append(c.frame.arena().make<DrawRecord>(call, cache.layout, cache.vertex, cache.raster, cache.fragment_of_draw));
+  c.frame.append(c.frame.arena().make<DrawRecord>(call, cache.layout, cache.vertex, cache.raster,
+                                                  cache.fragment_of_draw));
   if (c.frame.over_budget()) flush_rendering(c);
 }
 
@@ -123,12 +131,14 @@ void append_rectangle(Context& c, const FragmentProgram* program, const WindowBo
     if (at >= 0) slot[at] = {{v.x, v.y, v.z, v.w}};
   };
   // OSMesa's depth goes through the clip volume.
-  set(0, {p.window.x, float(c.framebuffer.surface.height) - p.window.y, (p.window.z * 2.0f - 1.0f) * 0.5f + 0.5f, 1});
+  set(0, {p.window.x, float(c.framebuffer.surface.height) - p.window.y,
+          (p.window.z * 2.0f - 1.0f) * 0.5f + 0.5f, 1});
   for (int at : {layout.color, layout.back_color}) set(at, p.color);
   for (int at : {layout.secondary, layout.back_secondary}) set(at, Vec4(Vec3(p.secondary_color), p.distance));
   for (int u = 0; u < kMaxTextureUnits; ++u) set(layout.texcoord[u], p.texcoord[u]);
   const auto* rectangle = arena.make<PixelRectangle>(slot, box);
-  c.frame.append(arena.make<DrawRecord>(DrawCall{}, layout, nullptr, make_raster_constants(c, arena), program, rectangle));
+  c.frame.append(arena.make<DrawRecord>(DrawCall{}, layout, nullptr, make_raster_constants(c, arena), program,
+                                        rectangle));
   if (c.frame.over_budget()) flush_rendering(c);
 }
 

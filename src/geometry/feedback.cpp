@@ -46,7 +46,8 @@ void write_hit_record(RenderModeState& m) {
   m.least_depth = 1, m.greatest_depth = 0;
 }
 
-/// Window position (y up), clip w, colour and the coordinates of unit 0, as far as the type of feedback wants them (table 5.1).
+/// Window position (y up), clip w, colour and the coordinates of unit 0, as far as the type of feedback wants
+/// them (table 5.1).
 void put_vertex(RenderModeState& m, const Vec4& window, const Vec4& color, const Vec4& coordinates) {
   put(m, window.x);
   put(m, window.y);
@@ -132,8 +133,9 @@ void feed_back(Context& c, const DrawCall& call) {
   const Arena::Mark mark = arena.mark();
   FragmentProgram fragment{};
   fragment.key.texture_units = 1;
-  OwnSnapshot own = make_own_snapshot(c, fragment.key, call.source->present, &call.constant[kColor][0], arena);
-  own.program.line_stipple = false; // whole lines are fed back
+  OwnSnapshot own =
+      make_own_snapshot(c, fragment.key, call.source->present, &call.constant[kColor][0], arena);
+  own.program.line_stipple = false;                        // whole lines are fed back
   own.program.polygons = make_polygon_constants(c, arena); // culled, coloured and offset ones
   const DrawRecord draw{call, own.layout, &own.program, make_raster_constants(c, arena), &fragment};
   const ShadedVertices& vertices = *allocate_vertices(draw, call.first_vertex, call.vertex_count, arena);
@@ -168,7 +170,8 @@ GLint RenderMode(Context& c, GLenum mode) {
   RenderModeState& m = c.state.render_mode;
   if (mode != GL_RENDER && mode != GL_SELECT && mode != GL_FEEDBACK) return set_error(c, GL_INVALID_ENUM), 0;
   // A mode whose buffer was never given cannot be entered.
-  if ((mode == GL_SELECT && !m.selection_buffer) || (mode == GL_FEEDBACK && !m.feedback_buffer)) return set_error(c, GL_INVALID_OPERATION), 0;
+  if ((mode == GL_SELECT && !m.selection_buffer) || (mode == GL_FEEDBACK && !m.feedback_buffer))
+    return set_error(c, GL_INVALID_OPERATION), 0;
   flush_rendering(c); // what is to be rendered is not mixed with what is not
   const GLint result = leave_mode(m);
   m.mode = mode;
@@ -189,7 +192,8 @@ void FeedbackBuffer(Context& c, GLsizei size, GLenum type, GLfloat* buffer) {
   RenderModeState& m = c.state.render_mode;
   if (m.mode == GL_FEEDBACK) return set_error(c, GL_INVALID_OPERATION);
   if (size < 0 || (!buffer && size > 0)) return set_error(c, GL_INVALID_VALUE);
-  if (type != GL_2D && type != GL_3D && type != GL_3D_COLOR && type != GL_3D_COLOR_TEXTURE && type != GL_4D_COLOR_TEXTURE)
+  if (type != GL_2D && type != GL_3D && type != GL_3D_COLOR && type != GL_3D_COLOR_TEXTURE &&
+      type != GL_4D_COLOR_TEXTURE)
     return set_error(c, GL_INVALID_ENUM);
   m.feedback_buffer = buffer;
   m.feedback_size = size;

@@ -1,4 +1,5 @@
-// Selection and feedback (GL 1.5, 5.2 and 5.3): what primitives and pixel rectangles become when nothing is rendered.
+// Selection and feedback (GL 1.5, 5.2 and 5.3): what primitives and pixel rectangles become when nothing is
+// rendered.
 #pragma once
 
 #include "frame/draw_call.h"

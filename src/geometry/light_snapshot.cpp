@@ -35,7 +35,8 @@ void place_light(LightConstants& k, const Light& light, const Matrix& modelview,
     const float* inverted = &modelview.inverted[0][0];
     const Vec4 p = light.position;
     for (int i = 0; i < 4; ++i)
-      position[i] = ((inverted[i] * p.x + inverted[4 + i] * p.y) + inverted[8 + i] * p.z) + inverted[12 + i] * p.w;
+      position[i] =
+          ((inverted[i] * p.x + inverted[4 + i] * p.y) + inverted[8 + i] * p.z) + inverted[12 + i] * p.w;
   }
   k.positional = light.position.w != 0;
   copy3(k.position, position);
@@ -51,7 +52,8 @@ void place_light(LightConstants& k, const Light& light, const Matrix& modelview,
     }
     normalize(k.half_vector);
   }
-  k.attenuated = light.constant_attenuation != 1 || light.linear_attenuation != 0 || light.quadratic_attenuation != 0;
+  k.attenuated =
+      light.constant_attenuation != 1 || light.linear_attenuation != 0 || light.quadratic_attenuation != 0;
   k.attenuation[0] = light.constant_attenuation;
   k.attenuation[1] = light.linear_attenuation;
   k.attenuation[2] = light.quadratic_attenuation;
@@ -87,25 +89,29 @@ bool is_tracked(const LightingState& l, int parameter, int face) {
 void find_material_sources(const Context& c, uint32_t present, int8_t source[5][2]) {
   const LightingState& l = c.state.lighting;
   // What a term that is left out would read need not be fetched; alpha is the diffuse material's in any case.
-  const bool wanted[5] = {(l.terms & GL_AMBIENT_TERM_BIT_SOFTGL) != 0, true, (l.terms & GL_SPECULAR_TERM_BIT_SOFTGL) != 0,
-                          (l.terms & GL_EMISSION_TERM_BIT_SOFTGL) != 0, (l.terms & GL_SPECULAR_TERM_BIT_SOFTGL) != 0};
+  const bool wanted[5] = {
+      (l.terms & GL_AMBIENT_TERM_BIT_SOFTGL) != 0, true, (l.terms & GL_SPECULAR_TERM_BIT_SOFTGL) != 0,
+      (l.terms & GL_EMISSION_TERM_BIT_SOFTGL) != 0, (l.terms & GL_SPECULAR_TERM_BIT_SOFTGL) != 0};
   for (int parameter = 0; parameter < 5; ++parameter)
     for (int face = 0; face < 2; ++face) {
       const int slot = material_slot(MaterialParameter(parameter), face);
       int from = -1;
-      if (is_tracked(l, parameter, face)) from = present >> kColor & 1 ? kColor : -1;
-      else if (present >> slot & 1) from = slot;
+      if (is_tracked(l, parameter, face))
+        from = present >> kColor & 1 ? kColor : -1;
+      else if (present >> slot & 1)
+        from = slot;
       source[parameter][face] = int8_t(wanted[parameter] ? from : -1);
     }
 }
 
-const LightingConstants* make_lighting(const Context& c, const int8_t source[5][2], const float color[4], bool eye_space,
-                                       bool for_fragments, Arena& arena) {
+const LightingConstants* make_lighting(const Context& c, const int8_t source[5][2], const float color[4],
+                                       bool eye_space, bool for_fragments, Arena& arena) {
   const LightingState& l = c.state.lighting;
   int enabled = 0;
   for (const Light& light : l.light) enabled += light.enabled;
   // Only the enabled lights take memory.
-  void* memory = arena.allocate(offsetof(LightingConstants, light) + size_t(enabled) * sizeof(LightConstants));
+  void* memory =
+      arena.allocate(offsetof(LightingConstants, light) + size_t(enabled) * sizeof(LightConstants));
   auto& k = *static_cast<LightingConstants*>(memory);
   k.two_sided = l.two_side;
   k.separate_specular = l.color_control == GL_SEPARATE_SPECULAR_COLOR;
@@ -120,15 +126,20 @@ const LightingConstants* make_lighting(const Context& c, const int8_t source[5][
     k.varies[face] = false;
     for (int parameter = 0; parameter < 5; ++parameter) {
       const float* value = &c.state.current.slot[material_slot(MaterialParameter(parameter), face)][0];
-      std::memcpy(k.material[parameter][face], is_tracked(l, parameter, face) ? color : value, sizeof(float[4]));
+      std::memcpy(k.material[parameter][face], is_tracked(l, parameter, face) ? color : value,
+                  sizeof(float[4]));
       if (parameter != kMaterialShininess) k.varies[face] |= source[parameter][face] >= 0;
     }
-    if (!(l.terms & GL_EMISSION_TERM_BIT_SOFTGL)) std::memset(k.material[kMaterialEmission][face], 0, sizeof(float[4]));
+    if (!(l.terms & GL_EMISSION_TERM_BIT_SOFTGL))
+      std::memset(k.material[kMaterialEmission][face], 0, sizeof(float[4]));
     for (int i = 0; i < 3; ++i)
-      k.scene[face][i] = k.model_ambient[i] * k.material[kMaterialAmbient][face][i] + k.material[kMaterialEmission][face][i];
+      k.scene[face][i] =
+          k.model_ambient[i] * k.material[kMaterialAmbient][face][i] + k.material[kMaterialEmission][face][i];
     k.scene[face][3] = k.material[kMaterialDiffuse][face][3];
   }
-  auto shines = [&](int face) { return source[kMaterialShininess][face] >= 0 || k.material[kMaterialShininess][face][0] != 0; };
+  auto shines = [&](int face) {
+    return source[kMaterialShininess][face] >= 0 || k.material[kMaterialShininess][face][0] != 0;
+  };
   // The reflection vector has no rule of its own for it: (v.r)^0 is 1.
   k.shininess_zero = !shines(0) && !(k.two_sided && shines(1)) && !k.reflection;
 

@@ -9,7 +9,8 @@
 namespace softgl {
 
 LineStipple::LineStipple(const DrawRecord& draw, Arena& arena)
-    : draw_(draw), arena_(arena), pattern_(draw.vertex->stipple_pattern), factor_(draw.vertex->stipple_factor) {}
+    : draw_(draw), arena_(arena), pattern_(draw.vertex->stipple_pattern),
+      factor_(draw.vertex->stipple_factor) {}
 
 float LineStipple::length_of(const Slot* const end[2]) const {
   const float dx = std::fabs(end[0]->v[0] - end[1]->v[0]), dy = std::fabs(end[0]->v[1] - end[1]->v[1]);

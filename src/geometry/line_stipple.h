@@ -2,13 +2,13 @@
 #pragma once
 
 #include "base/arena.h"
-#include "shaded_vertex.h"
 #include "frame/draw_record.h"
+#include "shaded_vertex.h"
 
 namespace softgl {
 
-/// Walks along the lines of a draw. OSMesa counts along the greater of |dx|, |dy| after clipping and interpolates every
-/// attribute linearly in window space.
+/// Walks along the lines of a draw. OSMesa counts along the greater of |dx|, |dy| after clipping and
+/// interpolates every attribute linearly in window space.
 class LineStipple {
 public:
   using Slot = ShadedVertices::Slot;
@@ -25,8 +25,10 @@ public:
     for (uint32_t i = 0; i < steps; ++i) {
       const bool set = pattern_ >> ((counter_ + i) / factor_ & 15) & 1;
       if (set == on) continue;
-      if (on) emit(start > 0 ? between(start / length, end) : end[0], between(float(i) / length, end));
-      else start = float(i);
+      if (on)
+        emit(start > 0 ? between(start / length, end) : end[0], between(float(i) / length, end));
+      else
+        start = float(i);
       on = set;
     }
     if (on && start < length) emit(start > 0 ? between(start / length, end) : end[0], end[1]);

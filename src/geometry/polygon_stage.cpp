@@ -10,7 +10,8 @@
 namespace softgl {
 namespace {
 
-/// The greatest change of depth per pixel, times the factor, plus the units. e, f: corners 0 and 1 relative to corner 2.
+/// The greatest change of depth per pixel, times the factor, plus the units. e, f: corners 0 and 1 relative
+/// to corner 2.
 float depth_offset(const RasterConstants& r, const float e[3], const float f[3], float determinant) {
   const float a = e[1] * f[2] - e[2] * f[1], b = e[2] * f[0] - e[0] * f[2], inverse = 1.0f / determinant;
   const float dzdx = std::fabs(a * inverse), dzdy = std::fabs(b * inverse);
@@ -20,16 +21,19 @@ float depth_offset(const RasterConstants& r, const float e[3], const float f[3],
 } // namespace
 
 PolygonStage::PolygonStage(const DrawRecord& draw, Arena& arena, PrimitiveSink& sink)
-    : draw_(draw), constants_(*draw.vertex->polygons), arena_(arena), sink_(sink), slots_(draw.layout.slots), stipple_(draw, arena) {}
+    : draw_(draw), constants_(*draw.vertex->polygons), arena_(arena), sink_(sink), slots_(draw.layout.slots),
+      stipple_(draw, arena) {}
 
-const PolygonStage::Slot* PolygonStage::own_copy(const Slot* vertex, const Slot* provoking, bool back, const float* offset) {
+const PolygonStage::Slot* PolygonStage::own_copy(const Slot* vertex, const Slot* provoking, bool back,
+                                                 const float* offset) {
   const ShadedLayout& l = draw_.layout;
   Slot* copy = arena_.allocate_array<Slot>(slots_);
   std::memcpy(copy, vertex, sizeof(Slot) * slots_);
   const Slot* colors = draw_.raster->flat ? provoking : vertex;
   if (l.color >= 0) copy[l.color] = colors[back && l.back_color >= 0 ? l.back_color : l.color];
   if (l.secondary >= 0) // not the fog coordinate behind the colour
-    std::memcpy(copy[l.secondary].v, colors[back && l.back_secondary >= 0 ? l.back_secondary : l.secondary].v, sizeof(float[3]));
+    std::memcpy(copy[l.secondary].v, colors[back && l.back_secondary >= 0 ? l.back_secondary : l.secondary].v,
+                sizeof(float[3]));
   if (offset) copy->v[2] = unit_range(copy->v[2] + *offset);
   return copy;
 }
@@ -37,7 +41,8 @@ const PolygonStage::Slot* PolygonStage::own_copy(const Slot* vertex, const Slot*
 void PolygonStage::triangle(const PolygonTriangle& t) {
   const PolygonConstants& k = constants_;
   const float *v0 = t.corner[0]->v, *v1 = t.corner[1]->v, *v2 = t.corner[2]->v;
-  const float e[3] = {v0[0] - v2[0], v0[1] - v2[1], v0[2] - v2[2]}, f[3] = {v1[0] - v2[0], v1[1] - v2[1], v1[2] - v2[2]};
+  const float e[3] = {v0[0] - v2[0], v0[1] - v2[1], v0[2] - v2[2]},
+              f[3] = {v1[0] - v2[0], v1[1] - v2[1], v1[2] - v2[2]};
   const float determinant = e[0] * f[1] - e[1] * f[0]; // y is down: negative is counter-clockwise
   // Without area it is culled as a back-facing one, and else drawn and coloured as a clockwise one.
   const bool front = determinant != 0 && (determinant < 0) == k.ccw_is_front;
@@ -48,7 +53,8 @@ void PolygonStage::triangle(const PolygonTriangle& t) {
   PolygonTriangle own = t;
   if (!counting_ && (offset || back_ || draw_.raster->flat)) {
     const float by = offset ? depth_offset(*draw_.raster, e, f, determinant) : 0.0f;
-    for (const Slot*& corner : own.corner) corner = own_copy(corner, t.corner[2], back_, offset ? &by : nullptr);
+    for (const Slot*& corner : own.corner)
+      corner = own_copy(corner, t.corner[2], back_, offset ? &by : nullptr);
   }
   const auto& corner = own.corner;
   switch (mode) {

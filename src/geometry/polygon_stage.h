@@ -1,4 +1,5 @@
-// Polygons between assembly and raster: glPolygonMode (GL 1.5, 3.5.4), and culling, two-sided colours and offset with it.
+// Polygons between assembly and raster: glPolygonMode (GL 1.5, 3.5.4), and culling, two-sided colours and
+// offset with it.
 #pragma once
 
 #include "assembled_primitives.h"
@@ -11,13 +12,13 @@ namespace softgl {
 /// A triangle that a polygon was cut into, after clipping.
 struct PolygonTriangle {
   const ShadedVertices::Slot* corner[3]; // corner 2 is the provoking vertex
-  uint32_t boundary;                     // bit k: the edge from corner k to the next one, and the point at corner k, are drawn
-  bool begins;                           // the line stipple begins anew
+  uint32_t boundary; // bit k: the edge from corner k to the next one, and the point at corner k, are drawn
+  bool begins;       // the line stipple begins anew
 };
 
-/// Culls, colours and offsets the triangles of a draw, and hands over what their modes leave of them, in drawing order. All
-/// that with the exact order of operations of OSMesa 22.3.6, whose draw module does it in window coordinates that are not
-/// snapped.
+/// Culls, colours and offsets the triangles of a draw, and hands over what their modes leave of them, in
+/// drawing order. All that with the exact order of operations of OSMesa 22.3.6, whose draw module does it in
+/// window coordinates that are not snapped.
 class PolygonStage {
 public:
   PolygonStage(const DrawRecord& draw, Arena& arena, PrimitiveSink& sink);
@@ -25,7 +26,10 @@ public:
   /// What follows is only counted for the line stipple, and not drawn.
   void count_only(bool only) { counting_ = only; }
   /// True where triangles in front of those that are drawn have to be counted.
-  bool stipples() const { return draw_.vertex->line_stipple && (constants_.mode[0] == PolygonMode::Line || constants_.mode[1] == PolygonMode::Line); }
+  bool stipples() const {
+    return draw_.vertex->line_stipple &&
+           (constants_.mode[0] == PolygonMode::Line || constants_.mode[1] == PolygonMode::Line);
+  }
   /// Hands over what is left.
   void finish();
 

@@ -35,7 +35,8 @@ bool in_view(const Vec4& clip, const ClipPlaneConstants* planes) {
 Vec4 window_position(const ViewportState& v, const Vec4& clip) {
   const float half_width = 0.5f * float(v.width), half_height = 0.5f * float(v.height);
   const float scale[3] = {half_width, half_height, float(0.5 * (v.far_depth - v.near_depth))};
-  const float offset[3] = {half_width + float(v.x), half_height + float(v.y), float(0.5 * (v.near_depth + v.far_depth))};
+  const float offset[3] = {half_width + float(v.x), half_height + float(v.y),
+                           float(0.5 * (v.near_depth + v.far_depth))};
   const float inverse = clip.w == 0 ? 1.0f : 1.0f / clip.w;
   Vec4 window;
   for (int i = 0; i < 3; ++i) window[i] = clip[i] * inverse * scale[i] + offset[i];
@@ -49,7 +50,8 @@ void take_current_attributes(const State& s, RasterPosition& position) {
   for (int u = 0; u < kMaxTextureUnits; ++u) position.texcoord[u] = s.current.slot[kTexCoord0 + u];
 }
 
-/// What the vertex program makes of the current attributes at `object`: colours if there is lighting, and coordinates.
+/// What the vertex program makes of the current attributes at `object`: colours if there is lighting, and
+/// coordinates.
 void shade_attributes(Context& c, const Vec4& object, RasterPosition& position) {
   Arena& arena = c.frame.arena();
   const State& s = c.state;
@@ -70,7 +72,10 @@ void shade_attributes(Context& c, const Vec4& object, RasterPosition& position) 
   const ShadedVertices& out = *allocate_vertices(draw, 0, 1, arena);
   const FloatEnvironment environment;
   shade_vertices(draw, 0, 1, out);
-  auto value = [&](int slot) { const float* v = out.slot[slot].v; return Vec4(v[0], v[1], v[2], v[3]); };
+  auto value = [&](int slot) {
+    const float* v = out.slot[slot].v;
+    return Vec4(v[0], v[1], v[2], v[3]);
+  };
   if (s.lighting.enabled) {
     position.color = value(own.layout.color);
     position.secondary_color = Vec4(glm::vec3(value(own.layout.secondary)), 1);
@@ -92,8 +97,9 @@ void RasterPos(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
   position.valid = in_view(clip, planes);
   if (position.valid) {
     position.window = window_position(s.viewport, clip);
-    position.distance = s.fog.coordinate_source == GL_FOG_COORDINATE ? s.current.slot[kFogCoordinate].x
-                                                                     : std::sqrt((eye.x * eye.x + eye.y * eye.y) + eye.z * eye.z);
+    position.distance = s.fog.coordinate_source == GL_FOG_COORDINATE
+                            ? s.current.slot[kFogCoordinate].x
+                            : std::sqrt((eye.x * eye.x + eye.y * eye.y) + eye.z * eye.z);
     take_current_attributes(s, position);
     shade_attributes(c, object, position);
     feed_back_raster_position(c);
@@ -104,7 +110,9 @@ void RasterPos(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
 void WindowPos(Context& c, GLfloat x, GLfloat y, GLfloat z) {
   const State& s = c.state;
   RasterPosition& position = c.state.raster_position;
-  position.window = Vec4(x, y, unit_range(z) * float(s.viewport.far_depth - s.viewport.near_depth) + float(s.viewport.near_depth), 1);
+  position.window = Vec4(
+      x, y,
+      unit_range(z) * float(s.viewport.far_depth - s.viewport.near_depth) + float(s.viewport.near_depth), 1);
   position.distance = s.fog.coordinate_source == GL_FOG_COORDINATE ? s.current.slot[kFogCoordinate].x : 0.0f;
   take_current_attributes(s, position);
   position.color = glm::clamp(position.color, 0.0f, 1.0f);

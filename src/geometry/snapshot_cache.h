@@ -20,8 +20,8 @@ struct SnapshotCache {
   const FragmentProgram* fragment_of_draw = nullptr; // the same; where it lights fragments, with the lights
   ShadedLayout layout;
   // What the blocks were made for, beyond the dirty bits.
-  uint32_t present = 0;        // attribute streams
-  float color[4] = {};         // the draw's constant colour, where it feeds the material
+  uint32_t present = 0; // attribute streams
+  float color[4] = {};  // the draw's constant colour, where it feeds the material
   uint32_t lighting_mode = ~0u;
   bool eye_space = false, draws_points = false;
 };

@@ -27,7 +27,9 @@ bool is_identity(const float* m) {
   return true;
 }
 
-PolygonMode polygon_mode(GLenum mode) { return mode == GL_POINT ? PolygonMode::Point : mode == GL_LINE ? PolygonMode::Line : PolygonMode::Fill; }
+PolygonMode polygon_mode(GLenum mode) {
+  return mode == GL_POINT ? PolygonMode::Point : mode == GL_LINE ? PolygonMode::Line : PolygonMode::Fill;
+}
 
 } // namespace
 
@@ -58,10 +60,11 @@ const TransformConstants* make_transform(Context& c, bool eye_space, Arena& aren
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) k->normal_matrix[i][j] = inverted[4 * i + j];
 
-  // In eye space GL_RESCALE_NORMAL asks for the scale; in object space its absence does, since the normal is not
-  // transformed there.
+  // In eye space GL_RESCALE_NORMAL asks for the scale; in object space its absence does, since the normal is
+  // not transformed there.
   k->normal_scale = 1;
-  if (!c.state.transform.normalize && eye_space == c.state.transform.rescale_normal && !is_length_preserving(modelview)) {
+  if (!c.state.transform.normalize && eye_space == c.state.transform.rescale_normal &&
+      !is_length_preserving(modelview)) {
     float f = (inverted[2] * inverted[2] + inverted[6] * inverted[6]) + inverted[10] * inverted[10];
     if (f < 1e-12f) f = 1;
     k->normal_scale = eye_space ? 1.0f / std::sqrt(f) : std::sqrt(f);
@@ -136,7 +139,8 @@ ShadedLayout make_layout(const Context& c, const FragmentKey& key, const int8_t 
   int8_t next = 1;
   if (key.lit) {
     bool lights = false, positional = false;
-    for (const Light& light : lighting.light) lights |= light.enabled, positional |= light.enabled && light.position.w != 0;
+    for (const Light& light : lighting.light)
+      lights |= light.enabled, positional |= light.enabled && light.position.w != 0;
     if (lights) l.normal = next++;
     if (positional || (lights && lighting.local_viewer)) l.eye = next++;
     for (int parameter = 0; parameter < 5; ++parameter)
@@ -197,7 +201,9 @@ const VertexProgram* make_vertex_program(const Context& c, const SnapshotCache& 
   }
   const PointState& point = s.point;
   p->point_attenuated = cache.layout.point >= 0;
-  p->point = {point.size, point.size_min, point.size_max,
+  p->point = {point.size,
+              point.size_min,
+              point.size_max,
               {point.distance_attenuation.x, point.distance_attenuation.y, point.distance_attenuation.z}};
   p->polygons = polygons_before_raster(s) ? make_polygon_constants(c, arena) : nullptr;
   p->line_stipple = s.line.stipple && s.line.stipple_pattern != 0xffff;
@@ -208,7 +214,8 @@ const VertexProgram* make_vertex_program(const Context& c, const SnapshotCache& 
   return p;
 }
 
-OwnSnapshot make_own_snapshot(Context& c, const FragmentKey& key, uint32_t present, const float color[4], Arena& arena) {
+OwnSnapshot make_own_snapshot(Context& c, const FragmentKey& key, uint32_t present, const float color[4],
+                              Arena& arena) {
   inverse(c.matrices.modelview.top()); // analyses it
   FragmentProgram fragment{};
   fragment.key = key;
@@ -217,7 +224,8 @@ OwnSnapshot make_own_snapshot(Context& c, const FragmentKey& key, uint32_t prese
   cache.eye_space = needs_eye_space(c, uint32_t(key.texture_units));
   cache.transform = make_transform(c, cache.eye_space, arena);
   cache.clip_planes = make_clip_planes(c, arena);
-  for (int u = 0; u < kMaxTextureUnits; ++u) cache.coordinates[u] = key.texture_units >> u & 1 ? make_coordinates(c, u, arena) : nullptr;
+  for (int u = 0; u < kMaxTextureUnits; ++u)
+    cache.coordinates[u] = key.texture_units >> u & 1 ? make_coordinates(c, u, arena) : nullptr;
   int8_t source[5][2];
   std::memset(source, -1, sizeof source);
   if (c.state.lighting.enabled) {

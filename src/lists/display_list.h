@@ -22,9 +22,9 @@ enum ListOpcode : uint16_t {
   kPlayRun = 0xf000, // uint64_t index into runs
   kPlayAttribute,    // AttributeRecord
   kPlayEnd,          // an End whose Begin is elsewhere
-  kPlayError,        // uint64_t: the code, and 1 in the upper half if the command is allowed between Begin and End
-  kPlayCallList,     // uint64_t name
-  kPlayCallLists     // uint64_t count, then GLuint offsets: the list base is added when the list is played (5.4)
+  kPlayError, // uint64_t: the code, and 1 in the upper half if the command is allowed between Begin and End
+  kPlayCallList, // uint64_t name
+  kPlayCallLists // uint64_t count, then GLuint offsets: the list base is added when the list is played (5.4)
 };
 struct AttributeRecord {
   uint64_t slot;

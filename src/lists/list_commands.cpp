@@ -14,10 +14,16 @@ namespace {
 /// The size of an element of CallLists; 0: no such type.
 size_t offset_bytes(GLenum type) {
   switch (type) {
-  case GL_BYTE: case GL_UNSIGNED_BYTE: return 1;
-  case GL_SHORT: case GL_UNSIGNED_SHORT: case GL_2_BYTES: return 2;
+  case GL_BYTE:
+  case GL_UNSIGNED_BYTE: return 1;
+  case GL_SHORT:
+  case GL_UNSIGNED_SHORT:
+  case GL_2_BYTES: return 2;
   case GL_3_BYTES: return 3;
-  case GL_INT: case GL_UNSIGNED_INT: case GL_FLOAT: case GL_4_BYTES: return 4;
+  case GL_INT:
+  case GL_UNSIGNED_INT:
+  case GL_FLOAT:
+  case GL_4_BYTES: return 4;
   default: return 0;
   }
 }
@@ -35,7 +41,8 @@ GLuint offset_at(GLenum type, const unsigned char* p) {
   case GL_UNSIGNED_BYTE: return *p;
   case GL_SHORT: return GLuint(GLint(load<GLshort>(p)));
   case GL_UNSIGNED_SHORT: return load<GLushort>(p);
-  case GL_INT: case GL_UNSIGNED_INT: return load<GLuint>(p);
+  case GL_INT:
+  case GL_UNSIGNED_INT: return load<GLuint>(p);
   case GL_FLOAT: {
     const float f = load<float>(p);
     return f > -2147483648.0f && f < 4294967296.0f ? GLuint(int64_t(f)) : 0;
@@ -47,8 +54,10 @@ GLuint offset_at(GLenum type, const unsigned char* p) {
 }
 
 void stream_error(Context& c, GLenum code) {
-  if (c.builder.compiling) compile_error(c, code, true);
-  else set_error(c, code);
+  if (c.builder.compiling)
+    compile_error(c, code, true);
+  else
+    set_error(c, code);
 }
 
 } // namespace
@@ -81,7 +90,8 @@ void gl::NewList(Context& c, GLuint name, GLenum mode) try {
 void gl::EndList(Context& c) try {
   if (!c.lists.list) return set_error(c, GL_INVALID_OPERATION);
   // When the list is executed, too, its Begin has been executed.
-  if (c.lists.mode == GL_COMPILE_AND_EXECUTE && (c.builder.mode != kNoPrimitive || c.lists.executing_guard & kInsideBeginEnd))
+  if (c.lists.mode == GL_COMPILE_AND_EXECUTE &&
+      (c.builder.mode != kNoPrimitive || c.lists.executing_guard & kInsideBeginEnd))
     return set_error(c, GL_INVALID_OPERATION);
   break_compiled_run(c);
   std::shared_ptr<DisplayList> list = std::move(c.lists.list);
@@ -112,7 +122,8 @@ void gl::CallLists(Context& c, GLsizei n, GLenum type, const void* lists) try {
   if (n == 0 || !lists) return;
   const auto* bytes = static_cast<const unsigned char*>(lists);
   const auto play = [&] {
-    for (GLsizei i = 0; i < n; ++i) call_list(c, c.state.list.base + offset_at(type, bytes + size_t(i) * size));
+    for (GLsizei i = 0; i < n; ++i)
+      call_list(c, c.state.list.base + offset_at(type, bytes + size_t(i) * size));
   };
   if (!c.builder.compiling) return play();
   break_compiled_run(c);
@@ -120,7 +131,8 @@ void gl::CallLists(Context& c, GLsizei n, GLenum type, const void* lists) try {
   arguments[0] = uint64_t(n);
   for (GLsizei i = 0; i < n; ++i) {
     const GLuint offset = offset_at(type, bytes + size_t(i) * size);
-    std::memcpy(reinterpret_cast<unsigned char*>(arguments + 1) + size_t(i) * sizeof offset, &offset, sizeof offset);
+    std::memcpy(reinterpret_cast<unsigned char*>(arguments + 1) + size_t(i) * sizeof offset, &offset,
+                sizeof offset);
   }
   if (execute_too(c)) {
     ExecuteScope scope(c);
@@ -135,7 +147,8 @@ GLuint gl::GenLists(Context& c, GLsizei range) try {
     set_error(c, GL_INVALID_VALUE);
     return 0;
   }
-  constexpr GLsizei kMostLists = 1 << 22; // at some 70 bytes a name, before a mistaken number takes all memory
+  constexpr GLsizei kMostLists =
+      1 << 22; // at some 70 bytes a name, before a mistaken number takes all memory
   if (range > kMostLists) {
     set_error(c, GL_OUT_OF_MEMORY);
     return 0;

@@ -20,7 +20,9 @@ void* append(Context& c, uint16_t opcode, size_t bytes) {
   std::memcpy(&records[at], &header, sizeof header);
   return units > 1 ? &records[at + 1] : nullptr;
 }
-void append_value(Context& c, uint16_t opcode, uint64_t value) { *static_cast<uint64_t*>(append(c, opcode, 8)) = value; }
+void append_value(Context& c, uint16_t opcode, uint64_t value) {
+  *static_cast<uint64_t*>(append(c, opcode, 8)) = value;
+}
 
 void append_attribute(Context& c, int slot, const float* value) {
   AttributeRecord r{uint64_t(slot), {}};
@@ -188,7 +190,9 @@ ExecuteScope::~ExecuteScope() {
 
 void compile_error(Context& c, GLenum code, bool allowed_inside) {
   append_value(c, kPlayError, uint64_t(allowed_inside) << 32 | code);
-  if (c.lists.mode == GL_COMPILE_AND_EXECUTE) set_error(c, (c.lists.executing_guard & kInsideBeginEnd) && !allowed_inside ? GL_INVALID_OPERATION : code);
+  if (c.lists.mode == GL_COMPILE_AND_EXECUTE)
+    set_error(c,
+              (c.lists.executing_guard & kInsideBeginEnd) && !allowed_inside ? GL_INVALID_OPERATION : code);
 }
 
 void close_compiled_run(Context& c) {

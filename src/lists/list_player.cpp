@@ -36,7 +36,10 @@ void play_list(Context& c, const DisplayList& list) {
       break;
     }
     case kPlayEnd: gl::End(c); break;
-    case kPlayError: set_error(c, (c.guard & kInsideBeginEnd) && !(*arguments >> 32) ? GL_INVALID_OPERATION : GLenum(*arguments)); break;
+    case kPlayError:
+      set_error(c, (c.guard & kInsideBeginEnd) && !(*arguments >> 32) ? GL_INVALID_OPERATION
+                                                                      : GLenum(*arguments));
+      break;
     case kPlayCallList: call_list(c, GLuint(*arguments)); break;
     case kPlayCallLists: {
       const auto* offsets = reinterpret_cast<const GLuint*>(arguments + 1);

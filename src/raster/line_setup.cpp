@@ -1,5 +1,5 @@
-// Lines follow OSMesa 22.3.6 (llvmpipe): a diamond-exit test at both ends, then a parallelogram whose ends are vertical
-// (x-major) or horizontal (y-major), filled by the edge rule of triangles.
+// Lines follow OSMesa 22.3.6 (llvmpipe): a diamond-exit test at both ends, then a parallelogram whose ends
+// are vertical (x-major) or horizontal (y-major), filled by the edge rule of triangles.
 #include "raster/line_setup.h"
 
 #include <algorithm>
@@ -28,16 +28,22 @@ Ends move_x_major(const float* v1, const float* v2, float dx, float dy) {
   float ey2 = fraction(v2[1]) - 0.5f;
   if (ey2 == -0.5f && dy < 0) ey2 = 0.5f;
   bool start, end;
-  if (std::fabs(ex1) + std::fabs(ey1) < 0.5f) start = true;
-  else if (not_negative(ex1) == not_negative(-dx)) start = false;
-  else if (not_negative(-ey1) != not_negative(dy)) start = true;
+  if (std::fabs(ex1) + std::fabs(ey1) < 0.5f)
+    start = true;
+  else if (not_negative(ex1) == not_negative(-dx))
+    start = false;
+  else if (not_negative(-ey1) != not_negative(dy))
+    start = true;
   else {
     const float y = fraction(v1[1]) + ex1 * m;
     start = y < 1.0f && y > 0.0f;
   }
-  if (std::fabs(ex2) + std::fabs(ey2) < 0.5f) end = false;
-  else if (not_negative(ex2) != not_negative(-dx)) end = false;
-  else if (not_negative(-ey2) == not_negative(dy)) end = true;
+  if (std::fabs(ex2) + std::fabs(ey2) < 0.5f)
+    end = false;
+  else if (not_negative(ex2) != not_negative(-dx))
+    end = false;
+  else if (not_negative(-ey2) == not_negative(dy))
+    end = true;
   else {
     const float y = fraction(v2[1]) + ex2 * m;
     end = y < 1.0f && y > 0.0f;
@@ -57,16 +63,22 @@ Ends move_y_major(const float* v1, const float* v2, float dx, float dy) {
   float ex2 = fraction(v2[0]) - 0.5f;
   if (ex2 == -0.5f && dx < 0) ex2 = 0.5f;
   bool start, end;
-  if (std::fabs(ex1) + std::fabs(ey1) < 0.5f) start = true;
-  else if (not_negative(-ey1) == not_negative(dy)) start = false;
-  else if (not_negative(ex1) != not_negative(-dx)) start = true;
+  if (std::fabs(ex1) + std::fabs(ey1) < 0.5f)
+    start = true;
+  else if (not_negative(-ey1) == not_negative(dy))
+    start = false;
+  else if (not_negative(ex1) != not_negative(-dx))
+    start = true;
   else {
     const float x = fraction(v1[0]) + ey1 * m;
     start = x < 1.0f && x > 0.0f;
   }
-  if (std::fabs(ex2) + std::fabs(ey2) < 0.5f) end = false;
-  else if (not_negative(-ey2) != not_negative(dy)) end = false;
-  else if (not_negative(ex2) == not_negative(-dx)) end = true;
+  if (std::fabs(ex2) + std::fabs(ey2) < 0.5f)
+    end = false;
+  else if (not_negative(-ey2) != not_negative(dy))
+    end = false;
+  else if (not_negative(ex2) == not_negative(-dx))
+    end = true;
   else {
     const float x = fraction(v2[0]) + ey2 * m;
     end = x < 1.0f && x >= 0.0f;
@@ -82,7 +94,8 @@ Ends move_y_major(const float* v1, const float* v2, float dx, float dy) {
 
 } // namespace
 
-bool setup_line(const RasterDraw& draw, const ShadedVertices::Slot* corner0, const ShadedVertices::Slot* corner1, bool back, RasterPrimitive& out) {
+bool setup_line(const RasterDraw& draw, const ShadedVertices::Slot* corner0,
+                const ShadedVertices::Slot* corner1, bool back, RasterPrimitive& out) {
   const RasterConstants& r = *draw.raster;
   const float *v1 = corner0->v, *v2 = corner1->v;
   if (!on_surface(v1) || !on_surface(v2)) return false; // also drops what is not a number

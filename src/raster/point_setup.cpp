@@ -1,5 +1,5 @@
-// Points follow OSMesa 22.3.6 (llvmpipe): whole numbers of pixels with halves rounded down, or, as sprites, squares of the
-// exact size filled by the edge rule of triangles.
+// Points follow OSMesa 22.3.6 (llvmpipe): whole numbers of pixels with halves rounded down, or, as sprites,
+// squares of the exact size filled by the edge rule of triangles.
 #include "raster/point_setup.h"
 
 #include <algorithm>
@@ -52,10 +52,12 @@ bool setup_rectangle(const RasterDraw& draw, const PixelRectangle& rectangle, Ra
   return true;
 }
 
-bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, bool back, RasterPrimitive& out) {
+bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, bool back,
+                 RasterPrimitive& out) {
   const RasterConstants& r = *draw.raster;
   const float* v = corner->v;
-  if (!(std::fabs(v[0]) < 65536.0f && std::fabs(v[1]) < 65536.0f)) return false; // also drops what is not a number
+  if (!(std::fabs(v[0]) < 65536.0f && std::fabs(v[1]) < 65536.0f))
+    return false; // also drops what is not a number
   float size = draw.layout.point >= 0 ? corner[draw.layout.point].v[0] : r.point_size;
   size = size > 0.0f ? std::min(size, 255.0f) : 0.0f;
   int32_t x0, y0, x1, y1, fixed_width;
@@ -79,7 +81,8 @@ bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, boo
   for (int u = 0; u < kBlockTextureUnits; ++u) {
     if (draw.unit_plane[u] < 0 || !(r.sprite_units >> u & 1)) continue;
     // Across the square s and t go from 0 to 1.
-    const float gradient = 256.0f / static_cast<float>(fixed_width), gy = r.sprite_lower_left ? -gradient : gradient;
+    const float gradient = 256.0f / static_cast<float>(fixed_width),
+                gy = r.sprite_lower_left ? -gradient : gradient;
     const float x = v[0] - 0.5f, y = v[1] - 0.5f;
     Plane* p = out.plane + draw.unit_plane[u];
     p[0] = {(0.5f - (gradient * x + 0.0f * y)) * w, gradient * w, 0};

@@ -8,12 +8,14 @@ namespace softgl {
 
 namespace {
 
-/// True when every vertex's alpha is known to be 1 without looking: lit with a material of constant diffuse alpha.
+/// True when every vertex's alpha is known to be 1 without looking: lit with a material of constant diffuse
+/// alpha.
 bool is_opaque(const VertexProgram& vertex) {
   if (!vertex.lit) return false;
   const LightingConstants& k = *vertex.lighting;
   for (int face = 0; face <= int(k.two_sided); ++face)
-    if (k.material_source[kMaterialDiffuse][face] >= 0 || !(k.material[kMaterialDiffuse][face][3] >= 1.0f)) return false;
+    if (k.material_source[kMaterialDiffuse][face] >= 0 || !(k.material[kMaterialDiffuse][face][3] >= 1.0f))
+      return false;
   return true;
 }
 
@@ -25,21 +27,26 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
   d.program = draw.fragment;
   d.raster = draw.raster;
   d.layout = draw.layout;
-  // OSMesa 22.3.6 hands an unlit colour that no vertex sets straight to the fragments, without interpolating it (which
-  // would disturb its last bits: 0.3 * 255 is a tie). So it does with texture coordinates that nothing changes on the way,
-  // unless GL_POINT_SPRITE is on.
+  // OSMesa 22.3.6 hands an unlit colour that no vertex sets straight to the fragments, without interpolating
+  // it (which would disturb its last bits: 0.3 * 255 is a tie). So it does with texture coordinates that
+  // nothing changes on the way, unless GL_POINT_SPRITE is on.
   const bool unlit = draw.vertex && !draw.vertex->lit && !key.lit && draw.call.source;
-  auto flat = [&](AttributeSlot slot) { return key.flat || (unlit && !(draw.call.source->present >> slot & 1)); };
+  auto flat = [&](AttributeSlot slot) {
+    return key.flat || (unlit && !(draw.call.source->present >> slot & 1));
+  };
   int planes = kPlaneColor;
   auto take = [&](int count) { return planes += count, static_cast<int8_t>(planes - count); };
-  auto vary = [&](size_t lanes, int8_t slot, int8_t back_slot, int8_t first, int8_t components, bool is_flat) {
+  auto vary = [&](size_t lanes, int8_t slot, int8_t back_slot, int8_t first, int8_t components,
+                  bool is_flat) {
     if (slot < 0) return;
     if (!draw.raster->two_sided || back_slot < 0) back_slot = slot;
-    d.varying[d.varying_count++] = {static_cast<uint32_t>(lanes), slot, back_slot, first, components, take(components), is_flat};
+    d.varying[d.varying_count++] = {
+        static_cast<uint32_t>(lanes), slot, back_slot, first, components, take(components), is_flat};
   };
   const ShadedLayout& l = d.layout;
   vary(offsetof(FragmentBlock, color), l.color, l.back_color, 0, 4, flat(kColor));
-  if (key.secondary) vary(offsetof(FragmentBlock, secondary), l.secondary, l.back_secondary, 0, 3, flat(kSecondaryColor));
+  if (key.secondary)
+    vary(offsetof(FragmentBlock, secondary), l.secondary, l.back_secondary, 0, 3, flat(kSecondaryColor));
   if (key.fog_coordinate) vary(offsetof(FragmentBlock, fog), l.secondary, -1, 3, 1, false);
   if (key.lit) {
     constexpr size_t kLighting = offsetof(FragmentBlock, lighting);
@@ -47,19 +54,23 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
     vary(kLighting + offsetof(LightingBlock, eye), l.eye, -1, 0, 3, false);
     vary(offsetof(FragmentBlock, color), l.tracked, -1, 0, 4, false);
     for (int i = 0; i < kMaterialSlots; ++i)
-      vary(offsetof(FragmentBlock, material) + size_t(i) * sizeof(FragmentBlock::material[0]), l.material[i], -1, 0, i / 2 == kMaterialShininess ? 1 : 4, false);
+      vary(offsetof(FragmentBlock, material) + size_t(i) * sizeof(FragmentBlock::material[0]), l.material[i],
+           -1, 0, i / 2 == kMaterialShininess ? 1 : 4, false);
     d.facing = draw.raster->two_sided;
   }
   const bool constant = draw.vertex && !key.lit && draw.call.source && !draw.raster->point_sprite;
   for (int u = 0; u < kBlockTextureUnits; ++u) {
     d.unit_plane[u] = key.texture_units >> u & 1 && l.texcoord[u] >= 0 ? take(4) : int8_t(-1);
-    if (constant && !(draw.call.source->present >> (kTexCoord0 + u) & 1) && !draw.vertex->coordinates[u]) d.flat_units |= uint8_t(1u << u);
+    if (constant && !(draw.call.source->present >> (kTexCoord0 + u) & 1) && !draw.vertex->coordinates[u])
+      d.flat_units |= uint8_t(1u << u);
   }
   d.plane_count = static_cast<uint8_t>(planes);
   const auto format = static_cast<ColorFormat>(key.color_format);
   d.opaque = draw.vertex && is_opaque(*draw.vertex);
-  d.small = (format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565) && !d.program->reads_quads && !d.raster->stipple;
-  d.direct = draw.fragment->step_count == 0 && !d.raster->stipple && format == ColorFormat::Rgba8 && !key.stencil;
+  d.small = (format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565) && !d.program->reads_quads &&
+            !d.raster->stipple;
+  d.direct =
+      draw.fragment->step_count == 0 && !d.raster->stipple && format == ColorFormat::Rgba8 && !key.stencil;
   for (int c = 0; c < 4; ++c)
     if (key.color_mask >> c & 1) d.color_mask |= 0xffu << (8 * c);
   return d;

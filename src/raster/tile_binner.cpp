@@ -11,7 +11,8 @@ namespace softgl {
 
 RasterPrimitive* TileBinner::new_primitive() {
   // Planes are read by 16 bytes, 4 behind the last one.
-  const size_t bytes = (offsetof(RasterPrimitive, plane) + sizeof(Plane) * draw_->plane_count + 4 + 15) & ~size_t(15);
+  const size_t bytes =
+      (offsetof(RasterPrimitive, plane) + sizeof(Plane) * draw_->plane_count + 4 + 15) & ~size_t(15);
   if (static_cast<size_t>(end_ - next_) < bytes) {
     constexpr size_t kBlock = 16 * 1024;
     next_ = static_cast<uint8_t*>(arena_.allocate(kBlock));
@@ -88,7 +89,8 @@ void TileBinner::bin_small(const AssembledTriangles& batch, const TriangleOutput
     SmallTriangle *next = lists_.begin_triangles(tile, draw_, room), *const end = next + room;
     do {
       const bool negative = out.negative >> i & 1;
-      const SmallTriangle t = {{batch.corner[negative][i], batch.corner[!negative][i], batch.corner[2][i]}, back != negative};
+      const SmallTriangle t = {{batch.corner[negative][i], batch.corner[!negative][i], batch.corner[2][i]},
+                               back != negative};
       *next++ = t;
       if (out.further[i]) bin_further(t, tile, out.further[i]);
       small &= small - 1;
@@ -107,7 +109,8 @@ void TileBinner::bin_further(const SmallTriangle& t, uint32_t tile, uint32_t fur
 
 void TileBinner::triangles(const DrawRecord&, const AssembledTriangles& batch) {
   if (draw_->raster->cull == 3) return;
-  const TriangleInput in = {batch.count, tiles_x_, tiny_pixels_, {batch.corner[0], batch.corner[1], batch.corner[2]}};
+  const TriangleInput in = {
+      batch.count, tiles_x_, tiny_pixels_, {batch.corner[0], batch.corner[1], batch.corner[2]}};
   TriangleOutput& out = scratch_.output;
   kernels_.raster->prepare_triangles(*draw_, in, out, scratch_.block);
   RasterPrimitive* record[kSetupBatch];
@@ -125,8 +128,10 @@ void TileBinner::triangles(const DrawRecord&, const AssembledTriangles& batch) {
     for (int32_t i = 0; i < out.run_count; ++i) {
       const TriangleOutput::Run& run = out.run[i];
       bin_large_before(run.triangle);
-      if (killing) append_living(out, run.tile, run.first, out.run[i + 1].first);
-      else append_run(out, run.tile, run.first, out.run[i + 1].first);
+      if (killing)
+        append_living(out, run.tile, run.first, out.run[i + 1].first);
+      else
+        append_run(out, run.tile, run.first, out.run[i + 1].first);
     }
     bin_large_before(kSetupBatch);
   } else {

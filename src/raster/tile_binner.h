@@ -19,10 +19,12 @@ struct BinnerScratch {
 
 class TileBinner final : public PrimitiveSink {
 public:
-  TileBinner(const Surface& surface, TileLists& lists, Arena& arena, BinnerScratch& scratch, const Kernels& kernels = softgl::kernels())
+  TileBinner(const Surface& surface, TileLists& lists, Arena& arena, BinnerScratch& scratch,
+             const Kernels& kernels = softgl::kernels())
       : tiles_x_(surface.tiles_x), lists_(lists), arena_(arena), scratch_(scratch), kernels_(kernels) {}
 
-  /// The draw that the next batches belong to. Their vertices should not be kept when they are read `in_order`.
+  /// The draw that the next batches belong to. Their vertices should not be kept when they are read
+  /// `in_order`.
   void set_draw(const RasterDraw* draw, bool in_order = false) {
     draw_ = draw;
     tiny_pixels_ = in_order ? kTinyPixelsInOrder : kTinyPixels;

@@ -14,11 +14,14 @@ void TileLists::open(List& l, TileSegment::Kind kind, const RasterDraw* draw, si
     chunk->next = nullptr;
     chunk->used = 0;
     chunk->size = size;
-    if (l.last) l.last->next = chunk;
-    else l.first = chunk;
+    if (l.last)
+      l.last->next = chunk;
+    else
+      l.first = chunk;
     l.last = chunk;
     // The memory that comes next is needed soon, by this or another list, and lies in a far cache.
-    for (auto *p = reinterpret_cast<uint8_t*>(chunk) + size, *stop = p + size; p < stop; p += 64) __builtin_prefetch(p, 1);
+    for (auto *p = reinterpret_cast<uint8_t*>(chunk) + size, *stop = p + size; p < stop; p += 64)
+      __builtin_prefetch(p, 1);
     l.next = reinterpret_cast<uint8_t*>(chunk + 1);
     l.end = reinterpret_cast<uint8_t*>(chunk) + size;
   }

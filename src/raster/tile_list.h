@@ -1,4 +1,5 @@
-// Per-tile lists: streams of segments in chunks of arena memory. One worker appends; joining links chunk chains.
+// Per-tile lists: streams of segments in chunks of arena memory. One worker appends; joining links chunk
+// chains.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +19,8 @@ struct TileChunk {
   uint32_t size;
 };
 
-/// A run of entries of one kind and draw. Followed by pointers to primitives, by small triangles, or by `capacity` depths,
-/// colours and pixels of fragments, of which `count` are set.
+/// A run of entries of one kind and draw. Followed by pointers to primitives, by small triangles, or by
+/// `capacity` depths, colours and pixels of fragments, of which `count` are set.
 struct TileSegment {
   enum Kind : uint16_t { Primitives, Triangles, Fragments, Clear };
   Kind kind;
@@ -34,7 +35,9 @@ struct TileSegment {
   uint8_t* entries() { return reinterpret_cast<uint8_t*>(this + 1); }
   const uint8_t* entries() const { return reinterpret_cast<const uint8_t*>(this + 1); }
   size_t entry_bytes() const {
-    return kind == Fragments ? kFragmentBytes * capacity : kind == Triangles ? sizeof(SmallTriangle) * count : sizeof(void*) * count;
+    return kind == Fragments   ? kFragmentBytes * capacity
+           : kind == Triangles ? sizeof(SmallTriangle) * count
+                               : sizeof(void*) * count;
   }
   SmallFragments fragments() const {
     auto* depth = reinterpret_cast<uint32_t*>(const_cast<uint8_t*>(entries()));
@@ -74,8 +77,8 @@ public:
   void append_triangle(uint32_t tile, const RasterDraw* draw, const SmallTriangle& triangle) {
     append(tile, TileSegment::Triangles, draw, triangle);
   }
-  /// Where the next triangles of a tile go: `room` of them, at least one. Until end_triangles() says where they end nothing
-  /// else may be appended to this tile.
+  /// Where the next triangles of a tile go: `room` of them, at least one. Until end_triangles() says where
+  /// they end nothing else may be appended to this tile.
   SmallTriangle* begin_triangles(uint32_t tile, const RasterDraw* draw, uint32_t& room) {
     List& l = list(tile);
     make_room(l, TileSegment::Triangles, draw, sizeof(SmallTriangle));
@@ -88,13 +91,17 @@ public:
     l.next = reinterpret_cast<uint8_t*>(end);
   }
 
-  /// Room for at least one and at most `wanted` fragments of a tile; `given` says how many. The caller fills them.
+  /// Room for at least one and at most `wanted` fragments of a tile; `given` says how many. The caller fills
+  /// them.
   SmallFragments append_fragments(uint32_t tile, const RasterDraw* draw, uint32_t wanted, uint32_t& given) {
     List& l = list(tile);
     const bool goes_on = l.open && l.open->kind == TileSegment::Fragments && l.open->draw == draw;
     if (!goes_on || l.open->count == l.open->capacity) {
-      // The first segment of a draw is as large as its fragments, since many draws have few; later ones are full size.
-      const uint32_t capacity = goes_on ? kMaxFragments : wanted < kMaxFragments ? (wanted + 15) & ~15u : kMaxFragments;
+      // The first segment of a draw is as large as its fragments, since many draws have few; later ones are
+      // full size.
+      const uint32_t capacity = goes_on                  ? kMaxFragments
+                                : wanted < kMaxFragments ? (wanted + 15) & ~15u
+                                                         : kMaxFragments;
       open(l, TileSegment::Fragments, draw, TileSegment::kFragmentBytes * capacity);
       l.open->capacity = static_cast<uint16_t>(capacity);
       l.next += l.open->entry_bytes();
@@ -120,7 +127,8 @@ public:
 private:
   static constexpr uint32_t kFirstChunk = 512, kMostChunk = 4096, kMaxFragments = 128;
 
-  template <class Entry> void append(uint32_t tile, TileSegment::Kind kind, const RasterDraw* draw, const Entry& entry) {
+  template <class Entry>
+  void append(uint32_t tile, TileSegment::Kind kind, const RasterDraw* draw, const Entry& entry) {
     List& l = list(tile);
     make_room(l, kind, draw, sizeof(Entry));
     new (l.next) Entry(entry);
@@ -128,7 +136,9 @@ private:
     ++l.open->count;
   }
   void make_room(List& l, TileSegment::Kind kind, const RasterDraw* draw, size_t entry) {
-    if (!l.open || l.open->kind != kind || l.open->draw != draw || static_cast<size_t>(l.end - l.next) < entry) open(l, kind, draw, entry);
+    if (!l.open || l.open->kind != kind || l.open->draw != draw ||
+        static_cast<size_t>(l.end - l.next) < entry)
+      open(l, kind, draw, entry);
   }
 
   List& list(uint32_t tile) {
@@ -161,7 +171,8 @@ template <class Visit> void for_each_segment(const TileChunk* chunk, Visit&& vis
       p = segment.entries() + segment.entry_bytes();
       // The next one comes from a far cache.
       const auto* next = p < end ? p : reinterpret_cast<const uint8_t*>(chunk->next);
-      if (next) for (int line = 0; line < 20; ++line) __builtin_prefetch(next + 64 * line);
+      if (next)
+        for (int line = 0; line < 20; ++line) __builtin_prefetch(next + 64 * line);
       visit(segment);
     }
   }

@@ -19,7 +19,9 @@ struct Group {
   GLbitfield mask;
   size_t offset, size;
 };
+// clang-format off
 #define GROUP(bit, member) {bit, offsetof(State, member), sizeof(State::member)}
+// clang-format on
 const Group groups[] = {
     {GL_CURRENT_BIT, offsetof(State, current), kMaterial0 * sizeof(Vec4)},
     {GL_LIGHTING_BIT, offsetof(State, current) + kMaterial0 * sizeof(Vec4), kMaterialSlots * sizeof(Vec4)},
@@ -92,9 +94,11 @@ void PushAttrib(Context& c, GLbitfield mask) {
   saved.groups.reserve(groups_size(mask) + 256);
   const std::byte* state = reinterpret_cast<const std::byte*>(&c.state);
   for (const Group& group : groups)
-    if (group.mask & mask) saved.groups.insert(saved.groups.end(), state + group.offset, state + group.offset + group.size);
+    if (group.mask & mask)
+      saved.groups.insert(saved.groups.end(), state + group.offset, state + group.offset + group.size);
   if (mask & GL_ENABLE_BIT)
-    for_each_enable([&](const Capability& e, int unit) { saved.groups.push_back(std::byte(e.get(c.state, unit))); });
+    for_each_enable(
+        [&](const Capability& e, int unit) { saved.groups.push_back(std::byte(e.get(c.state, unit))); });
   if (mask & GL_TEXTURE_BIT) save_textures(c, saved.textures);
   c.attribute_stack.server.push_back(std::move(saved));
 }

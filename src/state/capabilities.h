@@ -11,7 +11,7 @@ namespace softgl {
 struct Capability {
   GLenum token;
   bool initial;
-  uint32_t dirty; // DirtyBit
+  uint32_t dirty;                           // DirtyBit
   bool* (*flag)(State&, TextureUnitState&); // null: a bit of mask
   uint32_t* (*mask)(State&);
   uint32_t bit;
@@ -21,9 +21,12 @@ struct Capability {
     return flag ? *flag(s, s.texture.unit[unit]) : (*mask(s) & bit) != 0;
   }
   void set(State& state, int unit, bool value) const {
-    if (flag) *flag(state, state.texture.unit[unit]) = value;
-    else if (value) *mask(state) |= bit;
-    else *mask(state) &= ~bit;
+    if (flag)
+      *flag(state, state.texture.unit[unit]) = value;
+    else if (value)
+      *mask(state) |= bit;
+    else
+      *mask(state) &= ~bit;
   }
   bool per_unit() const {
     static State state;

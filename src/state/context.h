@@ -35,7 +35,8 @@ struct Context {
   ClientState client;
   MatrixStacks matrices;
   AttributeStack attribute_stack;
-  std::shared_ptr<SharedObjects> shared = std::make_shared<SharedObjects>(); // textures, buffers, lists: may be shared
+  std::shared_ptr<SharedObjects> shared =
+      std::make_shared<SharedObjects>(); // textures, buffers, lists: may be shared
   std::shared_ptr<TextureObject> proxy_texture[kTextureTargets];
   ListCompiler lists;
   ArrayCache arrays; // what the last array draw found out about ClientState::vertex_array
@@ -46,8 +47,8 @@ struct Context {
   const bool smooth_is_phong = smooth_is_phong_by_environment();
 };
 
-/// The calling thread's context; never null: without one it is a context whose guard is kNoContext. Initial-exec,
-/// because it is one pointer and is read by every call.
+/// The calling thread's context; never null: without one it is a context whose guard is kNoContext.
+/// Initial-exec, because it is one pointer and is read by every call.
 extern constinit thread_local Context* current_context __attribute__((tls_model("initial-exec")));
 
 /// Records `code` unless an earlier error waits to be read (2.5).

@@ -11,7 +11,15 @@ namespace softgl {
 namespace {
 
 #define CAPABILITY(name, initial, dirty, member) \
-  {GLenum(GL_##name), bool(initial), dirty, [](State& s, TextureUnitState& unit) -> bool* { (void)s, (void)unit; return &(member); }, nullptr, 0},
+  {GLenum(GL_##name), \
+   bool(initial), \
+   dirty, \
+   [](State& s, TextureUnitState& unit) -> bool* { \
+     (void)s, (void)unit; \
+     return &(member); \
+   }, \
+   nullptr, \
+   0},
 #define CAPABILITY_BIT(name, number, dirty, member) \
   {GLenum(GL_##name), false, dirty, nullptr, [](State& s) -> uint32_t* { return &(member); }, 1u << (number)},
 const Capability table[] = {
@@ -31,15 +39,18 @@ std::span<const Capability> capabilities() { return table; }
 
 const Capability* find_capability(GLenum token) {
   static const std::vector<const Capability*> sorted = sorted_table();
-  auto it = std::lower_bound(sorted.begin(), sorted.end(), token, [](auto* a, GLenum t) { return a->token < t; });
+  auto it =
+      std::lower_bound(sorted.begin(), sorted.end(), token, [](auto* a, GLenum t) { return a->token < t; });
   return it != sorted.end() && (*it)->token == token ? *it : nullptr;
 }
 
 VertexArray* find_array(ClientState& client, GLenum token) {
   switch (token) {
+// clang-format off
 #define ARRAY(name, slot) \
   case GL_##name: return &client.vertex_array.array[slot];
 #include "state/state_table.inc"
+    // clang-format on
   default: return nullptr;
   }
 }
@@ -71,7 +82,8 @@ void Enable(Context& c, GLenum cap) { set_capability(c, cap, true); }
 void Disable(Context& c, GLenum cap) { set_capability(c, cap, false); }
 
 GLboolean IsEnabled(Context& c, GLenum cap) {
-  if (const Capability* capability = find_capability(cap)) return capability->get(c.state, c.state.texture.active_unit);
+  if (const Capability* capability = find_capability(cap))
+    return capability->get(c.state, c.state.texture.active_unit);
   if (const VertexArray* array = find_array(c.client, cap)) return array->enabled;
   set_error(c, GL_INVALID_ENUM);
   return GL_FALSE;

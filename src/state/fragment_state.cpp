@@ -1,4 +1,5 @@
-// Fog (GL 1.5, 3.10), per-fragment operations (4.1), and the masks and buffers of the framebuffer (4.2, 4.3.2).
+// Fog (GL 1.5, 3.10), per-fragment operations (4.1), and the masks and buffers of the framebuffer
+// (4.2, 4.3.2).
 #include "api/generated/commands.h"
 #include "state/context.h"
 
@@ -9,7 +10,13 @@ bool is_comparison(GLenum function) { return function >= GL_NEVER && function <=
 
 bool is_stencil_operation(GLenum operation) {
   switch (operation) {
-  case GL_KEEP: case GL_ZERO: case GL_REPLACE: case GL_INCR: case GL_DECR: case GL_INVERT: case GL_INCR_WRAP:
+  case GL_KEEP:
+  case GL_ZERO:
+  case GL_REPLACE:
+  case GL_INCR:
+  case GL_DECR:
+  case GL_INVERT:
+  case GL_INCR_WRAP:
   case GL_DECR_WRAP: return true;
   default: return false;
   }
@@ -17,11 +24,20 @@ bool is_stencil_operation(GLenum operation) {
 
 bool is_blend_factor(GLenum factor, bool source) {
   switch (factor) {
-  case GL_ZERO: case GL_ONE:
-  case GL_SRC_COLOR: case GL_ONE_MINUS_SRC_COLOR: case GL_DST_COLOR: case GL_ONE_MINUS_DST_COLOR:
-  case GL_SRC_ALPHA: case GL_ONE_MINUS_SRC_ALPHA: case GL_DST_ALPHA: case GL_ONE_MINUS_DST_ALPHA:
-  case GL_CONSTANT_COLOR: case GL_ONE_MINUS_CONSTANT_COLOR: case GL_CONSTANT_ALPHA: case GL_ONE_MINUS_CONSTANT_ALPHA:
-    return true;
+  case GL_ZERO:
+  case GL_ONE:
+  case GL_SRC_COLOR:
+  case GL_ONE_MINUS_SRC_COLOR:
+  case GL_DST_COLOR:
+  case GL_ONE_MINUS_DST_COLOR:
+  case GL_SRC_ALPHA:
+  case GL_ONE_MINUS_SRC_ALPHA:
+  case GL_DST_ALPHA:
+  case GL_ONE_MINUS_DST_ALPHA:
+  case GL_CONSTANT_COLOR:
+  case GL_ONE_MINUS_CONSTANT_COLOR:
+  case GL_CONSTANT_ALPHA:
+  case GL_ONE_MINUS_CONSTANT_ALPHA: return true;
   case GL_SRC_ALPHA_SATURATE: return source;
   default: return false;
   }
@@ -31,9 +47,18 @@ bool is_blend_factor(GLenum factor, bool source) {
 enum class BufferName { Unknown, Absent, Present };
 BufferName classify_buffer(GLenum buffer) {
   switch (buffer) {
-  case GL_FRONT: case GL_LEFT: case GL_FRONT_LEFT: case GL_BACK: case GL_BACK_LEFT: return BufferName::Present;
-  case GL_RIGHT: case GL_FRONT_RIGHT: case GL_BACK_RIGHT:
-  case GL_AUX0: case GL_AUX1: case GL_AUX2: case GL_AUX3: return BufferName::Absent;
+  case GL_FRONT:
+  case GL_LEFT:
+  case GL_FRONT_LEFT:
+  case GL_BACK:
+  case GL_BACK_LEFT: return BufferName::Present;
+  case GL_RIGHT:
+  case GL_FRONT_RIGHT:
+  case GL_BACK_RIGHT:
+  case GL_AUX0:
+  case GL_AUX1:
+  case GL_AUX2:
+  case GL_AUX3: return BufferName::Absent;
   default: return BufferName::Unknown;
   }
 }
@@ -45,7 +70,8 @@ void Fog(Context& c, GLenum pname, const GLfloat* params) {
   const float v = params[0];
   switch (pname) {
   case GL_FOG_MODE:
-    if (v != float(GL_LINEAR) && v != float(GL_EXP) && v != float(GL_EXP2)) return set_error(c, GL_INVALID_ENUM);
+    if (v != float(GL_LINEAR) && v != float(GL_EXP) && v != float(GL_EXP2))
+      return set_error(c, GL_INVALID_ENUM);
     fog.mode = GLenum(v);
     break;
   case GL_FOG_DENSITY:
@@ -107,7 +133,8 @@ void DepthFunc(Context& c, GLenum func) {
   c.dirty |= kDirtyFragment;
 }
 
-void BlendFuncSeparate(Context& c, GLenum source_rgb, GLenum destination_rgb, GLenum source_alpha, GLenum destination_alpha) {
+void BlendFuncSeparate(Context& c, GLenum source_rgb, GLenum destination_rgb, GLenum source_alpha,
+                       GLenum destination_alpha) {
   if (!is_blend_factor(source_rgb, true) || !is_blend_factor(source_alpha, true) ||
       !is_blend_factor(destination_rgb, false) || !is_blend_factor(destination_alpha, false))
     return set_error(c, GL_INVALID_ENUM);
@@ -123,7 +150,8 @@ void BlendFunc(Context& c, GLenum source, GLenum destination) {
 }
 
 void BlendEquation(Context& c, GLenum mode) {
-  if (mode != GL_FUNC_ADD && mode != GL_FUNC_SUBTRACT && mode != GL_FUNC_REVERSE_SUBTRACT && mode != GL_MIN && mode != GL_MAX)
+  if (mode != GL_FUNC_ADD && mode != GL_FUNC_SUBTRACT && mode != GL_FUNC_REVERSE_SUBTRACT && mode != GL_MIN &&
+      mode != GL_MAX)
     return set_error(c, GL_INVALID_ENUM);
   c.state.color_buffer.blend_equation = mode;
   c.dirty |= kDirtyFragment;
@@ -171,7 +199,6 @@ void StencilMask(Context& c, GLuint mask) {
   c.state.stencil.write_mask = mask;
   c.dirty |= kDirtyFragment;
 }
-
 
 void ClearAccum(Context& c, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
   const auto clamp = [](float v) { return v > -1.0f ? (v > 1.0f ? 1.0f : v) : -1.0f; };

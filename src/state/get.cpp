@@ -16,14 +16,23 @@ struct Values {
   int count = 0;
   Conversion conversion = Conversion::Bool;
 
-  template <class T> requires std::is_arithmetic_v<T> void put(T x) { v[count++] = double(x); }
-  void put(const Vec3& x) { for (int i = 0; i < 3; ++i) put(x[i]); }
-  void put(const Vec4& x) { for (int i = 0; i < 4; ++i) put(x[i]); }
-  void put(const glm::mat4& x) { for (int i = 0; i < 4; ++i) put(x[i]); }
+  template <class T>
+  requires std::is_arithmetic_v<T>
+  void put(T x) { v[count++] = double(x); }
+  void put(const Vec3& x) {
+    for (int i = 0; i < 3; ++i) put(x[i]);
+  }
+  void put(const Vec4& x) {
+    for (int i = 0; i < 4; ++i) put(x[i]);
+  }
+  void put(const glm::mat4& x) {
+    for (int i = 0; i < 4; ++i) put(x[i]);
+  }
   template <class... T> void put_all(const T&... x) { (put(x), ...); }
 };
 
-// Colours of fragment operations are kept as given, and read back clamped unless the colour buffer is of floats.
+// Colours of fragment operations are kept as given, and read back clamped unless the colour buffer is of
+// floats.
 Vec4 fragment_color(const Context& c, const Vec4& color) {
   if (c.framebuffer.surface.color_format == ColorFormat::RgbaFloat) return color;
   Vec4 clamped;
@@ -31,7 +40,9 @@ Vec4 fragment_color(const Context& c, const Vec4& color) {
   return clamped;
 }
 
-struct FramebufferBits { int red, green, blue, alpha, depth, stencil, accumulation; };
+struct FramebufferBits {
+  int red, green, blue, alpha, depth, stencil, accumulation;
+};
 FramebufferBits framebuffer_bits(const Context& c) {
   const Framebuffer& f = c.framebuffer;
   int red = 8, green = 8;
@@ -48,7 +59,10 @@ GLint stencil_reference(const Context& c) {
   return std::clamp(c.state.stencil.reference, 0, (1 << framebuffer_bits(c).stencil) - 1);
 }
 
-struct CompiledList { GLuint name; GLenum mode; };
+struct CompiledList {
+  GLuint name;
+  GLenum mode;
+};
 CompiledList list_being_compiled(const Context& c) {
   return c.lists.list ? CompiledList{c.lists.name, c.lists.mode} : CompiledList{0, 0};
 }
@@ -76,7 +90,8 @@ const Row* find_row(GLenum token) {
     std::sort(rows.begin(), rows.end(), [](auto* a, auto* b) { return a->token < b->token; });
     return rows;
   }();
-  auto it = std::lower_bound(sorted.begin(), sorted.end(), token, [](auto* a, GLenum t) { return a->token < t; });
+  auto it =
+      std::lower_bound(sorted.begin(), sorted.end(), token, [](auto* a, GLenum t) { return a->token < t; });
   return it != sorted.end() && (*it)->token == token ? *it : nullptr;
 }
 

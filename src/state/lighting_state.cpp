@@ -1,4 +1,5 @@
-// Lights, light model, material, colour material and shade model (GL 1.5, 2.14), and the queries of them (6.1.3).
+// Lights, light model, material, colour material and shade model (GL 1.5, 2.14), and the queries of them
+// (6.1.3).
 #include "state/color_material.h"
 
 #include "api/generated/commands.h"
@@ -85,14 +86,16 @@ void Light(Context& c, GLenum name, GLenum pname, const float* params) {
   case GL_POSITION: {
     const float* m = c.matrices.modelview.top().data();
     for (int i = 0; i < 4; ++i)
-      light->position[i] = m[i] * params[0] + m[4 + i] * params[1] + m[8 + i] * params[2] + m[12 + i] * params[3];
+      light->position[i] =
+          m[i] * params[0] + m[4 + i] * params[1] + m[8 + i] * params[2] + m[12 + i] * params[3];
     break;
   }
   case GL_SPOT_DIRECTION: {
     Matrix& modelview = c.matrices.modelview.top();
     if (modelview.flags & kMatrixDirty) analyse(modelview); // OSMesa does, and its flags depend on when
     const float* m = modelview.data();
-    for (int i = 0; i < 3; ++i) light->spot_direction[i] = params[0] * m[i] + params[1] * m[4 + i] + params[2] * m[8 + i];
+    for (int i = 0; i < 3; ++i)
+      light->spot_direction[i] = params[0] * m[i] + params[1] * m[4 + i] + params[2] * m[8 + i];
     break;
   }
   case GL_SPOT_EXPONENT:
@@ -149,7 +152,8 @@ void LightModel(Context& c, GLenum pname, const float* params) {
     lighting.specular_vector = GLenum(params[0]);
     break;
   case GL_LIGHT_MODEL_TERMS_SOFTGL:
-    if (!(params[0] >= 0.0f && params[0] <= float(GL_ALL_TERM_BITS_SOFTGL)) || params[0] != float(uint32_t(params[0])))
+    if (!(params[0] >= 0.0f && params[0] <= float(GL_ALL_TERM_BITS_SOFTGL)) ||
+        params[0] != float(uint32_t(params[0])))
       return set_error(c, GL_INVALID_VALUE);
     lighting.terms = uint32_t(params[0]);
     break;
@@ -160,7 +164,8 @@ void LightModel(Context& c, GLenum pname, const float* params) {
 
 void Material(Context& c, GLenum face, GLenum pname, const float* params) {
   if (pname == GL_COLOR_INDEXES) {
-    if (face != GL_FRONT && face != GL_BACK && face != GL_FRONT_AND_BACK) return set_error(c, GL_INVALID_ENUM);
+    if (face != GL_FRONT && face != GL_BACK && face != GL_FRONT_AND_BACK)
+      return set_error(c, GL_INVALID_ENUM);
     const Vec3 indexes(params[0], params[1], params[2]);
     if (face != GL_BACK) c.state.lighting.material_indexes[0] = indexes;
     if (face != GL_FRONT) c.state.lighting.material_indexes[1] = indexes;
@@ -178,8 +183,10 @@ void Material(Context& c, GLenum face, GLenum pname, const float* params) {
   if (!inside && (c.guard & kRunPending)) c.builder.close_run(c);
   for (int i = 0; i < kMaterialSlots; ++i) {
     if (!(slots >> i & 1)) continue;
-    if (inside) set_attribute4(c, kMaterial0 + i, value.x, value.y, value.z, value.w);
-    else set_current(c, kMaterial0 + i, &value.x);
+    if (inside)
+      set_attribute4(c, kMaterial0 + i, value.x, value.y, value.z, value.w);
+    else
+      set_current(c, kMaterial0 + i, &value.x);
   }
 }
 
@@ -187,7 +194,8 @@ namespace {
 
 // The slot that GetMaterial reads, or -1 with the error set.
 int queried_material_slot(Context& c, GLenum face, GLenum pname) {
-  const uint32_t slots = face == GL_FRONT_AND_BACK || pname == GL_AMBIENT_AND_DIFFUSE ? 0 : material_slots(face, pname);
+  const uint32_t slots =
+      face == GL_FRONT_AND_BACK || pname == GL_AMBIENT_AND_DIFFUSE ? 0 : material_slots(face, pname);
   if (slots == 0) {
     set_error(c, GL_INVALID_ENUM);
     return -1;

@@ -37,8 +37,10 @@ void multiply_affine(float* out, const float* a, const float* b) {
 
 void multiply_with_flags(Matrix& matrix, const float* m, uint32_t flags) {
   matrix.flags |= flags | kMatrixKindDirty | kMatrixInverseDirty;
-  if (only(matrix, kMatrix3D)) multiply_affine(matrix.data(), matrix.data(), m);
-  else multiply_full(matrix.data(), matrix.data(), m);
+  if (only(matrix, kMatrix3D))
+    multiply_affine(matrix.data(), matrix.data(), m);
+  else
+    multiply_full(matrix.data(), matrix.data(), m);
 }
 
 } // namespace
@@ -46,8 +48,10 @@ void multiply_with_flags(Matrix& matrix, const float* m, uint32_t flags) {
 Matrix product(const Matrix& a, const Matrix& b) {
   Matrix result;
   result.flags = a.flags | b.flags | kMatrixKindDirty | kMatrixInverseDirty;
-  if (only(result, kMatrix3D)) multiply_affine(result.data(), a.data(), b.data());
-  else multiply_full(result.data(), a.data(), b.data());
+  if (only(result, kMatrix3D))
+    multiply_affine(result.data(), a.data(), b.data());
+  else
+    multiply_full(result.data(), a.data(), b.data());
   return result;
 }
 
@@ -58,7 +62,8 @@ void set_identity(Matrix& matrix) {
 }
 
 void load(Matrix& matrix, const float m[16]) {
-  if (std::memcmp(m, matrix.data(), 16 * sizeof(float)) == 0) return; // OSMesa keeps the flags of an equal matrix
+  if (std::memcmp(m, matrix.data(), 16 * sizeof(float)) == 0)
+    return; // OSMesa keeps the flags of an equal matrix
   std::memcpy(matrix.data(), m, 16 * sizeof(float));
   matrix.flags = kMatrixGeneral | kMatrixDirty;
 }
@@ -78,9 +83,12 @@ void rotate(Matrix& matrix, float degrees, float x, float y, float z) {
   // A rotation about a coordinate axis writes only cosines and sines.
   int axis = -1;
   float direction = 0;
-  if (x == 0 && y == 0 && z != 0) axis = 2, direction = z;
-  else if (x == 0 && y != 0 && z == 0) axis = 1, direction = y;
-  else if (x != 0 && y == 0 && z == 0) axis = 0, direction = x;
+  if (x == 0 && y == 0 && z != 0)
+    axis = 2, direction = z;
+  else if (x == 0 && y != 0 && z == 0)
+    axis = 1, direction = y;
+  else if (x != 0 && y == 0 && z == 0)
+    axis = 0, direction = x;
   if (axis >= 0) {
     const int i = (axis + 1) % 3, k = (axis + 2) % 3;
     m[at(i, i)] = m[at(k, k)] = c;
@@ -117,10 +125,12 @@ void scale(Matrix& matrix, float x, float y, float z) {
   float* m = matrix.data();
   for (int row = 0; row < 4; ++row) m[row] *= x, m[4 + row] *= y, m[8 + row] *= z;
   const bool uniform = std::fabs(x - y) < 1e-8f && std::fabs(x - z) < 1e-8f;
-  matrix.flags |= (uniform ? kMatrixUniformScale : kMatrixGeneralScale) | kMatrixKindDirty | kMatrixInverseDirty;
+  matrix.flags |=
+      (uniform ? kMatrixUniformScale : kMatrixGeneralScale) | kMatrixKindDirty | kMatrixInverseDirty;
 }
 
-void frustum(Matrix& matrix, float left, float right, float bottom, float top, float near_value, float far_value) {
+void frustum(Matrix& matrix, float left, float right, float bottom, float top, float near_value,
+             float far_value) {
   float m[16] = {};
   m[at(0, 0)] = (2.0f * near_value) / (right - left);
   m[at(1, 1)] = (2.0f * near_value) / (top - bottom);
@@ -132,7 +142,8 @@ void frustum(Matrix& matrix, float left, float right, float bottom, float top, f
   multiply_with_flags(matrix, m, kMatrixPerspective);
 }
 
-void ortho(Matrix& matrix, float left, float right, float bottom, float top, float near_value, float far_value) {
+void ortho(Matrix& matrix, float left, float right, float bottom, float top, float near_value,
+           float far_value) {
   float m[16] = {};
   m[at(0, 0)] = 2.0f / (right - left);
   m[at(1, 1)] = 2.0f / (top - bottom);

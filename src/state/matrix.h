@@ -7,8 +7,8 @@
 namespace softgl {
 
 /// What a matrix may contain, as OSMesa tracks it: commands add bits, glLoadMatrix and glMultMatrix ask for a
-/// classification by value at the next analyse(), and glLoadIdentity leaves the bits as they are. They choose the inverse
-/// and the space of lighting, so they decide the last bits of lit colours.
+/// classification by value at the next analyse(), and glLoadIdentity leaves the bits as they are. They choose
+/// the inverse and the space of lighting, so they decide the last bits of lit colours.
 enum MatrixFlag : uint32_t {
   kMatrixGeneral = 0x01,
   kMatrixRotation = 0x02,
@@ -23,10 +23,19 @@ enum MatrixFlag : uint32_t {
   kMatrixFlagsDirty = 0x200,   // the flags must be found from the values
   kMatrixInverseDirty = 0x400, // `inverse` is out of date
   kMatrixDirty = 0x700,
-  kMatrix3D = kMatrixRotation | kMatrixTranslation | kMatrixUniformScale | kMatrixGeneralScale | kMatrixGeneral3D
+  kMatrix3D =
+      kMatrixRotation | kMatrixTranslation | kMatrixUniformScale | kMatrixGeneralScale | kMatrixGeneral3D
 };
 
-enum class MatrixKind : uint8_t { General, Identity, NoRotation3D, Perspective, Planar, NoRotation2D, Affine };
+enum class MatrixKind : uint8_t {
+  General,
+  Identity,
+  NoRotation3D,
+  Perspective,
+  Planar,
+  NoRotation2D,
+  Affine
+};
 
 struct Matrix {
   glm::mat4 m{1.0f};
@@ -38,9 +47,9 @@ struct Matrix {
   const float* data() const { return &m[0][0]; }
 };
 
-/// Brings flags, kind and inverse up to date. OSMesa does so when a matrix is pushed, at a spot direction, a clip plane
-/// or an eye plane, and before a draw (modelview; projection only with clip planes enabled): the moment matters, because a
-/// later command adds its bits to what was found.
+/// Brings flags, kind and inverse up to date. OSMesa does so when a matrix is pushed, at a spot direction, a
+/// clip plane or an eye plane, and before a draw (modelview; projection only with clip planes enabled): the
+/// moment matters, because a later command adds its bits to what was found.
 void analyse(Matrix& matrix);
 
 /// analyse() and the inverse; the identity if the matrix is singular.
@@ -71,7 +80,9 @@ void multiply(Matrix& matrix, const float m[16]);
 void rotate(Matrix& matrix, float degrees, float x, float y, float z);
 void translate(Matrix& matrix, float x, float y, float z);
 void scale(Matrix& matrix, float x, float y, float z);
-void frustum(Matrix& matrix, float left, float right, float bottom, float top, float near_value, float far_value);
-void ortho(Matrix& matrix, float left, float right, float bottom, float top, float near_value, float far_value);
+void frustum(Matrix& matrix, float left, float right, float bottom, float top, float near_value,
+             float far_value);
+void ortho(Matrix& matrix, float left, float right, float bottom, float top, float near_value,
+           float far_value);
 
 } // namespace softgl

@@ -1,5 +1,5 @@
-// analyse(): which kind of matrix this is, and its inverse by that kind. The order of operations is OSMesa 22.3.6's,
-// because the inverse transforms normals, lights and clip planes.
+// analyse(): which kind of matrix this is, and its inverse by that kind. The order of operations is
+// OSMesa 22.3.6's, because the inverse transforms normals, lights and clip planes.
 #include <cmath>
 #include <initializer_list>
 #include <utility>
@@ -25,7 +25,8 @@ bool last_row_affine(const float* m) { return zero(m, {3, 7, 11}) && m[15] == 1.
 
 uint32_t flags_by_value_planar(const float* m) {
   uint32_t flags = 0;
-  if (square(dot2(m, m) - 1) > kTolerance || square(dot2(m + 4, m + 4) - 1) > kTolerance) flags |= kMatrixGeneralScale;
+  if (square(dot2(m, m) - 1) > kTolerance || square(dot2(m + 4, m + 4) - 1) > kTolerance)
+    flags |= kMatrixGeneralScale;
   return flags | (square(dot2(m, m + 4)) > kTolerance ? kMatrixGeneral3D : kMatrixRotation);
 }
 
@@ -134,15 +135,17 @@ bool invert_general(float* out, const float* m) {
 
 void invert_translation(float* out, const float* in) {
   for (int i = 0; i < 3; ++i)
-    out[at(i, 3)] = -(in[at(0, 3)] * out[at(i, 0)] + in[at(1, 3)] * out[at(i, 1)] + in[at(2, 3)] * out[at(i, 2)]);
+    out[at(i, 3)] =
+        -(in[at(0, 3)] * out[at(i, 0)] + in[at(1, 3)] * out[at(i, 1)] + in[at(2, 3)] * out[at(i, 2)]);
 }
 
 // Adjugate over determinant; positive and negative products of the determinant are summed apart.
 bool invert_affine_general(float* out, const float* in) {
   const auto e = [in](int row, int column) { return in[at(row, column)]; };
   float positive = 0.0f, negative = 0.0f;
-  const float terms[6] = {e(0, 0) * e(1, 1) * e(2, 2),  e(1, 0) * e(2, 1) * e(0, 2),  e(2, 0) * e(0, 1) * e(1, 2),
-                          -e(2, 0) * e(1, 1) * e(0, 2), -e(1, 0) * e(0, 1) * e(2, 2), -e(0, 0) * e(2, 1) * e(1, 2)};
+  const float terms[6] = {e(0, 0) * e(1, 1) * e(2, 2),  e(1, 0) * e(2, 1) * e(0, 2),
+                          e(2, 0) * e(0, 1) * e(1, 2),  -e(2, 0) * e(1, 1) * e(0, 2),
+                          -e(1, 0) * e(0, 1) * e(2, 2), -e(0, 0) * e(2, 1) * e(1, 2)};
   for (float t : terms) (t >= 0.0f ? positive : negative) += t;
   float determinant = positive + negative;
   if (std::fabs(determinant) < 1e-25f) return false;
@@ -175,8 +178,10 @@ bool invert_affine(float* out, const Matrix& matrix) {
     for (int i = 0; i < 3; ++i) out[at(i, 3)] = -in[at(i, 3)];
     return true;
   }
-  if (matrix.flags & kMatrixTranslation) invert_translation(out, in);
-  else out[12] = out[13] = out[14] = 0.0f;
+  if (matrix.flags & kMatrixTranslation)
+    invert_translation(out, in);
+  else
+    out[12] = out[13] = out[14] = 0.0f;
   return true;
 }
 
@@ -206,8 +211,10 @@ bool invert(float* out, const Matrix& matrix) {
 
 void analyse(Matrix& matrix) {
   if (matrix.flags & kMatrixKindDirty) {
-    if (matrix.flags & kMatrixFlagsDirty) classify_by_value(matrix);
-    else classify_by_flags(matrix);
+    if (matrix.flags & kMatrixFlagsDirty)
+      classify_by_value(matrix);
+    else
+      classify_by_flags(matrix);
   }
   if (matrix.flags & kMatrixInverseDirty) {
     glm::mat4 result(1.0f);

@@ -14,7 +14,8 @@ Matrix& edit(Context& c) {
 } // namespace
 
 void MatrixMode(Context& c, GLenum mode) {
-  if (mode != GL_MODELVIEW && mode != GL_PROJECTION && mode != GL_TEXTURE) return set_error(c, GL_INVALID_ENUM);
+  if (mode != GL_MODELVIEW && mode != GL_PROJECTION && mode != GL_TEXTURE)
+    return set_error(c, GL_INVALID_ENUM);
   c.state.transform.matrix_mode = mode;
 }
 
@@ -29,7 +30,8 @@ void Rotate(Context& c, float angle, float x, float y, float z) { rotate(edit(c)
 void Translate(Context& c, float x, float y, float z) { translate(edit(c), x, y, z); }
 void Scale(Context& c, float x, float y, float z) { scale(edit(c), x, y, z); }
 
-void Frustum(Context& c, float left, float right, float bottom, float top, float near_value, float far_value) {
+void Frustum(Context& c, float left, float right, float bottom, float top, float near_value,
+             float far_value) {
   if (near_value <= 0.0f || far_value <= 0.0f || near_value == far_value || left == right || bottom == top)
     return set_error(c, GL_INVALID_VALUE);
   frustum(edit(c), left, right, bottom, top, near_value, far_value);

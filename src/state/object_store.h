@@ -1,5 +1,5 @@
-// Named objects: textures, buffers, display lists and queries (GL 1.5, 2.9, 3.8.12, 4.1.7, 5.4). Contexts may share one
-// store; its lock is taken on object operations only, never per vertex or pixel.
+// Named objects: textures, buffers, display lists and queries (GL 1.5, 2.9, 3.8.12, 4.1.7, 5.4). Contexts may
+// share one store; its lock is taken on object operations only, never per vertex or pixel.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,9 @@
 
 namespace softgl {
 
-/// Names and their objects. A name is unused, reserved (generated, without an object yet) or names an object. Name 0 is
-/// never in the table. An object lives as long as somebody holds a pointer to it: a binding keeps a deleted object.
+/// Names and their objects. A name is unused, reserved (generated, without an object yet) or names an object.
+/// Name 0 is never in the table. An object lives as long as somebody holds a pointer to it: a binding keeps a
+/// deleted object.
 template <class T> class NameTable {
 public:
   using Pointer = std::shared_ptr<T>;
@@ -73,7 +74,8 @@ public:
     entry = std::move(object);
     highest_ = std::max(highest_, name);
   }
-  /// Frees the name (Delete*) and hands out its object, so that the caller can end bindings to it. Null if unused.
+  /// Frees the name (Delete*) and hands out its object, so that the caller can end bindings to it. Null if
+  /// unused.
   Pointer erase(GLuint name) {
     std::lock_guard lock(mutex_);
     auto it = objects_.find(name);

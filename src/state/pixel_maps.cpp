@@ -19,15 +19,19 @@ bool holds_indexes(GLenum map) { return map == GL_PIXEL_MAP_I_TO_I || map == GL_
 bool takes_indexes(GLenum map) { return map <= GL_PIXEL_MAP_I_TO_A; }
 
 /// `value(v)` is what the map shall hold where the client has v.
-template <class T, class Value> void set_map(Context& c, GLenum map, GLsizei size, const T* values, Value value) {
-  if (size < 1 || size > kMaxMapSize || (is_map(map) && takes_indexes(map) && (size & (size - 1)) != 0)) return set_error(c, GL_INVALID_VALUE);
+template <class T, class Value>
+void set_map(Context& c, GLenum map, GLsizei size, const T* values, Value value) {
+  if (size < 1 || size > kMaxMapSize || (is_map(map) && takes_indexes(map) && (size & (size - 1)) != 0))
+    return set_error(c, GL_INVALID_VALUE);
   if (!is_map(map)) return set_error(c, GL_INVALID_ENUM);
   if (!values) return;
   const GLenum i = map - GL_PIXEL_MAP_I_TO_I;
   c.state.pixel_maps.size[i] = size;
   for (GLsizei k = 0; k < size; ++k) {
     const float v = value(values[k]);
-    c.state.pixel_maps.value[i][k] = map == GL_PIXEL_MAP_S_TO_S ? std::round(v) : map == GL_PIXEL_MAP_I_TO_I ? v : unit_range(v);
+    c.state.pixel_maps.value[i][k] = map == GL_PIXEL_MAP_S_TO_S   ? std::round(v)
+                                     : map == GL_PIXEL_MAP_I_TO_I ? v
+                                                                  : unit_range(v);
   }
 }
 
@@ -49,20 +53,26 @@ void PixelMapfv(Context& c, GLenum map, GLsizei mapsize, const GLfloat* values) 
   set_map(c, map, mapsize, values, [](float v) { return v; });
 }
 void PixelMapuiv(Context& c, GLenum map, GLsizei mapsize, const GLuint* values) {
-  set_map(c, map, mapsize, values, [&](GLuint v) { return holds_indexes(map) ? float(v) : float(v * (1.0 / 4294967295.0)); });
+  set_map(c, map, mapsize, values,
+          [&](GLuint v) { return holds_indexes(map) ? float(v) : float(v * (1.0 / 4294967295.0)); });
 }
 void PixelMapusv(Context& c, GLenum map, GLsizei mapsize, const GLushort* values) {
-  set_map(c, map, mapsize, values, [&](GLushort v) { return holds_indexes(map) ? float(v) : float(v) * (1.0f / 65535.0f); });
+  set_map(c, map, mapsize, values,
+          [&](GLushort v) { return holds_indexes(map) ? float(v) : float(v) * (1.0f / 65535.0f); });
 }
 
 void GetPixelMapfv(Context& c, GLenum map, GLfloat* values) {
   get_map(c, map, [&](GLsizei k, float v) { values[k] = v; });
 }
 void GetPixelMapuiv(Context& c, GLenum map, GLuint* values) {
-  get_map(c, map, [&](GLsizei k, float v) { values[k] = holds_indexes(map) ? GLuint(within(v, 4294967295.0)) : GLuint(double(v) * 4294967295.0); });
+  get_map(c, map, [&](GLsizei k, float v) {
+    values[k] = holds_indexes(map) ? GLuint(within(v, 4294967295.0)) : GLuint(double(v) * 4294967295.0);
+  });
 }
 void GetPixelMapusv(Context& c, GLenum map, GLushort* values) {
-  get_map(c, map, [&](GLsizei k, float v) { values[k] = holds_indexes(map) ? GLushort(within(v, 65535.0)) : GLushort(std::lrint(v * 65535.0f)); });
+  get_map(c, map, [&](GLsizei k, float v) {
+    values[k] = holds_indexes(map) ? GLushort(within(v, 65535.0)) : GLushort(std::lrint(v * 65535.0f));
+  });
 }
 
 } // namespace gl

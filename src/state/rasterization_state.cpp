@@ -21,7 +21,8 @@ void PointParameter(Context& c, GLenum pname, const GLfloat* params) {
   case GL_POINT_FADE_THRESHOLD_SIZE: size = &point.fade_threshold; break;
   case GL_POINT_DISTANCE_ATTENUATION: point.distance_attenuation = {params[0], params[1], params[2]}; break;
   case GL_POINT_SPRITE_COORD_ORIGIN:
-    if (params[0] != float(GL_LOWER_LEFT) && params[0] != float(GL_UPPER_LEFT)) return set_error(c, GL_INVALID_VALUE);
+    if (params[0] != float(GL_LOWER_LEFT) && params[0] != float(GL_UPPER_LEFT))
+      return set_error(c, GL_INVALID_VALUE);
     point.sprite_origin = GLenum(params[0]);
     break;
   default: return set_error(c, GL_INVALID_ENUM);
@@ -78,7 +79,8 @@ struct StippleRow {
   size_t byte, bit;
 };
 StippleRow stipple_row(const softgl::PixelStore& store, int y) {
-  const size_t length = store.row_length > 0 ? size_t(store.row_length) : 32, alignment = size_t(store.alignment);
+  const size_t length = store.row_length > 0 ? size_t(store.row_length) : 32,
+               alignment = size_t(store.alignment);
   const size_t stride = ((length + 7) / 8 + alignment - 1) / alignment * alignment;
   const size_t bit = size_t(store.skip_pixels);
   return {stride * (size_t(store.skip_rows) + size_t(y)) + bit / 8, bit % 8};

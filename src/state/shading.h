@@ -10,7 +10,8 @@ bool smooth_is_phong_by_environment();
 
 /// True where lighting is done for each fragment. Without lighting GL_PHONG_WIN is GL_SMOOTH.
 inline bool lights_fragments(const LightingState& lighting, bool smooth_is_phong) {
-  return lighting.enabled && (lighting.shade_model == GL_PHONG_WIN || (smooth_is_phong && lighting.shade_model == GL_SMOOTH));
+  return lighting.enabled &&
+         (lighting.shade_model == GL_PHONG_WIN || (smooth_is_phong && lighting.shade_model == GL_SMOOTH));
 }
 
 } // namespace softgl

@@ -4,8 +4,8 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <glm/glm.hpp>
+#include <memory>
 
 #include "base/gl_types.h"
 #include "vertex_attributes.h"
@@ -15,7 +15,7 @@ namespace softgl {
 constexpr int kMaxLights = 8;
 constexpr int kMaxClipPlanes = 8;
 constexpr int kMaxTextureUnits = 8;
-constexpr int kMaxTextureLevels = 15;  // 16384 = 2^14
+constexpr int kMaxTextureLevels = 15; // 16384 = 2^14
 constexpr int kMaxTextureSize = 16384;
 constexpr int kMax3DTextureSize = 2048;
 constexpr int kMaxViewportDimension = 16384;
@@ -24,17 +24,36 @@ using Vec2 = glm::vec2;
 using Vec3 = glm::vec3;
 using Vec4 = glm::vec4;
 
-/// The current vertex attributes (GL_CURRENT_BIT) and the current material (part of GL_LIGHTING_BIT), table 6.5.
+/// The current vertex attributes (GL_CURRENT_BIT) and the current material (part of GL_LIGHTING_BIT),
+/// table 6.5.
 struct CurrentAttributes {
   alignas(16) Vec4 slot[kAttributeSlots] = {
-      /* position   */ {0, 0, 0, 1}, /* normal */ {0, 0, 1, 1}, /* colour */ {1, 1, 1, 1}, /* secondary */ {0, 0, 0, 1},
-      /* fog        */ {0, 0, 0, 1}, /* edge   */ {1, 0, 0, 1}, /* index  */ {1, 0, 0, 1}, /* unused    */ {0, 0, 0, 1},
-      /* tex coords */ {0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1},
-      /* ambient    */ {0.2f, 0.2f, 0.2f, 1}, {0.2f, 0.2f, 0.2f, 1},
-      /* diffuse    */ {0.8f, 0.8f, 0.8f, 1}, {0.8f, 0.8f, 0.8f, 1},
-      /* specular   */ {0, 0, 0, 1}, {0, 0, 0, 1},
-      /* emission   */ {0, 0, 0, 1}, {0, 0, 0, 1},
-      /* shininess  */ {0, 0, 0, 1}, {0, 0, 0, 1}};
+      /* position   */ {0, 0, 0, 1},
+      /* normal */ {0, 0, 1, 1},
+      /* colour */ {1, 1, 1, 1},
+      /* secondary */ {0, 0, 0, 1},
+      /* fog        */ {0, 0, 0, 1},
+      /* edge   */ {1, 0, 0, 1},
+      /* index  */ {1, 0, 0, 1},
+      /* unused    */ {0, 0, 0, 1},
+      /* tex coords */ {0, 0, 0, 1},
+      {0, 0, 0, 1},
+      {0, 0, 0, 1},
+      {0, 0, 0, 1},
+      {0, 0, 0, 1},
+      {0, 0, 0, 1},
+      {0, 0, 0, 1},
+      {0, 0, 0, 1},
+      /* ambient    */ {0.2f, 0.2f, 0.2f, 1},
+      {0.2f, 0.2f, 0.2f, 1},
+      /* diffuse    */ {0.8f, 0.8f, 0.8f, 1},
+      {0.8f, 0.8f, 0.8f, 1},
+      /* specular   */ {0, 0, 0, 1},
+      {0, 0, 0, 1},
+      /* emission   */ {0, 0, 0, 1},
+      {0, 0, 0, 1},
+      /* shininess  */ {0, 0, 0, 1},
+      {0, 0, 0, 1}};
 };
 
 /// The current raster position (table 6.5).
@@ -51,8 +70,8 @@ struct RasterPosition {
 struct TransformState {
   GLenum matrix_mode = GL_MODELVIEW;
   bool normalize = false, rescale_normal = false;
-  uint32_t clip_plane_enabled = 0;              // bit i = GL_CLIP_PLANEi
-  Vec4 clip_plane[kMaxClipPlanes] = {};         // eye coordinates (2.11)
+  uint32_t clip_plane_enabled = 0;      // bit i = GL_CLIP_PLANEi
+  Vec4 clip_plane[kMaxClipPlanes] = {}; // eye coordinates (2.11)
 };
 struct ViewportState {
   GLint x = 0, y = 0;
@@ -71,9 +90,10 @@ struct FogState {
 /// GL_LIGHTING_BIT (tables 6.10, 6.11) without the material, which is in CurrentAttributes.
 struct Light {
   bool enabled = false;
-  Vec4 ambient{0, 0, 0, 1}, diffuse{0, 0, 0, 1}, specular{0, 0, 0, 1}; // light 0: diffuse, specular = 1 (see LightingState)
-  Vec4 position{0, 0, 1, 0};                                           // eye coordinates
-  Vec3 spot_direction{0, 0, -1};                                       // eye coordinates
+  Vec4 ambient{0, 0, 0, 1}, diffuse{0, 0, 0, 1},
+      specular{0, 0, 0, 1};      // light 0: diffuse, specular = 1 (see LightingState)
+  Vec4 position{0, 0, 1, 0};     // eye coordinates
+  Vec3 spot_direction{0, 0, -1}; // eye coordinates
   float spot_exponent = 0, spot_cutoff = 180;
   float constant_attenuation = 1, linear_attenuation = 0, quadratic_attenuation = 0;
 };
@@ -86,7 +106,8 @@ struct LightingState {
   GLenum color_control = GL_SINGLE_COLOR;
   GLenum specular_vector = GL_HALF_VECTOR_SOFTGL; // GL_SOFTGL_phong_illumination
   uint32_t terms = GL_ALL_TERM_BITS_SOFTGL;
-  Vec3 material_indexes[2] = {{0, 1, 1}, {0, 1, 1}}; // GL_COLOR_INDEXES of front and back: ambient, diffuse, specular
+  Vec3 material_indexes[2] = {{0, 1, 1},
+                              {0, 1, 1}}; // GL_COLOR_INDEXES of front and back: ambient, diffuse, specular
   std::array<Light, kMaxLights> light{};
   LightingState() { light[0].diffuse = light[0].specular = {1, 1, 1, 1}; }
 };
@@ -119,12 +140,15 @@ struct PolygonState {
 };
 struct PolygonStippleState {
   uint32_t row[32]; // row 0 = bottom; the most significant bit is the leftmost pixel
-  PolygonStippleState() { for (auto& r : row) r = 0xffffffffu; }
+  PolygonStippleState() {
+    for (auto& r : row) r = 0xffffffffu;
+  }
 };
 
 /// Multisampling (table 6.14): OSMesa has no sample buffers, so this is only remembered.
 struct MultisampleState {
-  bool enabled = true, alpha_to_coverage = false, alpha_to_one = false, coverage = false, coverage_invert = false;
+  bool enabled = true, alpha_to_coverage = false, alpha_to_one = false, coverage = false,
+       coverage_invert = false;
   float coverage_value = 1;
 };
 
@@ -134,7 +158,14 @@ struct TextureGeneration {
   GLenum mode = GL_EYE_LINEAR;
   Vec4 object_plane{0, 0, 0, 0}, eye_plane{0, 0, 0, 0};
 };
-enum TextureTarget : int { kTexture1D, kTexture2D, kTexture3D, kTextureCube, kTextureRectangle, kTextureTargets };
+enum TextureTarget : int {
+  kTexture1D,
+  kTexture2D,
+  kTexture3D,
+  kTextureCube,
+  kTextureRectangle,
+  kTextureTargets
+};
 struct TextureUnitState {
   bool enabled[kTextureTargets] = {};
   GLuint bound[kTextureTargets] = {}; // names; the objects are in the object store
@@ -142,7 +173,8 @@ struct TextureUnitState {
   Vec4 env_color{0, 0, 0, 0};
   float lod_bias = 0;
   GLenum combine_rgb = GL_MODULATE, combine_alpha = GL_MODULATE;
-  GLenum source_rgb[3] = {GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT}, source_alpha[3] = {GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT};
+  GLenum source_rgb[3] = {GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT},
+         source_alpha[3] = {GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT};
   GLenum operand_rgb[3] = {GL_SRC_COLOR, GL_SRC_COLOR, GL_SRC_ALPHA};
   GLenum operand_alpha[3] = {GL_SRC_ALPHA, GL_SRC_ALPHA, GL_SRC_ALPHA};
   float rgb_scale = 1, alpha_scale = 1;
@@ -157,8 +189,8 @@ struct TextureState {
   TextureUnitState unit[kMaxTextureUnits];
 };
 
-/// GL_SCISSOR_BIT, and the per-fragment operations of GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT, GL_STENCIL_BUFFER_BIT
-/// and GL_ACCUM_BUFFER_BIT (tables 6.20, 6.21).
+/// GL_SCISSOR_BIT, and the per-fragment operations of GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT,
+/// GL_STENCIL_BUFFER_BIT and GL_ACCUM_BUFFER_BIT (tables 6.20, 6.21).
 struct ScissorState {
   bool enabled = false;
   GLint x = 0, y = 0;
@@ -231,7 +263,8 @@ struct EvaluatorState {
 /// GL_HINT_BIT (table 6.28) and GL_LIST_BIT.
 struct HintState {
   GLenum perspective_correction = GL_DONT_CARE, point_smooth = GL_DONT_CARE, line_smooth = GL_DONT_CARE;
-  GLenum polygon_smooth = GL_DONT_CARE, fog = GL_DONT_CARE, generate_mipmap = GL_DONT_CARE, texture_compression = GL_DONT_CARE;
+  GLenum polygon_smooth = GL_DONT_CARE, fog = GL_DONT_CARE, generate_mipmap = GL_DONT_CARE,
+         texture_compression = GL_DONT_CARE;
   GLenum phong = GL_DONT_CARE; // GL_WIN_phong_shading
 };
 struct ListState {
@@ -250,13 +283,14 @@ struct RenderModeState {
   GLuint* selection_buffer = nullptr;
   uint64_t written = 0; // values, those that found no room counted too
   GLint hits = 0;
-  bool hit = false;     // since the name stack changed last
+  bool hit = false;                          // since the name stack changed last
   float least_depth = 1, greatest_depth = 0; // of that hit
 };
 
 struct BufferObject; // vertex/buffer_objects.h
 
-/// One vertex array (GL_CLIENT_VERTEX_ARRAY_BIT, tables 6.6, 6.7). `pointer` is an offset when `buffer` is not 0.
+/// One vertex array (GL_CLIENT_VERTEX_ARRAY_BIT, tables 6.6, 6.7). `pointer` is an offset when `buffer` is
+/// not 0.
 struct VertexArray {
   bool enabled = false;
   GLint size = 4;
@@ -271,7 +305,10 @@ struct VertexArrayState {
   int active_texture_unit = 0;
   GLuint array_buffer = 0, element_array_buffer = 0;
   std::shared_ptr<BufferObject> array_object, element_array_object; // null for name 0
-  VertexArrayState() { array[kNormal].size = array[kSecondaryColor].size = 3; array[kFogCoordinate].size = array[kEdgeFlag].size = array[kColorIndex].size = 1; }
+  VertexArrayState() {
+    array[kNormal].size = array[kSecondaryColor].size = 3;
+    array[kFogCoordinate].size = array[kEdgeFlag].size = array[kColorIndex].size = 1;
+  }
 };
 
 /// All server state that is not in objects. PushAttrib saves it by attribute group.
@@ -307,18 +344,18 @@ struct ClientState {
   VertexArrayState vertex_array;
 };
 
-/// Dirty bits: a command sets the bits of the groups it changed; draw_record.cpp clears them when it has taken a
-/// new snapshot. An unset bit means that the last snapshot block may be used again.
+/// Dirty bits: a command sets the bits of the groups it changed; draw_record.cpp clears them when it has
+/// taken a new snapshot. An unset bit means that the last snapshot block may be used again.
 enum DirtyBit : uint32_t {
-  kDirtyMatrices = 1u << 0,   // modelview, projection, texture matrices
-  kDirtyViewport = 1u << 1,   // viewport, depth range, framebuffer size
-  kDirtyLighting = 1u << 2,   // lights, light model, colour material, material
-  kDirtyTransform = 1u << 3,  // normalize, rescale, clip planes, texture generation, point attenuation
-  kDirtyRaster = 1u << 4,     // point, line, polygon, scissor
-  kDirtyFragment = 1u << 5,   // fog, texture environment, alpha test, blend, depth, stencil, masks
-  kDirtyTexture = 1u << 6,    // bindings, parameters, images
-  kDirtyCurrent = 1u << 7,    // current attributes below kMaterial0 (cleared by vertex/)
-  kDirtyArrays = 1u << 8,     // vertex array pointers and enables, buffer contents (cleared by vertex/)
+  kDirtyMatrices = 1u << 0,  // modelview, projection, texture matrices
+  kDirtyViewport = 1u << 1,  // viewport, depth range, framebuffer size
+  kDirtyLighting = 1u << 2,  // lights, light model, colour material, material
+  kDirtyTransform = 1u << 3, // normalize, rescale, clip planes, texture generation, point attenuation
+  kDirtyRaster = 1u << 4,    // point, line, polygon, scissor
+  kDirtyFragment = 1u << 5,  // fog, texture environment, alpha test, blend, depth, stencil, masks
+  kDirtyTexture = 1u << 6,   // bindings, parameters, images
+  kDirtyCurrent = 1u << 7,   // current attributes below kMaterial0 (cleared by vertex/)
+  kDirtyArrays = 1u << 8,    // vertex array pointers and enables, buffer contents (cleared by vertex/)
   kDirtyAll = (1u << 9) - 1
 };
 

@@ -1,5 +1,5 @@
-// Texture units: selection, environment and coordinate generation (GL 1.5, 2.7, 2.11.4, 3.8.13) and their queries.
-// Texture objects and images are in texture/.
+// Texture units: selection, environment and coordinate generation (GL 1.5, 2.7, 2.11.4, 3.8.13) and their
+// queries. Texture objects and images are in texture/.
 #include "api/generated/commands.h"
 #include "state/context.h"
 #include "state/get_conversion.h"
@@ -10,21 +10,30 @@ namespace {
 TextureUnitState& active_unit(Context& c) { return c.state.texture.unit[c.state.texture.active_unit]; }
 
 // Enums arrive as floats; what is no small non-negative integer is no enum.
-GLenum to_enum(float v) { return v >= 0.0f && v < 65536.0f && v == float(GLenum(v)) ? GLenum(v) : 0xffffffffu; }
+GLenum to_enum(float v) {
+  return v >= 0.0f && v < 65536.0f && v == float(GLenum(v)) ? GLenum(v) : 0xffffffffu;
+}
 
 bool is_environment_mode(GLenum mode) {
-  return mode == GL_MODULATE || mode == GL_BLEND || mode == GL_DECAL || mode == GL_REPLACE || mode == GL_ADD || mode == GL_COMBINE;
+  return mode == GL_MODULATE || mode == GL_BLEND || mode == GL_DECAL || mode == GL_REPLACE ||
+         mode == GL_ADD || mode == GL_COMBINE;
 }
 bool is_combiner(GLenum function, bool rgb) {
   switch (function) {
-  case GL_REPLACE: case GL_MODULATE: case GL_ADD: case GL_ADD_SIGNED: case GL_INTERPOLATE: case GL_SUBTRACT: return true;
-  case GL_DOT3_RGB: case GL_DOT3_RGBA: return rgb;
+  case GL_REPLACE:
+  case GL_MODULATE:
+  case GL_ADD:
+  case GL_ADD_SIGNED:
+  case GL_INTERPOLATE:
+  case GL_SUBTRACT: return true;
+  case GL_DOT3_RGB:
+  case GL_DOT3_RGBA: return rgb;
   default: return false;
   }
 }
 bool is_source(GLenum source) {
-  return source == GL_TEXTURE || source == GL_CONSTANT || source == GL_PRIMARY_COLOR || source == GL_PREVIOUS ||
-         (source >= GL_TEXTURE0 && source < GLenum(GL_TEXTURE0 + kMaxTextureUnits));
+  return source == GL_TEXTURE || source == GL_CONSTANT || source == GL_PRIMARY_COLOR ||
+         source == GL_PREVIOUS || (source >= GL_TEXTURE0 && source < GLenum(GL_TEXTURE0 + kMaxTextureUnits));
 }
 bool is_operand(GLenum operand, bool rgb) {
   return operand == GL_SRC_ALPHA || operand == GL_ONE_MINUS_SRC_ALPHA ||
@@ -37,10 +46,18 @@ GLenum* environment_enum(TextureUnitState& unit, GLenum pname) {
   case GL_TEXTURE_ENV_MODE: return &unit.env_mode;
   case GL_COMBINE_RGB: return &unit.combine_rgb;
   case GL_COMBINE_ALPHA: return &unit.combine_alpha;
-  case GL_SOURCE0_RGB: case GL_SOURCE1_RGB: case GL_SOURCE2_RGB: return &unit.source_rgb[pname - GL_SOURCE0_RGB];
-  case GL_SOURCE0_ALPHA: case GL_SOURCE1_ALPHA: case GL_SOURCE2_ALPHA: return &unit.source_alpha[pname - GL_SOURCE0_ALPHA];
-  case GL_OPERAND0_RGB: case GL_OPERAND1_RGB: case GL_OPERAND2_RGB: return &unit.operand_rgb[pname - GL_OPERAND0_RGB];
-  case GL_OPERAND0_ALPHA: case GL_OPERAND1_ALPHA: case GL_OPERAND2_ALPHA: return &unit.operand_alpha[pname - GL_OPERAND0_ALPHA];
+  case GL_SOURCE0_RGB:
+  case GL_SOURCE1_RGB:
+  case GL_SOURCE2_RGB: return &unit.source_rgb[pname - GL_SOURCE0_RGB];
+  case GL_SOURCE0_ALPHA:
+  case GL_SOURCE1_ALPHA:
+  case GL_SOURCE2_ALPHA: return &unit.source_alpha[pname - GL_SOURCE0_ALPHA];
+  case GL_OPERAND0_RGB:
+  case GL_OPERAND1_RGB:
+  case GL_OPERAND2_RGB: return &unit.operand_rgb[pname - GL_OPERAND0_RGB];
+  case GL_OPERAND0_ALPHA:
+  case GL_OPERAND1_ALPHA:
+  case GL_OPERAND2_ALPHA: return &unit.operand_alpha[pname - GL_OPERAND0_ALPHA];
   default: return nullptr;
   }
 }
@@ -49,9 +66,15 @@ bool is_legal(GLenum pname, GLenum value) {
   case GL_TEXTURE_ENV_MODE: return is_environment_mode(value);
   case GL_COMBINE_RGB: return is_combiner(value, true);
   case GL_COMBINE_ALPHA: return is_combiner(value, false);
-  case GL_SOURCE0_RGB: case GL_SOURCE1_RGB: case GL_SOURCE2_RGB:
-  case GL_SOURCE0_ALPHA: case GL_SOURCE1_ALPHA: case GL_SOURCE2_ALPHA: return is_source(value);
-  case GL_OPERAND0_RGB: case GL_OPERAND1_RGB: case GL_OPERAND2_RGB: return is_operand(value, true);
+  case GL_SOURCE0_RGB:
+  case GL_SOURCE1_RGB:
+  case GL_SOURCE2_RGB:
+  case GL_SOURCE0_ALPHA:
+  case GL_SOURCE1_ALPHA:
+  case GL_SOURCE2_ALPHA: return is_source(value);
+  case GL_OPERAND0_RGB:
+  case GL_OPERAND1_RGB:
+  case GL_OPERAND2_RGB: return is_operand(value, true);
   default: return is_operand(value, false);
   }
 }
@@ -116,14 +139,17 @@ template <class T> void get_generation(Context& c, GLenum coord, GLenum pname, T
   const TextureGeneration* g = generation(c, coord);
   if (!g) return;
   const auto convert = [](float v) {
-    if constexpr (std::is_same_v<T, GLint>) return to_integer(v, Conversion::Float);
-    else return T(v);
+    if constexpr (std::is_same_v<T, GLint>)
+      return to_integer(v, Conversion::Float);
+    else
+      return T(v);
   };
   switch (pname) {
   case GL_TEXTURE_GEN_MODE: params[0] = T(g->mode); break;
   case GL_OBJECT_PLANE:
   case GL_EYE_PLANE:
-    for (int i = 0; i < 4; ++i) params[i] = convert((pname == GL_EYE_PLANE ? g->eye_plane : g->object_plane)[i]);
+    for (int i = 0; i < 4; ++i)
+      params[i] = convert((pname == GL_EYE_PLANE ? g->eye_plane : g->object_plane)[i]);
     break;
   default: set_error(c, GL_INVALID_ENUM);
   }
@@ -167,7 +193,8 @@ void TexGen(Context& c, GLenum coord, GLenum pname, const GLfloat* params) {
   switch (pname) {
   case GL_TEXTURE_GEN_MODE: {
     const GLenum mode = to_enum(params[0]);
-    const bool legal = mode == GL_OBJECT_LINEAR || mode == GL_EYE_LINEAR || (mode == GL_SPHERE_MAP && coord <= GL_T) ||
+    const bool legal = mode == GL_OBJECT_LINEAR || mode == GL_EYE_LINEAR ||
+                       (mode == GL_SPHERE_MAP && coord <= GL_T) ||
                        ((mode == GL_REFLECTION_MAP || mode == GL_NORMAL_MAP) && coord != GL_Q);
     if (!legal) return set_error(c, GL_INVALID_ENUM);
     g->mode = mode;
@@ -180,8 +207,14 @@ void TexGen(Context& c, GLenum coord, GLenum pname, const GLfloat* params) {
   c.dirty |= kDirtyTransform;
 }
 
-void GetTexGenfv(Context& c, GLenum coord, GLenum pname, GLfloat* params) { get_generation(c, coord, pname, params); }
-void GetTexGendv(Context& c, GLenum coord, GLenum pname, GLdouble* params) { get_generation(c, coord, pname, params); }
-void GetTexGeniv(Context& c, GLenum coord, GLenum pname, GLint* params) { get_generation(c, coord, pname, params); }
+void GetTexGenfv(Context& c, GLenum coord, GLenum pname, GLfloat* params) {
+  get_generation(c, coord, pname, params);
+}
+void GetTexGendv(Context& c, GLenum coord, GLenum pname, GLdouble* params) {
+  get_generation(c, coord, pname, params);
+}
+void GetTexGeniv(Context& c, GLenum coord, GLenum pname, GLint* params) {
+  get_generation(c, coord, pname, params);
+}
 
 } // namespace softgl::gl

@@ -7,30 +7,19 @@ namespace softgl {
 
 namespace {
 
-/// OSMesa 22.3.6 compiles the environments of all units with colour sum and fog into one program, and its compiler takes
-/// sums and products for associative. These are those of its rules that texture environments can meet, in its order and
-/// in prefix notation: + * ~ - as in CombinerNode; ! behind an operation: its value has one use only; a b c any value,
-/// x y no constant, K L constants, p q products or their negatives, n none.
+/// OSMesa 22.3.6 compiles the environments of all units with colour sum and fog into one program, and its
+/// compiler takes sums and products for associative. These are those of its rules that texture environments
+/// can meet, in its order and in prefix notation: + * ~ - as in CombinerNode; ! behind an operation: its
+/// value has one use only; a b c any value, x y no constant, K L constants, p q products or their negatives,
+/// n none.
 struct Rule {
   std::string_view pattern, result;
 };
 constexpr Rule rules[] = {
-    {"+a0", "a"},
-    {"+*ab*ac", "*a+bc"},
-    {"+-aa", "0"},
-    {"+-a+ab", "b"},
-    {"+a+-ab", "b"},
-    {"*a0", "0"},
-    {"*a1", "a"},
-    {"--a", "a"},
-    {"~ab", "+a-b"},
-    {"*!*!xyK", "**xKy"},
-    {"+!+!xpK", "++xKp"},
-    {"+!+!xyK", "++xKy"},
-    {"*K*xL", "**KLx"},
-    {"+K+xL", "++KLx"},
-    {"+K-+xL", "++K-L-x"},
-    {"++!pqn", "++pnq"},
+    {"+a0", "a"},       {"+*ab*ac", "*a+bc"}, {"+-aa", "0"},         {"+-a+ab", "b"},
+    {"+a+-ab", "b"},    {"*a0", "0"},         {"*a1", "a"},          {"--a", "a"},
+    {"~ab", "+a-b"},    {"*!*!xyK", "**xKy"}, {"+!+!xpK", "++xKp"},  {"+!+!xyK", "++xKy"},
+    {"*K*xL", "**KLx"}, {"+K+xL", "++KLx"},   {"+K-+xL", "++K-L-x"}, {"++!pqn", "++pnq"},
 };
 
 bool is_sum_or_product(char kind) { return kind == '+' || kind == '*'; }
@@ -119,7 +108,11 @@ CombinerValue CombinerAlgebra::folded(CombinerValue v) {
   const CombinerNode& b = n.operand[1] >= 0 ? node(n.operand[1]) : a;
   if (a.kind != '#' || b.kind != '#') return v;
   const float x = a.number, y = b.number;
-  return constant(n.kind == '+' ? x + y : n.kind == '*' ? x * y : n.kind == '~' ? x - y : n.kind == '-' ? -x : clamped(x));
+  return constant(n.kind == '+'   ? x + y
+                  : n.kind == '*' ? x * y
+                  : n.kind == '~' ? x - y
+                  : n.kind == '-' ? -x
+                                  : clamped(x));
 }
 
 bool CombinerAlgebra::fold_constants() {
@@ -134,10 +127,13 @@ bool CombinerAlgebra::fold_constants() {
   return progress;
 }
 
-/// One try to find a pattern: of each sum or product, in the pattern's order, a bit of `flips` exchanges the operands.
+/// One try to find a pattern: of each sum or product, in the pattern's order, a bit of `flips` exchanges the
+/// operands.
 class CombinerAlgebra::Match {
 public:
-  Match(const CombinerAlgebra& algebra, unsigned flips) : algebra_(algebra), flips_(flips) { std::fill_n(bound_, 32, CombinerValue(-1)); }
+  Match(const CombinerAlgebra& algebra, unsigned flips) : algebra_(algebra), flips_(flips) {
+    std::fill_n(bound_, 32, CombinerValue(-1));
+  }
   CombinerValue operator[](char name) const { return bound_[name & 31]; }
 
   bool finds(const char*& pattern, CombinerValue v) {
@@ -157,16 +153,21 @@ private:
   unsigned flips_;
   CombinerValue bound_[32];
 
-  bool is_product(const CombinerNode& n) const { return n.kind == '-' ? is_product(algebra_[n.operand[0]]) : n.kind == '*'; }
+  bool is_product(const CombinerNode& n) const {
+    return n.kind == '-' ? is_product(algebra_[n.operand[0]]) : n.kind == '*';
+  }
   bool binds(char name, CombinerValue v, const CombinerNode& n) {
     if (name == '0' || name == '1') return n.kind == '#' && n.number == float(name - '0');
     CombinerValue& bound = bound_[name & 31];
     if (bound >= 0) return bound == v;
     bound = v;
     switch (name) {
-    case 'x': case 'y': return n.kind != '#';
-    case 'K': case 'L': return n.kind == '#';
-    case 'p': case 'q': return is_product(n);
+    case 'x':
+    case 'y': return n.kind != '#';
+    case 'K':
+    case 'L': return n.kind == '#';
+    case 'p':
+    case 'q': return is_product(n);
     case 'n': return !is_product(n);
     default: return true;
     }
@@ -177,7 +178,8 @@ CombinerValue CombinerAlgebra::build(const char*& pattern, const Match& match) {
   const char c = *pattern++;
   if (c == '0' || c == '1') return constant(float(c - '0'));
   if (!is_operation(c)) return match[c];
-  const CombinerValue a = build(pattern, match), b = has_two_operands(c) ? build(pattern, match) : CombinerValue(-1);
+  const CombinerValue a = build(pattern, match),
+                      b = has_two_operands(c) ? build(pattern, match) : CombinerValue(-1);
   return operation(c, a, b);
 }
 
@@ -198,8 +200,8 @@ CombinerValue CombinerAlgebra::rewritten(CombinerValue v) {
   return v;
 }
 
-/// The last operation first, so that the largest pattern is found first; what follows from a change is looked at again.
-/// What a rule makes, and what it leaves without use, stays as it is until the next time.
+/// The last operation first, so that the largest pattern is found first; what follows from a change is looked
+/// at again. What a rule makes, and what it leaves without use, stays as it is until the next time.
 bool CombinerAlgebra::rewrite() {
   bool progress = false;
   std::vector<CombinerValue> waiting(order_.rbegin(), order_.rend());
@@ -215,7 +217,9 @@ bool CombinerAlgebra::rewrite() {
     changed[size_t(to)] = true;
     for (CombinerValue user : order_) {
       const CombinerNode& n = node(user);
-      if (n.removed || !(changed[size_t(n.operand[0])] || (n.operand[1] >= 0 && changed[size_t(n.operand[1])]))) continue;
+      if (n.removed ||
+          !(changed[size_t(n.operand[0])] || (n.operand[1] >= 0 && changed[size_t(n.operand[1])])))
+        continue;
       changed[size_t(user)] = true;
       waiting.push_back(user);
     }

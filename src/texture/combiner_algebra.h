@@ -11,11 +11,11 @@ namespace softgl {
 using CombinerValue = int16_t;
 
 struct CombinerNode {
-  char kind;                   // '+' '*' '~' (a difference) '-' (the negative) 's' (clamped) '#' (a constant) 'i' (an input)
-  CombinerValue operand[2];    // -1: none
-  float number;                // of a constant
+  char kind; // '+' '*' '~' (a difference) '-' (the negative) 's' (clamped) '#' (a constant) 'i' (an input)
+  CombinerValue operand[2]; // -1: none
+  float number;             // of a constant
   int16_t input;
-  int16_t uses = 0;            // by operations that are still there, and as a result
+  int16_t uses = 0; // by operations that are still there, and as a result
   bool removed = false;
 };
 
@@ -36,12 +36,14 @@ public:
 private:
   class Match;
   std::vector<CombinerNode> nodes_;
-  std::vector<CombinerValue> order_;   // the operations, operands first
-  size_t place_ = 0;                   // in order_, of the next operation
+  std::vector<CombinerValue> order_; // the operations, operands first
+  size_t place_ = 0;                 // in order_, of the next operation
   CombinerValue* results_ = nullptr;
   int result_count_ = 0;
 
-  bool is(CombinerValue v, float number) const { return (*this)[v].kind == '#' && (*this)[v].number == number; }
+  bool is(CombinerValue v, float number) const {
+    return (*this)[v].kind == '#' && (*this)[v].number == number;
+  }
   CombinerNode& node(CombinerValue v) { return nodes_[size_t(v)]; }
   CombinerValue operation(char kind, CombinerValue a, CombinerValue b = -1);
   void remove(CombinerValue v);

@@ -21,10 +21,13 @@ public:
 
   void add_unit(const CombinerChain::Unit& unit, int number) {
     unit_ = &unit, number_ = number;
-    const bool dot = unit.function[0] >= CombineFunction::Dot3Rgb, dot_alpha = unit.function[0] == CombineFunction::Dot3Rgba;
+    const bool dot = unit.function[0] >= CombineFunction::Dot3Rgb,
+               dot_alpha = unit.function[0] == CombineFunction::Dot3Rgba;
     CombinerValue result[4];
-    if (dot) result[0] = result[1] = result[2] = dot3();
-    else for (int k = 0; k < 3; ++k) result[k] = combined(0, k);
+    if (dot)
+      result[0] = result[1] = result[2] = dot3();
+    else
+      for (int k = 0; k < 3; ++k) result[k] = combined(0, k);
     result[3] = dot_alpha ? result[0] : combined(1, 3);
     // A scale of one part makes OSMesa clamp the other too.
     const bool scaled = unit.scale[0] != 1 || unit.scale[1] != 1;
@@ -45,7 +48,8 @@ private:
   int number_ = 0;
 
   static bool clamps(CombineFunction f) {
-    return f != CombineFunction::Replace && f != CombineFunction::Modulate && f != CombineFunction::Interpolate;
+    return f != CombineFunction::Replace && f != CombineFunction::Modulate &&
+           f != CombineFunction::Interpolate;
   }
 
   CombinerValue opposite(CombinerValue v) { return algebra.subtract(algebra.constant(1), v); }
@@ -53,11 +57,12 @@ private:
   CombinerValue argument(int part, int i, int k) {
     const CombineArgument& a = unit_->argument[part][i];
     if (a.alpha) k = 3;
-    const CombinerValue v = a.source == CombineSource::Previous   ? color[k]
-                            : a.source == CombineSource::Zero     ? algebra.constant(0)
-                            : a.source == CombineSource::Constant ? algebra.input(kCombinerEnvironment + 4 * number_ + k)
-                            : a.source == CombineSource::Primary  ? algebra.input(kCombinerPrimary + k)
-                                                                  : algebra.input(kCombinerTexel + 4 * int(a.source) + k);
+    const CombinerValue v =
+        a.source == CombineSource::Previous   ? color[k]
+        : a.source == CombineSource::Zero     ? algebra.constant(0)
+        : a.source == CombineSource::Constant ? algebra.input(kCombinerEnvironment + 4 * number_ + k)
+        : a.source == CombineSource::Primary  ? algebra.input(kCombinerPrimary + k)
+                                              : algebra.input(kCombinerTexel + 4 * int(a.source) + k);
     return a.complement ? opposite(v) : v;
   }
 
@@ -66,10 +71,12 @@ private:
     switch (unit_->function[part]) {
     case CombineFunction::Modulate: return algebra.multiply(a, argument(part, 1, k));
     case CombineFunction::Add: return algebra.add(a, argument(part, 1, k));
-    case CombineFunction::AddSigned: return algebra.add(algebra.add(a, argument(part, 1, k)), algebra.constant(-0.5f));
+    case CombineFunction::AddSigned:
+      return algebra.add(algebra.add(a, argument(part, 1, k)), algebra.constant(-0.5f));
     case CombineFunction::Subtract: return algebra.subtract(a, argument(part, 1, k));
     case CombineFunction::Interpolate: {
-      const CombinerValue weight = argument(part, 2, k), first = algebra.multiply(a, weight), b = argument(part, 1, k);
+      const CombinerValue weight = argument(part, 2, k), first = algebra.multiply(a, weight),
+                          b = argument(part, 1, k);
       return algebra.add(first, algebra.multiply(b, opposite(weight)));
     }
     default: return a;
@@ -81,7 +88,8 @@ private:
     for (int k = 0; k < 3; ++k) {
       CombinerValue factor[2];
       for (int i = 0; i < 2; ++i)
-        factor[i] = algebra.add(algebra.multiply(argument(0, i, k), algebra.constant(2)), algebra.constant(-1));
+        factor[i] =
+            algebra.add(algebra.multiply(argument(0, i, k), algebra.constant(2)), algebra.constant(-1));
       product[k] = algebra.multiply(factor[0], factor[1]);
     }
     return algebra.add(product[0], algebra.add(product[1], product[2]));
@@ -91,7 +99,8 @@ private:
 /// Lists the operations behind the results, and finds registers for their values.
 class StepWriter {
 public:
-  StepWriter(const CombinerAlgebra& algebra, CombinerProgram& program) : algebra_(algebra), program_(program) {}
+  StepWriter(const CombinerAlgebra& algebra, CombinerProgram& program)
+      : algebra_(algebra), program_(program) {}
 
   void write(const CombinerValue* results) {
     for (int k = 0; k < 4; ++k) visit(results[k]);
@@ -103,7 +112,8 @@ public:
       if (o.b != o.a) release(o.b);
     }
     for (int k = 0; k < 4; ++k) {
-      // The results are stored when all are there, and nothing but the other components of the primary colour is in their way.
+      // The results are stored when all are there, and nothing but the other components of the primary colour
+      // is in their way.
       const uint8_t v = place(results[k]);
       const bool moves = v >= kCombinerPrimary && v < kCombinerSecondary && v != kCombinerPrimary + k;
       program_.result[k] = moves ? step(CombinerOperation::Copy, v, v) : v;

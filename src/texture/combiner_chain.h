@@ -17,7 +17,16 @@ struct CombineArgument {
   uint8_t alpha;      // the source's alpha for every component
   uint8_t complement; // 1 - the value
 };
-enum class CombineFunction : uint8_t { Replace, Modulate, Add, AddSigned, Interpolate, Subtract, Dot3Rgb, Dot3Rgba };
+enum class CombineFunction : uint8_t {
+  Replace,
+  Modulate,
+  Add,
+  AddSigned,
+  Interpolate,
+  Subtract,
+  Dot3Rgb,
+  Dot3Rgba
+};
 
 /// What decides about the program: all but the colours. Compared byte by byte.
 struct CombinerChain {

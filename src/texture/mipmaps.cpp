@@ -1,5 +1,5 @@
-// Automatic mipmap generation (GL 1.5, 3.8.8). OSMesa 22.3.6 draws each level with a linearly filtered, edge-clamped
-// texture of the level before; so the arithmetic is that of sampling.
+// Automatic mipmap generation (GL 1.5, 3.8.8). OSMesa 22.3.6 draws each level with a linearly filtered,
+// edge-clamped texture of the level before; so the arithmetic is that of sampling.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -13,11 +13,15 @@ namespace softgl {
 namespace {
 
 /// Two texels and the weight of the second, in 1/256 or as a fraction.
-struct Footprint { int first, second, weight; float fraction; };
+struct Footprint {
+  int first, second, weight;
+  float fraction;
+};
 
-/// Where the texels of a level lie in the one before: a coordinate from 0 to 1 that OSMesa interpolates over two triangles,
-/// which has rounding errors. Across it starts at the right end; down, at the bottom in the lower left triangle and at the
-/// top in the upper right one. Faces of cube maps are drawn as the layers of a two-dimensional texture.
+/// Where the texels of a level lie in the one before: a coordinate from 0 to 1 that OSMesa interpolates over
+/// two triangles, which has rounding errors. Across it starts at the right end; down, at the bottom in the
+/// lower left triangle and at the top in the upper right one. Faces of cube maps are drawn as the layers of a
+/// two-dimensional texture.
 struct Interpolation {
   float gradient, start;
   Interpolation(int to, int other, bool from_low) {
@@ -28,7 +32,8 @@ struct Interpolation {
 };
 
 /// Texel pairs and weights along one axis of `to` texels made from `from`.
-template <class Coordinate> std::vector<Footprint> footprints(int from, int to, bool fixed, Coordinate coordinate) {
+template <class Coordinate>
+std::vector<Footprint> footprints(int from, int to, bool fixed, Coordinate coordinate) {
   std::vector<Footprint> result{size_t(to)};
   for (int i = 0; i < to; ++i) {
     const float s = coordinate(i);
@@ -51,7 +56,8 @@ template <class Coordinate> std::vector<Footprint> footprints(int from, int to, 
 struct Footprints {
   std::vector<Footprint> x, z, lower_y, upper_y;
   int width, height;
-  Footprints(const TextureImage& from, const TextureImage& to, bool fixed) : width(to.width), height(to.height) {
+  Footprints(const TextureImage& from, const TextureImage& to, bool fixed)
+      : width(to.width), height(to.height) {
     auto edge = [&](int from_size, int to_size, int other, bool from_low) {
       return footprints(from_size, to_size, fixed, Interpolation(to_size, other, from_low));
     };
@@ -59,7 +65,8 @@ struct Footprints {
     lower_y = edge(from.height, to.height, to.width, false);
     upper_y = edge(from.height, to.height, to.width, true);
     const float step = float(from.depth) / float(to.depth), centre = float(0.5 / to.depth * from.depth);
-    z = footprints(from.depth, to.depth, fixed, [&](int i) { return (float(i) * step + centre) / float(from.depth); });
+    z = footprints(from.depth, to.depth, fixed,
+                   [&](int i) { return (float(i) * step + centre) / float(from.depth); });
   }
   const Footprint& y(int i, int j) const {
     const bool upper = int64_t(2 * i + 1) * height >= int64_t(2 * j + 1) * width;
@@ -79,10 +86,13 @@ void reduce_rgba8(const TextureImage& from, const Footprints& footprints, Textur
         const Footprint &fx = footprints.x[size_t(x)], &fy = footprints.y(x, y);
         for (int k = 0; k < 4; ++k) {
           auto plane = [&](int slice) {
-            auto row = [&](int line) { return lerp8(fx.weight, from.at(fx.first, line, slice)[k], from.at(fx.second, line, slice)[k]); };
+            auto row = [&](int line) {
+              return lerp8(fx.weight, from.at(fx.first, line, slice)[k], from.at(fx.second, line, slice)[k]);
+            };
             return lerp8(fy.weight, row(fy.first), row(fy.second));
           };
-          const int value = fz.first == fz.second ? plane(fz.first) : lerp8(fz.weight, plane(fz.first), plane(fz.second));
+          const int value =
+              fz.first == fz.second ? plane(fz.first) : lerp8(fz.weight, plane(fz.first), plane(fz.second));
           target[k] = reduced_byte(uint32_t(value), format.bits[k]);
         }
       }
@@ -90,12 +100,14 @@ void reduce_rgba8(const TextureImage& from, const Footprints& footprints, Textur
 }
 
 // The wide formats are filtered in float and rounded back.
-template <class T> void reduce_wide(const TextureImage& from, const Footprints& footprints, TextureImage& to, int channels) {
+template <class T>
+void reduce_wide(const TextureImage& from, const Footprints& footprints, TextureImage& to, int channels) {
   const TexelFormat& format = *to.format;
   for (int z = 0; z < to.depth; ++z)
     for (int y = 0; y < to.height; ++y)
       for (int x = 0; x < to.width; ++x) {
-        const Footprint &fx = footprints.x[size_t(x)], &fy = footprints.y(x, y), &fz = footprints.z[size_t(z)];
+        const Footprint &fx = footprints.x[size_t(x)], &fy = footprints.y(x, y),
+                        &fz = footprints.z[size_t(z)];
         for (int k = 0; k < channels; ++k) {
           const int bits = format.bits[k];
           auto texel = [&](int i, int j, int l) {
@@ -110,7 +122,8 @@ template <class T> void reduce_wide(const TextureImage& from, const Footprints& 
           }
           auto plane = [&](int slice) {
             auto row = [&](int line) {
-              const float a = wide_to_float(texel(fx.first, line, slice), bits), b = wide_to_float(texel(fx.second, line, slice), bits);
+              const float a = wide_to_float(texel(fx.first, line, slice), bits),
+                          b = wide_to_float(texel(fx.second, line, slice), bits);
               return fx.fraction * (b - a) + a;
             };
             const float a = row(fy.first), b = row(fy.second);
@@ -133,7 +146,8 @@ void generate_mipmaps(TextureObject& object, int face) {
   if (!from || from->empty()) return;
   for (int level = p.base_level + 1; level < kMaxTextureLevels && level <= p.max_level; ++level) {
     if (from->width == 1 && from->height == 1 && from->depth == 1) break;
-    auto to = make_image(*from->format, from->internal_format, std::max(1, from->width / 2), std::max(1, from->height / 2), std::max(1, from->depth / 2));
+    auto to = make_image(*from->format, from->internal_format, std::max(1, from->width / 2),
+                         std::max(1, from->height / 2), std::max(1, from->depth / 2));
     const Footprints footprints(*from, *to, from->format->layout == TexelLayout::Rgba8);
     switch (from->format->layout) {
     case TexelLayout::Rgba8: reduce_rgba8(*from, footprints, *to); break;

@@ -13,18 +13,27 @@ namespace {
 
 int packed_components(GLenum type) {
   switch (type) {
-  case GL_UNSIGNED_BYTE_3_3_2: case GL_UNSIGNED_BYTE_2_3_3_REV:
-  case GL_UNSIGNED_SHORT_5_6_5: case GL_UNSIGNED_SHORT_5_6_5_REV: return 3;
-  case GL_UNSIGNED_SHORT_4_4_4_4: case GL_UNSIGNED_SHORT_4_4_4_4_REV:
-  case GL_UNSIGNED_SHORT_5_5_5_1: case GL_UNSIGNED_SHORT_1_5_5_5_REV:
-  case GL_UNSIGNED_INT_8_8_8_8: case GL_UNSIGNED_INT_8_8_8_8_REV:
-  case GL_UNSIGNED_INT_10_10_10_2: case GL_UNSIGNED_INT_2_10_10_10_REV: return 4;
+  case GL_UNSIGNED_BYTE_3_3_2:
+  case GL_UNSIGNED_BYTE_2_3_3_REV:
+  case GL_UNSIGNED_SHORT_5_6_5:
+  case GL_UNSIGNED_SHORT_5_6_5_REV: return 3;
+  case GL_UNSIGNED_SHORT_4_4_4_4:
+  case GL_UNSIGNED_SHORT_4_4_4_4_REV:
+  case GL_UNSIGNED_SHORT_5_5_5_1:
+  case GL_UNSIGNED_SHORT_1_5_5_5_REV:
+  case GL_UNSIGNED_INT_8_8_8_8:
+  case GL_UNSIGNED_INT_8_8_8_8_REV:
+  case GL_UNSIGNED_INT_10_10_10_2:
+  case GL_UNSIGNED_INT_2_10_10_10_REV: return 4;
   default: return 0;
   }
 }
 
 /// Bits of the components, first component first, and whether the first one is the least significant.
-struct PackedType { uint8_t bytes, bits[4]; bool reversed; };
+struct PackedType {
+  uint8_t bytes, bits[4];
+  bool reversed;
+};
 PackedType packed_type(GLenum type) {
   switch (type) {
   case GL_UNSIGNED_BYTE_3_3_2: return {1, {3, 3, 2, 0}, false};
@@ -44,7 +53,12 @@ PackedType packed_type(GLenum type) {
 
 bool plain_type(GLenum type) {
   switch (type) {
-  case GL_UNSIGNED_BYTE: case GL_BYTE: case GL_UNSIGNED_SHORT: case GL_SHORT: case GL_UNSIGNED_INT: case GL_INT:
+  case GL_UNSIGNED_BYTE:
+  case GL_BYTE:
+  case GL_UNSIGNED_SHORT:
+  case GL_SHORT:
+  case GL_UNSIGNED_INT:
+  case GL_INT:
   case GL_FLOAT: return true;
   default: return false;
   }
@@ -55,22 +69,34 @@ bool plain_type(GLenum type) {
 GLenum check_pixel_format(GLenum format, GLenum type) {
   int components;
   switch (format) {
-  case GL_COLOR_INDEX: case GL_STENCIL_INDEX: case GL_DEPTH_COMPONENT: case GL_RED: case GL_GREEN: case GL_BLUE:
-  case GL_ALPHA: case GL_LUMINANCE: components = 1; break;
+  case GL_COLOR_INDEX:
+  case GL_STENCIL_INDEX:
+  case GL_DEPTH_COMPONENT:
+  case GL_RED:
+  case GL_GREEN:
+  case GL_BLUE:
+  case GL_ALPHA:
+  case GL_LUMINANCE: components = 1; break;
   case GL_LUMINANCE_ALPHA: components = 2; break;
-  case GL_RGB: case GL_BGR: components = 3; break;
-  case GL_RGBA: case GL_BGRA: case GL_ABGR_EXT: components = 4; break;
+  case GL_RGB:
+  case GL_BGR: components = 3; break;
+  case GL_RGBA:
+  case GL_BGRA:
+  case GL_ABGR_EXT: components = 4; break;
   default: return GL_INVALID_ENUM;
   }
-  if (type == GL_BITMAP) return format == GL_COLOR_INDEX || format == GL_STENCIL_INDEX ? GL_NO_ERROR : GL_INVALID_ENUM;
+  if (type == GL_BITMAP)
+    return format == GL_COLOR_INDEX || format == GL_STENCIL_INDEX ? GL_NO_ERROR : GL_INVALID_ENUM;
   if (plain_type(type)) return GL_NO_ERROR;
   const int packed = packed_components(type);
   if (packed == 0) return GL_INVALID_ENUM;
   if (packed != components || format == GL_BGR) return GL_INVALID_OPERATION;
   if (format == GL_ABGR_EXT) { // OSMesa: with components of one size only
     switch (type) {
-    case GL_UNSIGNED_SHORT_4_4_4_4: case GL_UNSIGNED_SHORT_4_4_4_4_REV:
-    case GL_UNSIGNED_INT_8_8_8_8: case GL_UNSIGNED_INT_8_8_8_8_REV: break;
+    case GL_UNSIGNED_SHORT_4_4_4_4:
+    case GL_UNSIGNED_SHORT_4_4_4_4_REV:
+    case GL_UNSIGNED_INT_8_8_8_8:
+    case GL_UNSIGNED_INT_8_8_8_8_REV: break;
     default: return GL_INVALID_OPERATION;
     }
   }
@@ -87,23 +113,74 @@ PixelFormat describe_pixel_format(GLenum format, GLenum type) {
   case GL_BLUE: f.target[0] = 2; break;
   case GL_ALPHA: f.target[0] = 3; break;
   case GL_LUMINANCE: f.luminance = true; break;
-  case GL_LUMINANCE_ALPHA: f.luminance = true; f.components = 2; f.target[1] = 3; break;
-  case GL_RGB: f.components = 3; f.target[1] = 1; f.target[2] = 2; break;
-  case GL_BGR: f.components = 3; f.target[0] = 2; f.target[1] = 1; break;
-  case GL_RGBA: f.components = 4; f.target[1] = 1; f.target[2] = 2; f.target[3] = 3; break;
-  case GL_BGRA: f.components = 4; f.target[0] = 2; f.target[1] = 1; f.target[3] = 3; break;
-  case GL_ABGR_EXT: f.components = 4; f.target[0] = 3; f.target[1] = 2; f.target[2] = 1; break;
+  case GL_LUMINANCE_ALPHA:
+    f.luminance = true;
+    f.components = 2;
+    f.target[1] = 3;
+    break;
+  case GL_RGB:
+    f.components = 3;
+    f.target[1] = 1;
+    f.target[2] = 2;
+    break;
+  case GL_BGR:
+    f.components = 3;
+    f.target[0] = 2;
+    f.target[1] = 1;
+    break;
+  case GL_RGBA:
+    f.components = 4;
+    f.target[1] = 1;
+    f.target[2] = 2;
+    f.target[3] = 3;
+    break;
+  case GL_BGRA:
+    f.components = 4;
+    f.target[0] = 2;
+    f.target[1] = 1;
+    f.target[3] = 3;
+    break;
+  case GL_ABGR_EXT:
+    f.components = 4;
+    f.target[0] = 3;
+    f.target[1] = 2;
+    f.target[2] = 1;
+    break;
   default: break; // red, indices, depth
   }
   switch (type) {
-  case GL_UNSIGNED_BYTE: f.channel = PixelChannel::UnsignedByte; f.element_bytes = 1; break;
-  case GL_BYTE: f.channel = PixelChannel::Byte; f.element_bytes = 1; break;
-  case GL_UNSIGNED_SHORT: f.channel = PixelChannel::UnsignedShort; f.element_bytes = 2; break;
-  case GL_SHORT: f.channel = PixelChannel::Short; f.element_bytes = 2; break;
-  case GL_UNSIGNED_INT: f.channel = PixelChannel::UnsignedInt; f.element_bytes = 4; break;
-  case GL_INT: f.channel = PixelChannel::Int; f.element_bytes = 4; break;
-  case GL_FLOAT: f.channel = PixelChannel::Float; f.element_bytes = 4; break;
-  case GL_BITMAP: f.channel = PixelChannel::Bitmap; f.element_bytes = 1; break;
+  case GL_UNSIGNED_BYTE:
+    f.channel = PixelChannel::UnsignedByte;
+    f.element_bytes = 1;
+    break;
+  case GL_BYTE:
+    f.channel = PixelChannel::Byte;
+    f.element_bytes = 1;
+    break;
+  case GL_UNSIGNED_SHORT:
+    f.channel = PixelChannel::UnsignedShort;
+    f.element_bytes = 2;
+    break;
+  case GL_SHORT:
+    f.channel = PixelChannel::Short;
+    f.element_bytes = 2;
+    break;
+  case GL_UNSIGNED_INT:
+    f.channel = PixelChannel::UnsignedInt;
+    f.element_bytes = 4;
+    break;
+  case GL_INT:
+    f.channel = PixelChannel::Int;
+    f.element_bytes = 4;
+    break;
+  case GL_FLOAT:
+    f.channel = PixelChannel::Float;
+    f.element_bytes = 4;
+    break;
+  case GL_BITMAP:
+    f.channel = PixelChannel::Bitmap;
+    f.element_bytes = 1;
+    break;
   default: {
     const PackedType p = packed_type(type);
     f.channel = PixelChannel::Packed;
@@ -121,7 +198,8 @@ PixelFormat describe_pixel_format(GLenum format, GLenum type) {
   return f;
 }
 
-ImageLayout layout_image(const PixelStore& store, int dimensions, int width, int height, const PixelFormat& format) {
+ImageLayout layout_image(const PixelStore& store, int dimensions, int width, int height,
+                         const PixelFormat& format) {
   ImageLayout layout{};
   const size_t row_pixels = size_t(store.row_length > 0 ? store.row_length : width);
   const size_t rows = size_t(dimensions == 3 && store.image_height > 0 ? store.image_height : height);
@@ -218,14 +296,22 @@ template <class T> void store(unsigned char* p, T v, bool swap) {
 template <class Out, class In> Out component_to(In v) {
   constexpr bool in_float = std::is_same_v<In, float>, out_float = std::is_same_v<Out, float>;
   constexpr int in_bits = int(sizeof(In) * 8), out_bits = int(sizeof(Out) * 8);
-  if constexpr (in_float && out_float) return v;
-  else if constexpr (in_float && std::is_signed_v<Out>) return Out(float_to_snorm(v, out_bits));
-  else if constexpr (in_float) return Out(float_to_unorm(v, out_bits));
-  else if constexpr (out_float && std::is_signed_v<In>) return snorm_to_float(v, in_bits);
-  else if constexpr (out_float) return unorm_to_float(v, in_bits);
-  else if constexpr (std::is_signed_v<In>) return v < 0 ? Out(0) : Out(convert_unorm(uint32_t(v), in_bits - 1, out_bits));
-  else if constexpr (std::is_signed_v<Out>) return Out(convert_unorm(v, in_bits, out_bits - 1));
-  else return Out(convert_unorm(v, in_bits, out_bits));
+  if constexpr (in_float && out_float)
+    return v;
+  else if constexpr (in_float && std::is_signed_v<Out>)
+    return Out(float_to_snorm(v, out_bits));
+  else if constexpr (in_float)
+    return Out(float_to_unorm(v, out_bits));
+  else if constexpr (out_float && std::is_signed_v<In>)
+    return snorm_to_float(v, in_bits);
+  else if constexpr (out_float)
+    return unorm_to_float(v, in_bits);
+  else if constexpr (std::is_signed_v<In>)
+    return v < 0 ? Out(0) : Out(convert_unorm(uint32_t(v), in_bits - 1, out_bits));
+  else if constexpr (std::is_signed_v<Out>)
+    return Out(convert_unorm(v, in_bits, out_bits - 1));
+  else
+    return Out(convert_unorm(v, in_bits, out_bits));
 }
 
 template <class T> constexpr T one() { return std::is_same_v<T, float> ? T(1) : T(~T(0)); }
@@ -236,7 +322,8 @@ void unpack_array(const PixelFormat& f, const unsigned char* p, int count, bool 
   swap = swap && sizeof(In) > 1;
   for (int i = 0; i < count; ++i, p += f.bytes, ++rgba) {
     Out out[4] = {0, 0, 0, one<Out>()};
-    for (int k = 0; k < f.components; ++k) out[f.target[k]] = component_to<Out>(load<In>(p + size_t(k) * sizeof(In), swap));
+    for (int k = 0; k < f.components; ++k)
+      out[f.target[k]] = component_to<Out>(load<In>(p + size_t(k) * sizeof(In), swap));
     if (f.luminance) out[1] = out[2] = out[0];
     std::memcpy(*rgba, out, sizeof out);
   }
@@ -253,44 +340,58 @@ uint32_t load_packed(const PixelFormat& f, const unsigned char* p, bool swap) {
   return f.bytes == 1 ? *p : f.bytes == 2 ? load<uint16_t>(p, swap) : load<uint32_t>(p, swap);
 }
 void store_packed(const PixelFormat& f, unsigned char* p, uint32_t v, bool swap) {
-  if (f.bytes == 1) *p = uint8_t(v);
-  else if (f.bytes == 2) store<uint16_t>(p, uint16_t(v), swap);
-  else store<uint32_t>(p, v, swap);
+  if (f.bytes == 1)
+    *p = uint8_t(v);
+  else if (f.bytes == 2)
+    store<uint16_t>(p, uint16_t(v), swap);
+  else
+    store<uint32_t>(p, v, swap);
 }
 bool wide_packed(const PixelFormat& f) { return f.bits[0] > 8; }
 
-// 8_8_8_8 are arrays of bytes to OSMesa; the smaller ones go by 8 bits, 10_10_10_2 and 16-bit results by floats.
-template <class Out> void unpack_packed(const PixelFormat& f, const unsigned char* p, int count, bool swap, Out (*rgba)[4]) {
+// 8_8_8_8 are arrays of bytes to OSMesa; the smaller ones go by 8 bits, 10_10_10_2 and 16-bit results by
+// floats.
+template <class Out>
+void unpack_packed(const PixelFormat& f, const unsigned char* p, int count, bool swap, Out (*rgba)[4]) {
   for (int i = 0; i < count; ++i, p += f.bytes, ++rgba) {
     const uint32_t word = load_packed(f, p, swap);
     Out out[4] = {0, 0, 0, one<Out>()};
     for (int k = 0; k < f.components; ++k) {
       const int bits = f.bits[k];
       const uint32_t v = (word >> f.shift[k]) & ((1u << bits) - 1);
-      if constexpr (std::is_same_v<Out, float>) out[f.target[k]] = unorm_to_float(v, bits);
-      else if (sizeof(Out) == 1 || bits == 8) out[f.target[k]] = Out(convert_unorm(v, bits, int(sizeof(Out) * 8)));
-      else out[f.target[k]] = Out(float_to_unorm(unorm_to_float(v, bits), 16));
+      if constexpr (std::is_same_v<Out, float>)
+        out[f.target[k]] = unorm_to_float(v, bits);
+      else if (sizeof(Out) == 1 || bits == 8)
+        out[f.target[k]] = Out(convert_unorm(v, bits, int(sizeof(Out) * 8)));
+      else
+        out[f.target[k]] = Out(float_to_unorm(unorm_to_float(v, bits), 16));
     }
     std::memcpy(*rgba, out, sizeof out);
   }
 }
-template <class In> void pack_packed(const PixelFormat& f, const In (*rgba)[4], int count, bool swap, unsigned char* p) {
+template <class In>
+void pack_packed(const PixelFormat& f, const In (*rgba)[4], int count, bool swap, unsigned char* p) {
   for (int i = 0; i < count; ++i, p += f.bytes, ++rgba) {
     uint32_t word = 0;
     for (int k = 0; k < f.components; ++k) {
       const int bits = f.bits[k];
       const In in = (*rgba)[f.target[k]];
       uint32_t v;
-      if constexpr (std::is_same_v<In, float>) v = pack_unorm(in, bits);
-      else if constexpr (sizeof(In) == 1) v = convert_unorm(in, 8, bits);
-      else v = wide_packed(f) ? pack_unorm(unorm_to_float(in, 16), bits) : convert_unorm(convert_unorm(in, 16, 8), 8, bits);
+      if constexpr (std::is_same_v<In, float>)
+        v = pack_unorm(in, bits);
+      else if constexpr (sizeof(In) == 1)
+        v = convert_unorm(in, 8, bits);
+      else
+        v = wide_packed(f) ? pack_unorm(unorm_to_float(in, 16), bits)
+                           : convert_unorm(convert_unorm(in, 16, 8), 8, bits);
       word |= v << f.shift[k];
     }
     store_packed(f, p, word, swap);
   }
 }
 
-template <class Out> void unpack(const PixelFormat& f, const void* row, int count, bool swap, Out (*rgba)[4]) {
+template <class Out>
+void unpack(const PixelFormat& f, const void* row, int count, bool swap, Out (*rgba)[4]) {
   auto p = static_cast<const unsigned char*>(row);
   switch (f.channel) {
   case PixelChannel::UnsignedByte: unpack_array<uint8_t>(f, p, count, swap, rgba); break;
@@ -337,8 +438,12 @@ void unpack_pixels(const PixelFormat& f, const void* row, int count, bool swap, 
   }
   unpack(f, row, count, swap, rgba);
 }
-void unpack_pixels(const PixelFormat& f, const void* row, int count, bool swap, uint16_t (*rgba)[4]) { unpack(f, row, count, swap, rgba); }
-void unpack_pixels(const PixelFormat& f, const void* row, int count, bool swap, float (*rgba)[4]) { unpack(f, row, count, swap, rgba); }
+void unpack_pixels(const PixelFormat& f, const void* row, int count, bool swap, uint16_t (*rgba)[4]) {
+  unpack(f, row, count, swap, rgba);
+}
+void unpack_pixels(const PixelFormat& f, const void* row, int count, bool swap, float (*rgba)[4]) {
+  unpack(f, row, count, swap, rgba);
+}
 void pack_pixels(const PixelFormat& f, const uint8_t (*rgba)[4], int count, bool swap, void* row) {
   if (f.channel == PixelChannel::UnsignedByte && f.format == GL_RGBA) {
     std::memcpy(row, rgba, size_t(count) * 4);
@@ -346,10 +451,15 @@ void pack_pixels(const PixelFormat& f, const uint8_t (*rgba)[4], int count, bool
   }
   pack(f, rgba, count, swap, row);
 }
-void pack_pixels(const PixelFormat& f, const uint16_t (*rgba)[4], int count, bool swap, void* row) { pack(f, rgba, count, swap, row); }
-void pack_pixels(const PixelFormat& f, const float (*rgba)[4], int count, bool swap, void* row) { pack(f, rgba, count, swap, row); }
+void pack_pixels(const PixelFormat& f, const uint16_t (*rgba)[4], int count, bool swap, void* row) {
+  pack(f, rgba, count, swap, row);
+}
+void pack_pixels(const PixelFormat& f, const float (*rgba)[4], int count, bool swap, void* row) {
+  pack(f, rgba, count, swap, row);
+}
 
-void unpack_indexes(const PixelFormat& f, const void* row, int bit_offset, int count, bool swap, bool lsb_first, uint32_t* index) {
+void unpack_indexes(const PixelFormat& f, const void* row, int bit_offset, int count, bool swap,
+                    bool lsb_first, uint32_t* index) {
   auto p = static_cast<const unsigned char*>(row);
   for (int i = 0; i < count; ++i, p += f.bytes) {
     switch (f.channel) {
@@ -357,7 +467,8 @@ void unpack_indexes(const PixelFormat& f, const void* row, int bit_offset, int c
     case PixelChannel::Byte: index[i] = uint32_t(int32_t(int8_t(*p))); break;
     case PixelChannel::UnsignedShort: index[i] = load<uint16_t>(p, swap); break;
     case PixelChannel::Short: index[i] = uint32_t(int32_t(load<int16_t>(p, swap))); break;
-    case PixelChannel::UnsignedInt: case PixelChannel::Int: index[i] = load<uint32_t>(p, swap); break;
+    case PixelChannel::UnsignedInt:
+    case PixelChannel::Int: index[i] = load<uint32_t>(p, swap); break;
     case PixelChannel::Float: {
       const float v = load<float>(p, swap);
       index[i] = v > -2147483648.0f && v < 2147483648.0f ? uint32_t(int32_t(v)) : 0;
@@ -379,11 +490,21 @@ void unpack_depth(const PixelFormat& f, const void* row, int count, bool swap, f
     float d = 0;
     switch (f.channel) {
     case PixelChannel::UnsignedByte: d = float(*p) / 255.0f; break; // a table of u / 255 in OSMesa
-    case PixelChannel::Byte: { const int v = int8_t(*p); d = v == 0 ? 0.0f : (2.0f * float(v) + 1.0f) * (1.0f / 255.0f); break; }
+    case PixelChannel::Byte: {
+      const int v = int8_t(*p);
+      d = v == 0 ? 0.0f : (2.0f * float(v) + 1.0f) * (1.0f / 255.0f);
+      break;
+    }
     case PixelChannel::UnsignedShort: d = float(load<uint16_t>(p, swap)) * (1.0f / 65535.0f); break;
-    case PixelChannel::Short: { const int v = load<int16_t>(p, swap); d = v == 0 ? 0.0f : (2.0f * float(v) + 1.0f) * (1.0f / 65535.0f); break; }
+    case PixelChannel::Short: {
+      const int v = load<int16_t>(p, swap);
+      d = v == 0 ? 0.0f : (2.0f * float(v) + 1.0f) * (1.0f / 65535.0f);
+      break;
+    }
     case PixelChannel::UnsignedInt: d = float(load<uint32_t>(p, swap) * (1.0 / 4294967295.0)); break;
-    case PixelChannel::Int: d = float((2.0f * float(load<int32_t>(p, swap)) + 1.0f) * (1.0 / 4294967294.0)); break;
+    case PixelChannel::Int:
+      d = float((2.0f * float(load<int32_t>(p, swap)) + 1.0f) * (1.0 / 4294967294.0));
+      break;
     case PixelChannel::Float: d = load<float>(p, swap); break;
     default: break;
     }
@@ -398,7 +519,9 @@ void pack_depth(const PixelFormat& f, const float* depth, int count, bool swap, 
     switch (f.channel) {
     case PixelChannel::UnsignedByte: *p = uint8_t(int(d * 255.0f)); break;
     case PixelChannel::Byte: *p = uint8_t(int8_t((int(255.0f * d) - 1) / 2)); break;
-    case PixelChannel::UnsignedShort: store<uint16_t>(p, uint16_t(std::nearbyintf(d * 65535.0f)), swap); break;
+    case PixelChannel::UnsignedShort:
+      store<uint16_t>(p, uint16_t(std::nearbyintf(d * 65535.0f)), swap);
+      break;
     case PixelChannel::Short: store<int16_t>(p, int16_t((int(65535.0f * d) - 1) / 2), swap); break;
     case PixelChannel::UnsignedInt: store<uint32_t>(p, uint32_t(double(d) * 4294967295.0), swap); break;
     case PixelChannel::Int: store<int32_t>(p, int32_t(2147483647.0 * double(d)), swap); break;

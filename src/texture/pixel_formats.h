@@ -1,5 +1,5 @@
-// Pixels of client memory (GL 1.5, 3.6.4 and 4.3.2): which formats and types there are, where the pixels of an image
-// lie, and their conversion from and to rows of RGBA. Used by textures, DrawPixels and ReadPixels.
+// Pixels of client memory (GL 1.5, 3.6.4 and 4.3.2): which formats and types there are, where the pixels of
+// an image lie, and their conversion from and to rows of RGBA. Used by textures, DrawPixels and ReadPixels.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,17 @@ namespace softgl {
 
 struct PixelStore;
 
-enum class PixelChannel : uint8_t { UnsignedByte, Byte, UnsignedShort, Short, UnsignedInt, Int, Float, Packed, Bitmap };
+enum class PixelChannel : uint8_t {
+  UnsignedByte,
+  Byte,
+  UnsignedShort,
+  Short,
+  UnsignedInt,
+  Int,
+  Float,
+  Packed,
+  Bitmap
+};
 
 /// A format and type taken apart. Component i of a pixel holds channel target[i]: 0-3 = r, g, b, a.
 struct PixelFormat {
@@ -21,44 +31,49 @@ struct PixelFormat {
   uint8_t element_bytes; // what GL_UNPACK_SWAP_BYTES swaps
   uint8_t target[4];
   uint8_t shift[4], bits[4]; // of packed components, by component
-  bool luminance;        // one component stands for r, g and b
+  bool luminance;            // one component stands for r, g and b
   GLenum format, type;
 };
 
-/// GL_NO_ERROR, GL_INVALID_ENUM for an unknown format or type, GL_INVALID_OPERATION for a packed type that does not fit
-/// the format (tables 3.5, 3.6, 3.8).
+/// GL_NO_ERROR, GL_INVALID_ENUM for an unknown format or type, GL_INVALID_OPERATION for a packed type that
+/// does not fit the format (tables 3.5, 3.6, 3.8).
 GLenum check_pixel_format(GLenum format, GLenum type);
 /// Only after check_pixel_format() gave GL_NO_ERROR.
 PixelFormat describe_pixel_format(GLenum format, GLenum type);
 
 /// Where the pixels of a client image lie (3.6.4). `row_bytes` are read or written in each row.
 struct ImageLayout {
-  size_t offset;       // of the first pixel, from the pointer given by the client
+  size_t offset; // of the first pixel, from the pointer given by the client
   size_t row_stride, image_stride, row_bytes;
-  int bit_offset;      // of the first pixel in its byte, GL_BITMAP only
+  int bit_offset; // of the first pixel in its byte, GL_BITMAP only
 };
 /// `dimensions` 1 to 3: rows are skipped from two on, images in three only.
-ImageLayout layout_image(const PixelStore& store, int dimensions, int width, int height, const PixelFormat& format);
+ImageLayout layout_image(const PixelStore& store, int dimensions, int width, int height,
+                         const PixelFormat& format);
 
-/// A row of pixels in the three intermediate forms of OSMesa 22.3.6; which one is used decides how a value is rounded.
-/// Missing components become 0, 0, 0, 1.
-void unpack_pixels(const PixelFormat& format, const void* row, int count, bool swap_bytes, uint8_t (*rgba)[4]);
-void unpack_pixels(const PixelFormat& format, const void* row, int count, bool swap_bytes, uint16_t (*rgba)[4]);
+/// A row of pixels in the three intermediate forms of OSMesa 22.3.6; which one is used decides how a value is
+/// rounded. Missing components become 0, 0, 0, 1.
+void unpack_pixels(const PixelFormat& format, const void* row, int count, bool swap_bytes,
+                   uint8_t (*rgba)[4]);
+void unpack_pixels(const PixelFormat& format, const void* row, int count, bool swap_bytes,
+                   uint16_t (*rgba)[4]);
 void unpack_pixels(const PixelFormat& format, const void* row, int count, bool swap_bytes, float (*rgba)[4]);
 /// The way back. A luminance format takes red: sums are the caller's (4.3.2).
 void pack_pixels(const PixelFormat& format, const uint8_t (*rgba)[4], int count, bool swap_bytes, void* row);
 void pack_pixels(const PixelFormat& format, const uint16_t (*rgba)[4], int count, bool swap_bytes, void* row);
 void pack_pixels(const PixelFormat& format, const float (*rgba)[4], int count, bool swap_bytes, void* row);
 
-/// Indexes (GL_COLOR_INDEX, GL_STENCIL_INDEX): whole numbers, of floats their integer part. `bit_offset` and `lsb_first`
-/// are of GL_BITMAP only.
-void unpack_indexes(const PixelFormat& format, const void* row, int bit_offset, int count, bool swap_bytes, bool lsb_first, uint32_t* index);
+/// Indexes (GL_COLOR_INDEX, GL_STENCIL_INDEX): whole numbers, of floats their integer part. `bit_offset` and
+/// `lsb_first` are of GL_BITMAP only.
+void unpack_indexes(const PixelFormat& format, const void* row, int bit_offset, int count, bool swap_bytes,
+                    bool lsb_first, uint32_t* index);
 
 /// Depth as floats in [0,1] before the pixel transfer, and from floats in [0,1].
 void unpack_depth(const PixelFormat& format, const void* row, int count, bool swap_bytes, float* depth);
 void pack_depth(const PixelFormat& format, const float* depth, int count, bool swap_bytes, void* row);
 
-/// A value of `from` bits in `to` bits, as OSMesa converts it: repeated bits upwards, round to nearest downwards.
+/// A value of `from` bits in `to` bits, as OSMesa converts it: repeated bits upwards, round to nearest
+/// downwards.
 constexpr uint32_t convert_unorm(uint32_t x, int from, int to) {
   const uint64_t from_max = (uint64_t(1) << from) - 1, to_max = (uint64_t(1) << to) - 1;
   if (from < to) return uint32_t(x * (to_max / from_max) + (to % from ? x >> (from - to % from) : 0));
@@ -67,9 +82,12 @@ constexpr uint32_t convert_unorm(uint32_t x, int from, int to) {
 }
 /// Round to nearest even of clamped x * (2^bits - 1); not a number gives 0 (as everywhere in softgl).
 uint32_t float_to_unorm(float x, int bits);
-/// The other rounding of OSMesa, used when a whole RGBA group of floats is packed at once: halves go up, except to 8 bits.
+/// The other rounding of OSMesa, used when a whole RGBA group of floats is packed at once: halves go up,
+/// except to 8 bits.
 uint32_t pack_unorm(float x, int bits);
-inline float unorm_to_float(uint32_t x, int bits) { return float(x) * (1.0f / float((uint64_t(1) << bits) - 1)); }
+inline float unorm_to_float(uint32_t x, int bits) {
+  return float(x) * (1.0f / float((uint64_t(1) << bits) - 1));
+}
 
 // How OSMesa stores what it draws into a texture: generated mipmaps and copies of the framebuffer.
 

@@ -34,7 +34,9 @@ const PixelTransfer& PixelTransfer::none() {
   return transfer;
 }
 
-bool PixelTransfer::changes_color() const { return mode.scale != Vec4(1.0f) || mode.bias != Vec4(0.0f) || mode.map_color; }
+bool PixelTransfer::changes_color() const {
+  return mode.scale != Vec4(1.0f) || mode.bias != Vec4(0.0f) || mode.map_color;
+}
 
 void PixelTransfer::color(float (*rgba)[4], int count) const {
   for (int i = 0; i < count; ++i)
@@ -53,7 +55,9 @@ void PixelTransfer::clamped_color(float (*rgba)[4], int count) const {
 
 bool PixelTransfer::changes_depth() const { return mode.depth_scale != 1.0f || mode.depth_bias != 0.0f; }
 
-float PixelTransfer::depth(float value) const { return unit_range(changes_depth() ? value * mode.depth_scale + mode.depth_bias : value); }
+float PixelTransfer::depth(float value) const {
+  return unit_range(changes_depth() ? value * mode.depth_scale + mode.depth_bias : value);
+}
 
 uint32_t PixelTransfer::index(uint32_t v) const {
   if (mode.index_shift > 0) v = mode.index_shift < 32 ? v << mode.index_shift : 0;

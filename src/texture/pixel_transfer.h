@@ -1,4 +1,5 @@
-// Pixel transfer operations (GL 1.5, 3.6.3 and 3.6.5): what happens to pixels on their way from and to client memory.
+// Pixel transfer operations (GL 1.5, 3.6.3 and 3.6.5): what happens to pixels on their way from and to client
+// memory.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// How texels are stored (GL 1.5, 3.8.1, tables 3.15 to 3.17): the same precision as OSMesa keeps, in three layouts that
-// the sampling kernels read.
+// How texels are stored (GL 1.5, 3.8.1, tables 3.15 to 3.17): the same precision as OSMesa keeps, in three
+// layouts that the sampling kernels read.
 #pragma once
 
 #include <cstddef>
@@ -9,22 +9,23 @@
 
 namespace softgl {
 
-/// Rgba8: four bytes r g b a; components of fewer bits fill a byte by repeating their bits, as OSMesa's 8-bit sampling
-/// does, so the upper bits are the stored value. Rgba16: four uint16_t, each the stored integer itself. Depth: uint32_t,
-/// the stored integer itself. Luminance and intensity are already spread over r, g, b (and a); what a base format lacks
-/// is 0, or one for alpha.
+/// Rgba8: four bytes r g b a; components of fewer bits fill a byte by repeating their bits, as OSMesa's 8-bit
+/// sampling does, so the upper bits are the stored value. Rgba16: four uint16_t, each the stored integer
+/// itself. Depth: uint32_t, the stored integer itself. Luminance and intensity are already spread over r, g,
+/// b (and a); what a base format lacks is 0, or one for alpha.
 enum class TexelLayout : uint8_t { Rgba8, Rgba16, Depth };
 
 struct TexelFormat {
-  GLenum base;        // GL_ALPHA, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_INTENSITY, GL_RGB, GL_RGBA, GL_DEPTH_COMPONENT
+  GLenum
+      base; // GL_ALPHA, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_INTENSITY, GL_RGB, GL_RGBA, GL_DEPTH_COMPONENT
   TexelLayout layout;
-  bool array;         // components are whole bytes or shorts: OSMesa converts them one by one
-  uint8_t bits[4];    // stored bits of r g b a; 0 = not stored. Depth: bits[0]
+  bool array;      // components are whole bytes or shorts: OSMesa converts them one by one
+  uint8_t bits[4]; // stored bits of r g b a; 0 = not stored. Depth: bits[0]
   int bytes() const { return layout == TexelLayout::Rgba16 ? 8 : 4; }
 };
 
-/// The storage that OSMesa chooses for an internal format; unsized formats look at the client's format and type too.
-/// Null when `internal_format` is none.
+/// The storage that OSMesa chooses for an internal format; unsized formats look at the client's format and
+/// type too. Null when `internal_format` is none.
 const TexelFormat* choose_texel_format(GLint internal_format, GLenum format, GLenum type, bool swap_bytes);
 /// The base internal format (table 3.15), 0 when `internal_format` is none.
 GLenum base_internal_format(GLint internal_format);
@@ -33,9 +34,10 @@ struct PixelFormat;
 struct PixelTransfer; // pixel_transfer.h
 
 /// Stores a row of client pixels. Pixel transfer operations are applied.
-void store_texels(const TexelFormat& to, void* texels, const PixelFormat& from, const void* pixels, int count, bool swap_bytes,
-                  const PixelTransfer& transfer);
+void store_texels(const TexelFormat& to, void* texels, const PixelFormat& from, const void* pixels, int count,
+                  bool swap_bytes, const PixelTransfer& transfer);
 /// Reads a row of texels into client pixels (GetTexImage, 6.1.4); no pixel transfer takes place.
-void load_texels(const TexelFormat& from, const void* texels, const PixelFormat& to, void* pixels, int count, bool swap_bytes);
+void load_texels(const TexelFormat& from, const void* texels, const PixelFormat& to, void* pixels, int count,
+                 bool swap_bytes);
 
 } // namespace softgl

@@ -6,8 +6,8 @@
 
 namespace softgl {
 
-/// `base` is the base format of the texel; `sampled` has the units that are sampled, by bit: the texels of others are 0
-/// (crossbar).
+/// `base` is the base format of the texel; `sampled` has the units that are sampled, by bit: the texels of
+/// others are 0 (crossbar).
 CombinerChain::Unit make_environment(const TextureUnitState& state, int unit, GLenum base, uint32_t sampled);
 
 /// The environment is previous * texel in all components (`base` has), or the texel itself.

@@ -14,7 +14,8 @@ uint64_t image_bytes(const TexelFormat& format, int width, int height, int depth
   return uint64_t(width + 1) * uint64_t(height + 1) * uint64_t(depth) * uint64_t(format.bytes());
 }
 
-std::shared_ptr<TextureImage> make_image(const TexelFormat& format, GLint internal_format, int width, int height, int depth) {
+std::shared_ptr<TextureImage> make_image(const TexelFormat& format, GLint internal_format, int width,
+                                         int height, int depth) {
   auto image = std::make_shared<TextureImage>();
   image->format = &format;
   image->internal_format = internal_format;
@@ -62,24 +63,29 @@ std::shared_ptr<TextureObject> bound_texture(const Context& c, int unit, Texture
   return default_texture(c, target);
 }
 
-const TexelFormat& level_format(const TextureObject& object, int face, int level, GLint internal_format, const TexelFormat& chosen) {
+const TexelFormat& level_format(const TextureObject& object, int face, int level, GLint internal_format,
+                                const TexelFormat& chosen) {
   const TextureImage* before = level > 0 ? object.image[face][level - 1].get() : nullptr;
   return before && before->width > 0 && before->internal_format == internal_format ? *before->format : chosen;
 }
 
 void match_formats(TextureObject& object, const TextureImage& image) {
   const bool depth = image.format->layout == TexelLayout::Depth;
-  const PixelFormat client = describe_pixel_format(depth ? GL_DEPTH_COMPONENT : GL_RGBA, depth ? GL_UNSIGNED_INT : GL_FLOAT);
+  const PixelFormat client =
+      describe_pixel_format(depth ? GL_DEPTH_COMPONENT : GL_RGBA, depth ? GL_UNSIGNED_INT : GL_FLOAT);
   std::vector<unsigned char> row;
   for (auto& face : object.image)
     for (auto& other : face) {
-      if (!other || other->internal_format != image.internal_format || other->format == image.format) continue;
-      auto converted = make_image(*image.format, other->internal_format, other->width, other->height, other->depth);
+      if (!other || other->internal_format != image.internal_format || other->format == image.format)
+        continue;
+      auto converted =
+          make_image(*image.format, other->internal_format, other->width, other->height, other->depth);
       row.resize(size_t(other->width) * size_t(client.bytes));
       for (int z = 0; !other->empty() && z < other->depth; ++z)
         for (int y = 0; y < other->height; ++y) {
           load_texels(*other->format, other->at(0, y, z), client, row.data(), other->width, false);
-          store_texels(*image.format, converted->at(0, y, z), client, row.data(), other->width, false, PixelTransfer::none());
+          store_texels(*image.format, converted->at(0, y, z), client, row.data(), other->width, false,
+                       PixelTransfer::none());
         }
       converted->repeat_edges();
       other = std::move(converted);
@@ -106,8 +112,10 @@ CompleteLevels complete_levels(const TextureObject& object) {
     for (int level = p.base_level; level <= last; ++level) {
       const TextureImage* image = object.image[face][level].get();
       const int shift = level - p.base_level;
-      if (!image || image->format != base->format || image->internal_format != base->internal_format) return {};
-      if (image->width != std::max(1, base->width >> shift) || image->height != std::max(1, base->height >> shift) ||
+      if (!image || image->format != base->format || image->internal_format != base->internal_format)
+        return {};
+      if (image->width != std::max(1, base->width >> shift) ||
+          image->height != std::max(1, base->height >> shift) ||
           image->depth != std::max(1, base->depth >> shift))
         return {};
     }

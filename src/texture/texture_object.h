@@ -11,9 +11,9 @@ namespace softgl {
 
 struct Context;
 
-/// One image of a level (and face). Rows are padded: texel (width, y) repeats (0, y), row `height` repeats row 0, and 8
-/// spare bytes follow, so that a 2x2 footprint is two 8-byte loads whatever the wrap mode. Immutable while anybody but
-/// its texture object holds it.
+/// One image of a level (and face). Rows are padded: texel (width, y) repeats (0, y), row `height` repeats
+/// row 0, and 8 spare bytes follow, so that a 2x2 footprint is two 8-byte loads whatever the wrap mode.
+/// Immutable while anybody but its texture object holds it.
 struct TextureImage {
   const TexelFormat* format = nullptr;
   GLint internal_format = 1; // as the client named it
@@ -23,14 +23,18 @@ struct TextureImage {
   std::vector<unsigned char> texels; // zeros where nothing was stored
 
   bool empty() const { return width == 0 || height == 0 || depth == 0; }
-  unsigned char* at(int x, int y, int z) { return texels.data() + size_t(z) * slice_bytes + size_t(y) * row_bytes + size_t(x) * size_t(format->bytes()); }
+  unsigned char* at(int x, int y, int z) {
+    return texels.data() + size_t(z) * slice_bytes + size_t(y) * row_bytes +
+           size_t(x) * size_t(format->bytes());
+  }
   const unsigned char* at(int x, int y, int z) const { return const_cast<TextureImage*>(this)->at(x, y, z); }
   /// Makes column `width` and row `height` repeat the first ones; after every change of texels.
   void repeat_edges();
 };
 
 /// A zeroed image. Throws std::bad_alloc.
-std::shared_ptr<TextureImage> make_image(const TexelFormat& format, GLint internal_format, int width, int height, int depth);
+std::shared_ptr<TextureImage> make_image(const TexelFormat& format, GLint internal_format, int width,
+                                         int height, int depth);
 /// The size that an image takes; the limit of OSMesa is 1 GiB.
 uint64_t image_bytes(const TexelFormat& format, int width, int height, int depth);
 constexpr uint64_t kMaxImageBytes = uint64_t(1) << 30;
@@ -64,15 +68,18 @@ struct TextureObject {
 
 /// The object bound to a target of a unit; never null. A name that no longer exists means the default object.
 std::shared_ptr<TextureObject> bound_texture(const Context& c, int unit, TextureTarget target);
-/// The object that an image or parameter command means: of the active unit, or a proxy's. Null for an unknown target.
+/// The object that an image or parameter command means: of the active unit, or a proxy's. Null for an unknown
+/// target.
 std::shared_ptr<TextureObject> default_texture(const Context& c, TextureTarget target);
 std::shared_ptr<TextureObject> proxy_texture(Context& c, TextureTarget target);
 
-/// The storage for a new image: that of the level before it if both have one internal format, so that the levels of a
-/// texture fit together whatever form each one's pixels have; else `chosen`, which suits the pixels best.
-const TexelFormat& level_format(const TextureObject& object, int face, int level, GLint internal_format, const TexelFormat& chosen);
-/// Stores all other images of the same internal format as this one is stored: 3.8.10 asks for nothing more of a complete
-/// texture, and the sampling kernels read one format. Throws std::bad_alloc.
+/// The storage for a new image: that of the level before it if both have one internal format, so that the
+/// levels of a texture fit together whatever form each one's pixels have; else `chosen`, which suits the
+/// pixels best.
+const TexelFormat& level_format(const TextureObject& object, int face, int level, GLint internal_format,
+                                const TexelFormat& chosen);
+/// Stores all other images of the same internal format as this one is stored: 3.8.10 asks for nothing more of
+/// a complete texture, and the sampling kernels read one format. Throws std::bad_alloc.
 void match_formats(TextureObject& object, const TextureImage& image);
 
 /// Sets all levels behind the base level from it (3.8.8, automatic mipmap generation).

@@ -29,20 +29,24 @@ void BindTexture(Context& c, GLenum target, GLuint texture) {
   if (t == kTextureTargets) return set_error(c, GL_INVALID_ENUM);
   GLuint& bound = c.state.texture.unit[c.state.texture.active_unit].bound[t];
   if (texture != 0) {
-    auto object = c.shared->textures.find_or_create(texture, [&] { return std::make_shared<TextureObject>(texture, t); });
+    auto object = c.shared->textures.find_or_create(
+        texture, [&] { return std::make_shared<TextureObject>(texture, t); });
     if (object->target != t) return set_error(c, GL_INVALID_OPERATION);
   }
   bound = texture;
   c.dirty |= kDirtyTexture;
 }
 
-GLboolean IsTexture(Context& c, GLuint texture) { return texture != 0 && c.shared->textures.find(texture) ? GL_TRUE : GL_FALSE; }
+GLboolean IsTexture(Context& c, GLuint texture) {
+  return texture != 0 && c.shared->textures.find(texture) ? GL_TRUE : GL_FALSE;
+}
 
 GLboolean AreTexturesResident(Context& c, GLsizei n, const GLuint* textures, GLboolean*) {
   if (n < 0) return set_error(c, GL_INVALID_VALUE), GL_FALSE;
   if (!textures) return GL_FALSE;
   for (GLsizei i = 0; i < n; ++i)
-    if (textures[i] == 0 || !c.shared->textures.find(textures[i])) return set_error(c, GL_INVALID_VALUE), GL_FALSE;
+    if (textures[i] == 0 || !c.shared->textures.find(textures[i]))
+      return set_error(c, GL_INVALID_VALUE), GL_FALSE;
   return GL_TRUE; // all of memory is texture memory
 }
 

@@ -14,8 +14,11 @@ namespace {
 
 bool wrap_allowed(GLenum mode, TextureTarget target) {
   switch (mode) {
-  case GL_CLAMP: case GL_CLAMP_TO_EDGE: case GL_CLAMP_TO_BORDER: return true;
-  case GL_REPEAT: case GL_MIRRORED_REPEAT: return target != kTextureRectangle;
+  case GL_CLAMP:
+  case GL_CLAMP_TO_EDGE:
+  case GL_CLAMP_TO_BORDER: return true;
+  case GL_REPEAT:
+  case GL_MIRRORED_REPEAT: return target != kTextureRectangle;
   default: return false;
   }
 }
@@ -36,7 +39,9 @@ void TexParameter(Context& c, GLenum target, GLenum pname, const GLfloat* params
   const float value = params[0];
   const GLenum token = value >= 0 && value < 65536 ? GLenum(value) : 0u;
   switch (pname) {
-  case GL_TEXTURE_WRAP_S: case GL_TEXTURE_WRAP_T: case GL_TEXTURE_WRAP_R:
+  case GL_TEXTURE_WRAP_S:
+  case GL_TEXTURE_WRAP_T:
+  case GL_TEXTURE_WRAP_R:
     if (!wrap_allowed(token, t)) return set_error(c, GL_INVALID_ENUM);
     p.wrap[pname == GL_TEXTURE_WRAP_S ? 0 : pname == GL_TEXTURE_WRAP_T ? 1 : 2] = token;
     break;
@@ -50,7 +55,10 @@ void TexParameter(Context& c, GLenum target, GLenum pname, const GLfloat* params
     if (token != GL_NEAREST && token != GL_LINEAR) return set_error(c, GL_INVALID_ENUM);
     p.mag_filter = token;
     break;
-  case GL_TEXTURE_BORDER_COLOR: p.border_color = {unit_range(params[0]), unit_range(params[1]), unit_range(params[2]), unit_range(params[3])}; break;
+  case GL_TEXTURE_BORDER_COLOR:
+    p.border_color = {unit_range(params[0]), unit_range(params[1]), unit_range(params[2]),
+                      unit_range(params[3])};
+    break;
   case GL_TEXTURE_PRIORITY: p.priority = unit_range(value); break;
   case GL_TEXTURE_MIN_LOD: p.min_lod = value; break;
   case GL_TEXTURE_MAX_LOD: p.max_lod = value; break;
@@ -65,7 +73,8 @@ void TexParameter(Context& c, GLenum target, GLenum pname, const GLfloat* params
     break;
   case GL_GENERATE_MIPMAP: p.generate_mipmap = value != 0; break;
   case GL_DEPTH_TEXTURE_MODE:
-    if (token != GL_LUMINANCE && token != GL_INTENSITY && token != GL_ALPHA) return set_error(c, GL_INVALID_ENUM);
+    if (token != GL_LUMINANCE && token != GL_INTENSITY && token != GL_ALPHA)
+      return set_error(c, GL_INVALID_ENUM);
     p.depth_mode = token;
     break;
   case GL_TEXTURE_COMPARE_MODE:
@@ -95,8 +104,14 @@ int get_parameter(Context& c, GLenum target, GLenum pname, float* v, bool& color
   case GL_TEXTURE_WRAP_R: v[0] = float(p.wrap[2]); return 1;
   case GL_TEXTURE_MIN_FILTER: v[0] = float(p.min_filter); return 1;
   case GL_TEXTURE_MAG_FILTER: v[0] = float(p.mag_filter); return 1;
-  case GL_TEXTURE_BORDER_COLOR: color = true; for (int i = 0; i < 4; ++i) v[i] = p.border_color[i]; return 4;
-  case GL_TEXTURE_PRIORITY: color = true; v[0] = p.priority; return 1;
+  case GL_TEXTURE_BORDER_COLOR:
+    color = true;
+    for (int i = 0; i < 4; ++i) v[i] = p.border_color[i];
+    return 4;
+  case GL_TEXTURE_PRIORITY:
+    color = true;
+    v[0] = p.priority;
+    return 1;
   case GL_TEXTURE_RESIDENT: v[0] = 1; return 1;
   case GL_TEXTURE_MIN_LOD: v[0] = p.min_lod; return 1;
   case GL_TEXTURE_MAX_LOD: v[0] = p.max_lod; return 1;
@@ -131,12 +146,17 @@ bool get_level_parameter(Context& c, GLenum target, GLint level, GLenum pname, G
   case GL_TEXTURE_RED_SIZE: value = bits(rgb, 0); return true;
   case GL_TEXTURE_GREEN_SIZE: value = bits(rgb, 1); return true;
   case GL_TEXTURE_BLUE_SIZE: value = bits(rgb, 2); return true;
-  case GL_TEXTURE_ALPHA_SIZE: value = bits(base == GL_RGBA || base == GL_ALPHA || base == GL_LUMINANCE_ALPHA, 3); return true;
-  case GL_TEXTURE_LUMINANCE_SIZE: value = bits(base == GL_LUMINANCE || base == GL_LUMINANCE_ALPHA, 0); return true;
+  case GL_TEXTURE_ALPHA_SIZE:
+    value = bits(base == GL_RGBA || base == GL_ALPHA || base == GL_LUMINANCE_ALPHA, 3);
+    return true;
+  case GL_TEXTURE_LUMINANCE_SIZE:
+    value = bits(base == GL_LUMINANCE || base == GL_LUMINANCE_ALPHA, 0);
+    return true;
   case GL_TEXTURE_INTENSITY_SIZE: value = bits(base == GL_INTENSITY, 0); return true;
   case GL_TEXTURE_DEPTH_SIZE: value = bits(base == GL_DEPTH_COMPONENT, 0); return true;
   case GL_TEXTURE_COMPRESSED: value = 0; return true;
-  case GL_TEXTURE_COMPRESSED_IMAGE_SIZE: return set_error(c, GL_INVALID_OPERATION), false; // no compressed images
+  case GL_TEXTURE_COMPRESSED_IMAGE_SIZE:
+    return set_error(c, GL_INVALID_OPERATION), false; // no compressed images
   default: return set_error(c, GL_INVALID_ENUM), false;
   }
 }

@@ -18,10 +18,12 @@ TextureTarget binding_target(GLenum target) {
 ImageTarget image_target(GLenum target, int dimensions) {
   switch (dimensions) {
   case 1:
-    if (target == GL_TEXTURE_1D || target == GL_PROXY_TEXTURE_1D) return {kTexture1D, 0, target == GL_PROXY_TEXTURE_1D};
+    if (target == GL_TEXTURE_1D || target == GL_PROXY_TEXTURE_1D)
+      return {kTexture1D, 0, target == GL_PROXY_TEXTURE_1D};
     break;
   case 2:
-    if (target == GL_TEXTURE_2D || target == GL_PROXY_TEXTURE_2D) return {kTexture2D, 0, target == GL_PROXY_TEXTURE_2D};
+    if (target == GL_TEXTURE_2D || target == GL_PROXY_TEXTURE_2D)
+      return {kTexture2D, 0, target == GL_PROXY_TEXTURE_2D};
     if (target == GL_TEXTURE_RECTANGLE || target == GL_PROXY_TEXTURE_RECTANGLE)
       return {kTextureRectangle, 0, target == GL_PROXY_TEXTURE_RECTANGLE};
     if (target >= GL_TEXTURE_CUBE_MAP_POSITIVE_X && target <= GL_TEXTURE_CUBE_MAP_NEGATIVE_Z)
@@ -29,7 +31,8 @@ ImageTarget image_target(GLenum target, int dimensions) {
     if (target == GL_PROXY_TEXTURE_CUBE_MAP) return {kTextureCube, 0, true};
     break;
   case 3:
-    if (target == GL_TEXTURE_3D || target == GL_PROXY_TEXTURE_3D) return {kTexture3D, 0, target == GL_PROXY_TEXTURE_3D};
+    if (target == GL_TEXTURE_3D || target == GL_PROXY_TEXTURE_3D)
+      return {kTexture3D, 0, target == GL_PROXY_TEXTURE_3D};
     break;
   }
   return {};
@@ -42,10 +45,13 @@ ImageTarget any_image_target(GLenum target) {
 }
 
 std::shared_ptr<TextureObject> target_object(Context& c, const ImageTarget& target) {
-  return target.proxy ? proxy_texture(c, target.target) : bound_texture(c, c.state.texture.active_unit, target.target);
+  return target.proxy ? proxy_texture(c, target.target)
+                      : bound_texture(c, c.state.texture.active_unit, target.target);
 }
 
-int max_texture_size(TextureTarget target) { return target == kTexture3D ? kMax3DTextureSize : kMaxTextureSize; }
+int max_texture_size(TextureTarget target) {
+  return target == kTexture3D ? kMax3DTextureSize : kMaxTextureSize;
+}
 
 int max_texture_levels(TextureTarget target) {
   return target == kTextureRectangle ? 1 : target == kTexture3D ? 12 : kMaxTextureLevels;

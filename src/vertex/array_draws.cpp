@@ -6,8 +6,8 @@
 #include "lists/list_compiler.h"
 #include "state/context.h"
 #include "vertex/array_element.h"
-#include "vertex/attribute_doors.h"
 #include "vertex/array_fetch.h"
+#include "vertex/attribute_doors.h"
 #include "vertex/buffer_objects.h"
 #include "vertex/index_range.h"
 
@@ -16,20 +16,24 @@ namespace {
 
 /// An error of a draw; one that is being compiled is raised when the list is played.
 void draw_error(Context& c, GLenum code) {
-  if (c.builder.compiling) compile_error(c, code);
-  else set_error(c, code);
+  if (c.builder.compiling)
+    compile_error(c, code);
+  else
+    set_error(c, code);
 }
 
 /// What all draws ask first. False: nothing is to be drawn.
 bool may_draw(Context& c, GLenum mode, GLsizei count) {
-  if (c.builder.compiling && c.builder.mode != kNoPrimitive) return draw_error(c, GL_INVALID_OPERATION), false;
+  if (c.builder.compiling && c.builder.mode != kNoPrimitive)
+    return draw_error(c, GL_INVALID_OPERATION), false;
   if (mode > GL_POLYGON) return draw_error(c, GL_INVALID_ENUM), false;
   if (count < 0) return draw_error(c, GL_INVALID_VALUE), false;
   if (c.builder.compiling) compile_error(c, GL_NO_ERROR); // also where nothing is to be drawn
   return true;
 }
 
-void submit_arrays(Context& c, const VertexSource* source, GLenum mode, uint32_t first, uint32_t count, DrawCall call) {
+void submit_arrays(Context& c, const VertexSource* source, GLenum mode, uint32_t first, uint32_t count,
+                   DrawCall call) {
   call.source = source;
   call.constant = current_constants(c);
   call.primitives = c.frame.arena().make<PrimitiveRange>(PrimitiveRange{mode, first, count});
@@ -152,7 +156,8 @@ void gl::DrawRangeElements(Context& c, GLenum mode, GLuint start, GLuint end, GL
   draw_elements(c, mode, uint32_t(count), type, indices);
 } catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
 
-void gl::MultiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count, GLsizei draws) try {
+void gl::MultiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count,
+                         GLsizei draws) try {
   if (!may_draw(c, mode, draws)) return;
   for (GLsizei i = 0; i < draws; ++i)
     if (count[i] < 0 || (count[i] > 0 && first[i] < 0)) return draw_error(c, GL_INVALID_VALUE);
@@ -160,8 +165,8 @@ void gl::MultiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsi
     if (count[i] > 0) draw_arrays(c, mode, uint32_t(first[i]), uint32_t(count[i]));
 } catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
 
-void gl::MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices,
-                           GLsizei draws) try {
+void gl::MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum type,
+                           const void* const* indices, GLsizei draws) try {
   if (!may_draw(c, mode, draws)) return;
   if (!index_bytes(type)) return draw_error(c, GL_INVALID_ENUM);
   for (GLsizei i = 0; i < draws; ++i)
@@ -172,12 +177,14 @@ void gl::MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum
 
 void gl::ArrayElement(Context& c, GLint i) try {
   if (c.guard & kNoContext) return;
-  if (i < 0) return c.builder.compiling ? compile_error(c, GL_INVALID_VALUE, true) : set_error(c, GL_INVALID_VALUE);
+  if (i < 0)
+    return c.builder.compiling ? compile_error(c, GL_INVALID_VALUE, true) : set_error(c, GL_INVALID_VALUE);
   if (const ArrayCache* arrays = current_arrays(c)) emit_array_element(c, *arrays, uint32_t(i));
 } catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
 
 void gl::Rect(Context& c, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
-  gl::Begin(c, GL_QUADS); // the specification says GL_POLYGON; OSMesa 22.3.6 draws a quad: the same but for its diagonal
+  gl::Begin(c, GL_QUADS); // the specification says GL_POLYGON; OSMesa 22.3.6 draws a quad: the same but for
+                          // its diagonal
   emit_vertex2(c, x1, y1);
   emit_vertex2(c, x2, y1);
   emit_vertex2(c, x2, y2);

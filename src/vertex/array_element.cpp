@@ -12,8 +12,10 @@ template <class T> void load(const unsigned char* p, int count, bool as_fraction
   for (int i = 0; i < count; ++i) {
     T v;
     std::memcpy(&v, p + i * sizeof(T), sizeof v);
-    if constexpr (std::is_floating_point_v<T>) out[i] = float(v);
-    else out[i] = as_fraction ? normalized(v) : float(v);
+    if constexpr (std::is_floating_point_v<T>)
+      out[i] = float(v);
+    else
+      out[i] = as_fraction ? normalized(v) : float(v);
   }
 }
 
@@ -38,8 +40,10 @@ void emit_array_element(Context& c, const ArrayCache& arrays, uint32_t index) {
       case ComponentType::UnsignedInt: load<GLuint>(p, s.components, s.normalized, v); break;
       }
     }
-    if (array.slot == kPosition) std::memcpy(position, v, sizeof v);
-    else set_attribute4(c, array.slot, v[0], v[1], v[2], v[3]);
+    if (array.slot == kPosition)
+      std::memcpy(position, v, sizeof v);
+    else
+      set_attribute4(c, array.slot, v[0], v[1], v[2], v[3]);
   }
   if (arrays.drawable) emit_vertex4(c, position[0], position[1], position[2], position[3]);
 }

@@ -56,7 +56,9 @@ void add_array(ArrayCache& a, int slot, const VertexArray& array) {
   if (array.object) {
     watch(a, *array.object);
     const size_t offset = reinterpret_cast<size_t>(array.pointer), size = array.object->size();
-    entry.limit = offset < size && size - offset >= entry.bytes ? (size - offset - entry.bytes) / entry.stream.stride + 1 : 0;
+    entry.limit = offset < size && size - offset >= entry.bytes
+                      ? (size - offset - entry.bytes) / entry.stream.stride + 1
+                      : 0;
     if (!entry.limit) a.limit = 0;
     entry.stream.data = entry.limit ? array.object->storage->bytes + offset : nullptr;
   } else {
@@ -90,12 +92,14 @@ void rebuild(Context& c) {
   for (int slot = 0; slot < kMaterial0; ++slot)
     if (c.client.vertex_array.array[slot].enabled) add_array(a, slot, c.client.vertex_array.array[slot]);
   for (const VertexArray& array : c.client.vertex_array.array)
-    if (array.enabled && array.object && array.object->storage) c.frame.retain(array.object->storage, array.object->storage->size);
+    if (array.enabled && array.object && array.object->storage)
+      c.frame.retain(array.object->storage, array.object->storage->size);
   // No memory of the arena is taken here: ArrayElement comes by while the builder has a chunk of it open.
   c.dirty &= ~kDirtyArrays;
 }
 
-/// Where element 0 would be, if the copy of elements low.. began at `copy`. Arithmetic on integers: it may lie outside.
+/// Where element 0 would be, if the copy of elements low.. began at `copy`. Arithmetic on integers: it may
+/// lie outside.
 const unsigned char* element_zero(const unsigned char* copy, uint32_t low, uint32_t stride) {
   return reinterpret_cast<const unsigned char*>(reinterpret_cast<uintptr_t>(copy) - uintptr_t(low) * stride);
 }
@@ -106,7 +110,8 @@ AttributeStream copy_tight(Context& c, const ArrayCache::Array& array, uint32_t 
   const size_t count = size_t(high - low) + 1;
   auto* to = static_cast<unsigned char*>(c.frame.arena().allocate(count * stride + kSpareBytes));
   const unsigned char* from = array.stream.data + size_t(low) * array.stream.stride;
-  for (size_t i = 0; i < count; ++i) std::memcpy(to + i * stride, from + i * array.stream.stride, array.bytes);
+  for (size_t i = 0; i < count; ++i)
+    std::memcpy(to + i * stride, from + i * array.stream.stride, array.bytes);
   AttributeStream stream = array.stream;
   stream.data = element_zero(to, low, stride);
   stream.stride = stride;
@@ -156,7 +161,8 @@ const VertexSource* fetch_range(Context& c, ArrayCache& a, uint32_t low, uint32_
     }
     const size_t bytes = size_t(end - span[i].begin);
     if (bytes > 4 * wanted + 4096) { // mostly something else, perhaps not even readable
-      for (; i < next; ++i) set_stream(*source, span[i].array->slot, copy_tight(c, *span[i].array, low, high));
+      for (; i < next; ++i)
+        set_stream(*source, span[i].array->slot, copy_tight(c, *span[i].array, low, high));
       continue;
     }
     auto* copy = static_cast<unsigned char*>(c.frame.arena().allocate(bytes + kSpareBytes));
@@ -196,8 +202,10 @@ CompactVertices compact(Context& c, ArrayCache& a, const void* indices, GLenum t
     stream.data = to;
     stream.stride = stride;
     for (const uint32_t index : a.used) {
-      if (index < array.limit) std::memcpy(to, array.stream.data + size_t(index) * array.stream.stride, array.bytes);
-      else std::memset(to, 0, array.bytes);
+      if (index < array.limit)
+        std::memcpy(to, array.stream.data + size_t(index) * array.stream.stride, array.bytes);
+      else
+        std::memset(to, 0, array.bytes);
       to += stride;
     }
     set_stream(*source, array.slot, stream);

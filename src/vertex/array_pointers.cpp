@@ -86,7 +86,8 @@ void gl::TexCoordPointer(Context& c, GLint size, GLenum type, GLsizei stride, co
 }
 
 void gl::ClientActiveTexture(Context& c, GLenum texture) {
-  if (texture < GL_TEXTURE0 || texture >= GLenum(GL_TEXTURE0 + kMaxTextureUnits)) return set_error(c, GL_INVALID_ENUM);
+  if (texture < GL_TEXTURE0 || texture >= GLenum(GL_TEXTURE0 + kMaxTextureUnits))
+    return set_error(c, GL_INVALID_ENUM);
   c.client.vertex_array.active_texture_unit = int(texture - GL_TEXTURE0);
 }
 
@@ -127,7 +128,8 @@ void gl::GetPointerv(Context& c, GLenum pname, void** params) {
   case GL_INDEX_ARRAY_POINTER: slot = kColorIndex; break;
   case GL_EDGE_FLAG_ARRAY_POINTER: slot = kEdgeFlag; break;
   case GL_TEXTURE_COORD_ARRAY_POINTER: slot = kTexCoord0 + arrays.active_texture_unit; break;
-  case GL_FEEDBACK_BUFFER_POINTER: case GL_SELECTION_BUFFER_POINTER: // never set: render modes are not built yet
+  case GL_FEEDBACK_BUFFER_POINTER:
+  case GL_SELECTION_BUFFER_POINTER: // never set: render modes are not built yet
     if (params) *params = nullptr;
     return;
   default: return set_error(c, GL_INVALID_ENUM);

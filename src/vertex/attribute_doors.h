@@ -1,5 +1,6 @@
-// What the 216 doors of glColor*, glNormal*, glTexCoord*, ... and glVertex* expand to. No test for a context, a list or
-// Begin and End: the builder at hand is prepared so that the hot path is right and everything else takes the cold one.
+// What the 216 doors of glColor*, glNormal*, glTexCoord*, ... and glVertex* expand to. No test for a context,
+// a list or Begin and End: the builder at hand is prepared so that the hot path is right and everything else
+// takes the cold one.
 #pragma once
 
 #include <emmintrin.h>
@@ -17,7 +18,9 @@ inline void set_attribute4(Context& c, int slot, float x, float y, float z, floa
 }
 inline void set_attribute1(Context& c, int slot, float x) { set_attribute4(c, slot, x, 0, 0, 1); }
 inline void set_attribute2(Context& c, int slot, float x, float y) { set_attribute4(c, slot, x, y, 0, 1); }
-inline void set_attribute3(Context& c, int slot, float x, float y, float z) { set_attribute4(c, slot, x, y, z, 1); }
+inline void set_attribute3(Context& c, int slot, float x, float y, float z) {
+  set_attribute4(c, slot, x, y, z, 1);
+}
 
 inline void emit_vertex4(Context& c, float x, float y, float z, float w) {
   VertexBuilder& b = c.builder;

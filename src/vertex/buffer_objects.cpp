@@ -45,8 +45,15 @@ BufferObject* buffer_of(Context& c, GLenum target) {
 
 bool is_usage(GLenum usage) {
   switch (usage) {
-  case GL_STREAM_DRAW: case GL_STREAM_READ: case GL_STREAM_COPY: case GL_STATIC_DRAW: case GL_STATIC_READ:
-  case GL_STATIC_COPY: case GL_DYNAMIC_DRAW: case GL_DYNAMIC_READ: case GL_DYNAMIC_COPY: return true;
+  case GL_STREAM_DRAW:
+  case GL_STREAM_READ:
+  case GL_STREAM_COPY:
+  case GL_STATIC_DRAW:
+  case GL_STATIC_READ:
+  case GL_STATIC_COPY:
+  case GL_DYNAMIC_DRAW:
+  case GL_DYNAMIC_READ:
+  case GL_DYNAMIC_COPY: return true;
   default: return false;
   }
 }
@@ -67,7 +74,8 @@ void detach(Context& c, BufferObject& buffer) {
 }
 
 bool in_range(Context& c, const BufferObject& buffer, GLintptr offset, GLsizeiptr size) {
-  if (offset < 0 || size < 0 || size_t(offset) > buffer.size() || size_t(size) > buffer.size() - size_t(offset)) {
+  if (offset < 0 || size < 0 || size_t(offset) > buffer.size() ||
+      size_t(size) > buffer.size() - size_t(offset)) {
     set_error(c, GL_INVALID_VALUE);
     return false;
   }
@@ -86,7 +94,8 @@ constexpr GLsizeiptr kMaxBufferBytes = GLsizeiptr(1) << 40;
 void gl::BindBuffer(Context& c, GLenum target, GLuint name) try {
   std::shared_ptr<BufferObject>* binding = bound_object(c, target);
   if (!binding) return;
-  *binding = name ? c.shared->buffers.find_or_create(name, [] { return std::make_shared<BufferObject>(); }) : nullptr;
+  *binding = name ? c.shared->buffers.find_or_create(name, [] { return std::make_shared<BufferObject>(); })
+                  : nullptr;
   VertexArrayState& arrays = c.client.vertex_array;
   (target == GL_ARRAY_BUFFER ? arrays.array_buffer : arrays.element_array_buffer) = name;
 } catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
@@ -194,7 +203,8 @@ GLboolean gl::UnmapBuffer(Context& c, GLenum target) {
 
 void gl::GetBufferParameteriv(Context& c, GLenum target, GLenum pname, GLint* params) {
   if (!bound_object(c, target)) return;
-  if (pname != GL_BUFFER_SIZE && pname != GL_BUFFER_USAGE && pname != GL_BUFFER_ACCESS && pname != GL_BUFFER_MAPPED)
+  if (pname != GL_BUFFER_SIZE && pname != GL_BUFFER_USAGE && pname != GL_BUFFER_ACCESS &&
+      pname != GL_BUFFER_MAPPED)
     return set_error(c, GL_INVALID_ENUM);
   const BufferObject* buffer = buffer_of(c, target);
   if (!buffer || !params) return;

@@ -10,7 +10,8 @@
 
 namespace softgl {
 
-/// The bytes of a buffer. A frame that draws from them holds a reference; then they are copied before they change.
+/// The bytes of a buffer. A frame that draws from them holds a reference; then they are copied before they
+/// change.
 struct BufferStorage {
   explicit BufferStorage(size_t bytes); // contents undefined: zero; throws std::bad_alloc
   ~BufferStorage();

@@ -11,7 +11,8 @@ namespace {
 // Loads through a packed struct: indices in client memory may have any alignment.
 template <class T> struct __attribute__((packed, may_alias)) Unaligned { T value; };
 
-template <class T> __attribute__((always_inline)) inline IndexRange scan(const void* indices, uint32_t count) {
+template <class T>
+__attribute__((always_inline)) inline IndexRange scan(const void* indices, uint32_t count) {
   const auto* p = static_cast<const Unaligned<T>*>(indices);
   T low = T(~T(0)), high = 0;
   for (uint32_t i = 0; i < count; ++i) {
@@ -59,7 +60,8 @@ IndexRange copy_indices(const void* indices, GLenum type, uint32_t count, void* 
 
 IndexRange index_range(BufferObject& buffer, size_t offset, GLenum type, uint32_t count) {
   std::lock_guard lock(buffer.ranges_mutex);
-  if (!buffer.ranges) buffer.ranges = std::make_unique<BufferObject::CachedRange[]>(BufferObject::kCachedRanges);
+  if (!buffer.ranges)
+    buffer.ranges = std::make_unique<BufferObject::CachedRange[]>(BufferObject::kCachedRanges);
   const size_t hash = (offset / 4 * 0x9e3779b97f4a7c15ull + count * 0xc2b2ae3d27d4eb4full) >> 56;
   BufferObject::CachedRange& entry = buffer.ranges[hash % BufferObject::kCachedRanges];
   if (entry.version != buffer.version || entry.offset != offset || entry.count != count || entry.type != type)

@@ -13,7 +13,8 @@ namespace softgl {
 namespace {
 
 constexpr size_t kSmallestChunk = 64 * 1024;
-// A new attribute between two primitives: up to here the waiting vertices are widened, above the run is closed.
+// A new attribute between two primitives: up to here the waiting vertices are widened, above the run is
+// closed.
 constexpr uint32_t kWidenLimit = 64;
 
 float* room_end(const VertexBuilder& b) { return b.base + b.capacity / sizeof(float) - 4 * b.slots + 1; }
@@ -89,7 +90,8 @@ void draw_chunk(Context& c) {
   source->present = b.present;
   for (uint32_t left = b.present; left; left &= left - 1) {
     const int slot = __builtin_ctz(left);
-    source->stream[slot] = AttributeStream{reinterpret_cast<unsigned char*>(base + 4 * b.place[slot]), 16 * b.slots};
+    source->stream[slot] =
+        AttributeStream{reinterpret_cast<unsigned char*>(base + 4 * b.place[slot]), 16 * b.slots};
   }
   DrawCall call;
   call.source = source;
@@ -103,23 +105,27 @@ void draw_chunk(Context& c) {
   submit(c, call);
 }
 
-/// The chunk is full in the middle of a primitive: draws what it holds and goes on in a new one, which begins with
-/// the vertices that the rest of the primitive needs again.
+/// The chunk is full in the middle of a primitive: draws what it holds and goes on in a new one, which begins
+/// with the vertices that the rest of the primitive needs again.
 void split_run(Context& c) {
   VertexBuilder& b = c.builder;
   const uint32_t total = b.vertex_count(), count = total - b.first, stride = 4 * b.slots;
   uint32_t drawn = complete_vertices(b.mode, count, b.continued), carried = 0, carry[8];
   bool one_piece = true, was_continued = b.continued;
-  const auto carry_last = [&](uint32_t n) { for (uint32_t i = n; i > 0; --i) carry[carried++] = total - i; };
+  const auto carry_last = [&](uint32_t n) {
+    for (uint32_t i = n; i > 0; --i) carry[carried++] = total - i;
+  };
   switch (b.mode) {
-  case GL_POINTS: case GL_LINES: case GL_TRIANGLES: case GL_QUADS:
-    carry_last(count - drawn);
-    break;
+  case GL_POINTS:
+  case GL_LINES:
+  case GL_TRIANGLES:
+  case GL_QUADS: carry_last(count - drawn); break;
   case GL_LINE_STRIP:
     carry_last(count ? 1 : 0);
     one_piece = false;
     break;
-  case GL_TRIANGLE_STRIP: case GL_QUAD_STRIP:
+  case GL_TRIANGLE_STRIP:
+  case GL_QUAD_STRIP:
     // Cut at an even vertex, so that the next piece starts with the same orientation.
     drawn = count >= 4 ? count & ~1u : 0;
     carry_last(drawn ? 2 + (count & 1) : count);
@@ -137,7 +143,8 @@ void split_run(Context& c) {
     one_piece = false;
   }
   alignas(16) float kept[8][4 * kAttributeSlots]; // submit() may free the arena
-  for (uint32_t i = 0; i < carried; ++i) std::memcpy(kept[i], b.base + size_t(carry[i]) * stride, stride * sizeof(float));
+  for (uint32_t i = 0; i < carried; ++i)
+    std::memcpy(kept[i], b.base + size_t(carry[i]) * stride, stride * sizeof(float));
   if (drawn) b.primitives.push_back({b.mode, b.first, drawn, one_piece || !b.continued, one_piece});
   b.out = b.base + size_t(b.first + drawn) * stride;
   b.continued = was_continued || (drawn && !one_piece);
@@ -179,8 +186,10 @@ void apply_deferred(Context& c) {
 
 /// Reports an error of the open stream: at once, or when the list is played.
 void stream_error(Context& c, GLenum code) {
-  if (c.builder.compiling) compile_error(c, code);
-  else set_error(c, code);
+  if (c.builder.compiling)
+    compile_error(c, code);
+  else
+    set_error(c, code);
 }
 
 } // namespace
@@ -270,8 +279,10 @@ void set_current(Context& c, int slot, const float* value) {
   Vec4& current = c.state.current.slot[slot];
   if (!std::memcmp(&current, value, 16)) return;
   std::memcpy(&current, value, 16);
-  if (slot >= kMaterial0) c.dirty |= kDirtyLighting;
-  else c.dirty |= kDirtyCurrent;
+  if (slot >= kMaterial0)
+    c.dirty |= kDirtyLighting;
+  else
+    c.dirty |= kDirtyCurrent;
   if (slot == kColor && c.state.lighting.color_material_enabled) c.dirty |= kDirtyLighting;
 }
 

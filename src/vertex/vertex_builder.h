@@ -12,38 +12,41 @@ namespace softgl {
 
 struct Context;
 
-/// No primitive is open; as the mode of an open primitive in a list: vertices whose Begin is in no known list.
+/// No primitive is open; as the mode of an open primitive in a list: vertices whose Begin is in no known
+/// list.
 constexpr GLenum kNoPrimitive = 0xffff;
 
 /// Collects vertices until the run closes: on a state change, when the chunk is full, on an array draw.
 ///
-/// A vertex is `slots` 16-byte slots: the position, then each attribute that was set since the run began, in the order
-/// of their first setting. Setting an attribute writes its slot in `value`; a vertex copies `value` behind its position
-/// (measured: 2.5-3.0 ns for a normal and a vertex, against 4-6 ns for packed or separate arrays).
+/// A vertex is `slots` 16-byte slots: the position, then each attribute that was set since the run began, in
+/// the order of their first setting. Setting an attribute writes its slot in `value`; a vertex copies `value`
+/// behind its position (measured: 2.5-3.0 ns for a normal and a vertex, against 4-6 ns for packed or separate
+/// arrays).
 struct VertexBuilder {
   // Touched by every call.
-  float* out = nullptr;   // the next vertex
-  float* limit = nullptr; // a vertex fits while out < limit; null when no primitive is open
-  uint32_t slots = 1;     // per vertex
-  uint32_t present = 1;   // bit s: attribute s has a slot (the position always has)
+  float* out = nullptr;                    // the next vertex
+  float* limit = nullptr;                  // a vertex fits while out < limit; null when no primitive is open
+  uint32_t slots = 1;                      // per vertex
+  uint32_t present = 1;                    // bit s: attribute s has a slot (the position always has)
   uint8_t place[kAttributeSlots + 6] = {}; // where attribute s is in a vertex; 0: absent
   alignas(16) float value[kAttributeSlots][4] = {};
 
   // Touched by Begin and End.
-  GLenum mode = kNoPrimitive;     // of the open primitive
-  uint32_t first = 0;             // its first vertex
-  bool continued = false;         // its beginning was in an earlier chunk
-  bool compiling = false;         // vertices go to a display list
-  float* base = nullptr;          // vertex 0 of the chunk; null: no chunk is open
-  size_t capacity = 0;            // bytes
+  GLenum mode = kNoPrimitive; // of the open primitive
+  uint32_t first = 0;         // its first vertex
+  bool continued = false;     // its beginning was in an earlier chunk
+  bool compiling = false;     // vertices go to a display list
+  float* base = nullptr;      // vertex 0 of the chunk; null: no chunk is open
+  size_t capacity = 0;        // bytes
   std::vector<PrimitiveRange> primitives;
 
-  // Attributes without a slot that were set outside Begin and End while vertices wait: they get a slot at the next
-  // Begin, or become current when the run closes.
+  // Attributes without a slot that were set outside Begin and End while vertices wait: they get a slot at the
+  // next Begin, or become current when the run closes.
   uint32_t deferred = 0;
   alignas(16) float deferred_value[kAttributeSlots][4] = {};
 
-  // Compiling only: the first vertex that has its own value; earlier ones take the value current at play time.
+  // Compiling only: the first vertex that has its own value; earlier ones take the value current at play
+  // time.
   uint32_t first_set[kAttributeSlots] = {};
 
   const Vec4* constants = nullptr; // State::current as last written to the arena (see current_constants)
@@ -51,16 +54,16 @@ struct VertexBuilder {
   uint32_t vertex_count() const { return base ? uint32_t((out - base) / (4 * ptrdiff_t(slots))) : 0; }
   bool inside() const { return mode != kNoPrimitive || limit; }
 
-  /// Draws what waits (or hands it to the list that is being compiled) and makes the last attribute values current.
-  /// Between Begin and End it does nothing.
+  /// Draws what waits (or hands it to the list that is being compiled) and makes the last attribute values
+  /// current. Between Begin and End it does nothing.
   void close_run(Context& context);
 };
 
 /// Ends an unfinished primitive, too: for the moments when a context leaves its thread.
 void finish_vertices(Context& context);
 
-/// The current attributes below kMaterial0 in the frame's arena, for DrawCall::constant; the last block again while
-/// none has changed.
+/// The current attributes below kMaterial0 in the frame's arena, for DrawCall::constant; the last block again
+/// while none has changed.
 const Vec4* current_constants(Context& context);
 
 /// Makes a value current outside of any run and sets the dirty bit if it is new.
@@ -75,7 +78,8 @@ void End(Context& context);
 void set_absent_attribute(Context& context, int slot, float x, float y, float z, float w);
 void emit_vertex_without_room(Context& context, float x, float y, float z, float w);
 
-/// How many of `count` vertices make whole primitives. A continued piece begins with one or two carried vertices.
+/// How many of `count` vertices make whole primitives. A continued piece begins with one or two carried
+/// vertices.
 uint32_t complete_vertices(GLenum mode, uint32_t count, bool continued);
 
 } // namespace softgl

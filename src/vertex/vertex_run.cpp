@@ -16,8 +16,8 @@ void describe_vertices(const VertexRun& run, const float* vertices, VertexSource
   source.present = run.present;
   for (uint32_t left = run.present; left; left &= left - 1) {
     const int slot = __builtin_ctz(left);
-    source.stream[slot] =
-        AttributeStream{reinterpret_cast<const unsigned char*>(vertices + 4 * run.place[slot]), 16 * run.slots};
+    source.stream[slot] = AttributeStream{
+        reinterpret_cast<const unsigned char*>(vertices + 4 * run.place[slot]), 16 * run.slots};
   }
 }
 
@@ -72,11 +72,11 @@ const std::shared_ptr<VertexBlock>& fill_late_values(Context& c, VertexRun& run)
   return run.late_block = std::move(block);
 }
 
-/// Joins vertices that are the same bit by bit. Triangles given one by one share most of theirs: six times fewer are
-/// shaded at each playing, for some 20 ns a vertex once.
+/// Joins vertices that are the same bit by bit. Triangles given one by one share most of theirs: six times
+/// fewer are shaded at each playing, for some 20 ns a vertex once.
 void join_equal_vertices(VertexRun& run) {
   const uint32_t count = run.vertex_count;
-  const size_t words = 2 * size_t(run.slots); // of 8 bytes
+  const size_t words = 2 * size_t(run.slots);  // of 8 bytes
   std::vector<uint32_t> indices(count), first; // first: where each distinct vertex was seen first
   size_t size = 64;
   while (size < 2 * size_t(count)) size *= 2;
@@ -93,7 +93,8 @@ void join_equal_vertices(VertexRun& run) {
       hash ^= hash >> 32;
     }
     size_t at = hash & (size - 1);
-    while (table[at] && std::memcmp(vertices + size_t(first[table[at] - 1]) * 2 * words, vertex, words * 8)) at = (at + 1) & (size - 1);
+    while (table[at] && std::memcmp(vertices + size_t(first[table[at] - 1]) * 2 * words, vertex, words * 8))
+      at = (at + 1) & (size - 1);
     if (!table[at]) {
       first.push_back(i);
       if (first.size() > most) return; // too few are alike

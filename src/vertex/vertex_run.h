@@ -12,7 +12,8 @@ namespace softgl {
 
 struct Context;
 
-/// Vertices in the builder's layout and the streams that point to them. Unchanged once a frame may have seen it.
+/// Vertices in the builder's layout and the streams that point to them. Unchanged once a frame may have seen
+/// it.
 struct VertexBlock {
   float* vertices = nullptr; // from malloc
   VertexSource source;
@@ -28,15 +29,17 @@ struct VertexRun {
   std::shared_ptr<VertexBlock> block;
   std::vector<PrimitiveRange> primitives;
 
-  /// Vertices before first_set[s] were given before attribute s was: they take the value current at play time.
+  /// Vertices before first_set[s] were given before attribute s was: they take the value current at play
+  /// time.
   uint32_t first_set[kAttributeSlots] = {};
-  uint32_t late = 0; // bit s: first_set[s] > 0
+  uint32_t late = 0;                       // bit s: first_set[s] > 0
   std::shared_ptr<VertexBlock> late_block; // the block with such values filled in, from the last time
   alignas(16) float late_value[kAttributeSlots][4] = {};
 
   alignas(16) float final_value[kAttributeSlots][4] = {}; // by place: current after the run
 
-  /// Not a sequence of whole primitives: some vertices belong to a primitive that begins or ends outside of the run.
+  /// Not a sequence of whole primitives: some vertices belong to a primitive that begins or ends outside of
+  /// the run.
   bool fragment = false;
 
   /// Made at the second playing, when it pays: vertices that are alike are joined, and these name them.

@@ -34,13 +34,16 @@ std::vector<std::string> words_of(const std::string& text) {
   std::vector<std::string> words;
   std::string word;
   for (char c : text + "\n")
-    if (!isspace(static_cast<unsigned char>(c))) word += c;
-    else if (!word.empty()) words.push_back(std::exchange(word, {}));
+    if (!isspace(static_cast<unsigned char>(c)))
+      word += c;
+    else if (!word.empty())
+      words.push_back(std::exchange(word, {}));
   return words;
 }
 
 std::set<std::string> exported_names(const std::string& library) {
-  const auto words = words_of(output_of("nm -D --defined-only --format=posix '" + library + "' | cut -d' ' -f1"));
+  const auto words =
+      words_of(output_of("nm -D --defined-only --format=posix '" + library + "' | cut -d' ' -f1"));
   return {words.begin(), words.end()};
 }
 
@@ -57,7 +60,8 @@ TEST_CASE("The drop-in library exports exactly the names of libOSMesa.so.8", "[a
   const auto ours = exported_names(kBuiltLibrary), expected = recorded_names();
   CHECK(expected.size() == 1305);
   std::vector<std::string> missing, extra;
-  std::set_difference(expected.begin(), expected.end(), ours.begin(), ours.end(), std::back_inserter(missing));
+  std::set_difference(expected.begin(), expected.end(), ours.begin(), ours.end(),
+                      std::back_inserter(missing));
   std::set_difference(ours.begin(), ours.end(), expected.begin(), expected.end(), std::back_inserter(extra));
   CHECK(missing == std::vector<std::string>{});
   CHECK(extra == std::vector<std::string>{});
@@ -70,13 +74,15 @@ TEST_CASE("The recorded names are those of the system's libOSMesa", "[abi]") {
 TEST_CASE("libsoftgl exports its own functions besides, and nothing of C++", "[abi]") {
   auto ours = exported_names(kOwnLibrary);
   for (const std::string& name : recorded_names()) CHECK(ours.erase(name) == 1);
-  CHECK(ours == std::set<std::string>{"softgl_frame_hash", "softgl_get_statistics", "softgl_isa", "softgl_set_threads",
-                                      "softgl_threads", "softgl_version"});
+  CHECK(ours == std::set<std::string>{"softgl_frame_hash", "softgl_get_statistics", "softgl_isa",
+                                      "softgl_set_threads", "softgl_threads", "softgl_version"});
 }
 
 TEST_CASE("The libraries carry the names that programs ask for", "[abi]") {
-  CHECK(output_of("readelf -d '" + kBuiltLibrary + "'").find("Library soname: [libOSMesa.so.8]") != std::string::npos);
-  CHECK(output_of("readelf -d '" + kOwnLibrary + "'").find("Library soname: [libsoftgl.so.0]") != std::string::npos);
+  CHECK(output_of("readelf -d '" + kBuiltLibrary + "'").find("Library soname: [libOSMesa.so.8]") !=
+        std::string::npos);
+  CHECK(output_of("readelf -d '" + kOwnLibrary + "'").find("Library soname: [libsoftgl.so.0]") !=
+        std::string::npos);
   for (const char* link : {"/libOSMesa.so", "/libOSMesa.so.6"}) {
     const std::string folder = kBuiltLibrary.substr(0, kBuiltLibrary.rfind('/'));
     CHECK(std::ifstream(folder + link).good());
@@ -90,10 +96,11 @@ TEST_CASE("The libraries need the C and C++ run time and nothing else", "[abi]")
     for (size_t at = 0; (at = text.find('[', at)) != std::string::npos; ++at)
       needed.insert(text.substr(at + 1, text.find(']', at) - at - 1));
     for (const std::string& name : needed) {
-      if (name.rfind("libasan", 0) == 0 || name.rfind("libubsan", 0) == 0 || name.rfind("libtsan", 0) == 0) continue;
+      if (name.rfind("libasan", 0) == 0 || name.rfind("libubsan", 0) == 0 || name.rfind("libtsan", 0) == 0)
+        continue;
       INFO(library << " needs " << name);
-      const bool run_time = name == "libc.so.6" || name == "libm.so.6" || name == "libstdc++.so.6" || name == "libgcc_s.so.1" ||
-                            name == "ld-linux-x86-64.so.2";
+      const bool run_time = name == "libc.so.6" || name == "libm.so.6" || name == "libstdc++.so.6" ||
+                            name == "libgcc_s.so.1" || name == "ld-linux-x86-64.so.2";
       CHECK(run_time);
     }
   }
@@ -121,7 +128,8 @@ TEST_CASE("GetProcAddress finds what is built, and only that", "[abi]") {
   CHECK(gl.OSMesaGetProcAddress("glBegin") != nullptr);
   CHECK(gl.OSMesaGetProcAddress("glActiveTextureARB") != nullptr);
   CHECK(gl.OSMesaGetProcAddress("OSMesaMakeCurrent") != nullptr);
-  for (const char* name : {"glUseProgram", "glUniform1f", "glGenVertexArrays", "glNoSuchFunction", "OSMesaNoSuchFunction", "", "gl"})
+  for (const char* name : {"glUseProgram", "glUniform1f", "glGenVertexArrays", "glNoSuchFunction",
+                           "OSMesaNoSuchFunction", "", "gl"})
     CHECK(gl.OSMesaGetProcAddress(name) == nullptr);
   CHECK(gl.OSMesaGetProcAddress(nullptr) == nullptr);
   dlclose(library);

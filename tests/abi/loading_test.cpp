@@ -97,7 +97,8 @@ TEST_CASE("Calls without a context do nothing", "[abi]") {
     gl.GetIntegerv(GL_MAX_LIGHTS, &value);
     unsigned char pixel[4] = {1, 2, 3, 4};
     gl.ReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
-    if (gl.GetError() != GL_NO_ERROR || gl.GetString(GL_VERSION) != nullptr || value != 77 || pixel[0] != 1) abort();
+    if (gl.GetError() != GL_NO_ERROR || gl.GetString(GL_VERSION) != nullptr || value != 77 || pixel[0] != 1)
+      abort();
   }).join();
   SUCCEED();
 }

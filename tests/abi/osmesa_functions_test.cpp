@@ -28,7 +28,8 @@ void same_answers(const std::function<void(const Gl&, Log&)>& script) {
   script(softgl_library(), ours);
   script(osmesa_library(), theirs);
   CHECK(ours.lines.size() == theirs.lines.size());
-  for (size_t i = 0; i < ours.lines.size() && i < theirs.lines.size(); ++i) CHECK(ours.lines[i] == theirs.lines[i]);
+  for (size_t i = 0; i < ours.lines.size() && i < theirs.lines.size(); ++i)
+    CHECK(ours.lines[i] == theirs.lines[i]);
 }
 
 unsigned sum_of(const std::vector<unsigned char>& bytes) {
@@ -47,7 +48,8 @@ int integer(const Gl& gl, GLint pname) {
 
 TEST_CASE("Contexts are created for the formats and sizes that OSMesa accepts", "[abi]") {
   same_answers([](const Gl& gl, Log& log) {
-    for (GLenum format : {GLenum(GL_COLOR_INDEX), GLenum(GL_RGBA), 1u, 2u, GLenum(GL_RGB), 4u, 5u, 0u, 3u, 6u, GLenum(GL_LUMINANCE)}) {
+    for (GLenum format : {GLenum(GL_COLOR_INDEX), GLenum(GL_RGBA), 1u, 2u, GLenum(GL_RGB), 4u, 5u, 0u, 3u, 6u,
+                          GLenum(GL_LUMINANCE)}) {
       void* context = gl.OSMesaCreateContext(format, nullptr);
       log.add("format", format, context != nullptr);
       gl.OSMesaDestroyContext(context);
@@ -77,7 +79,8 @@ TEST_CASE("MakeCurrent accepts the same formats and types", "[abi]") {
   same_answers([](const Gl& gl, Log& log) {
     std::vector<unsigned char> buffer(8 * 8 * 16);
     for (GLenum format : {GLenum(GL_COLOR_INDEX), GLenum(GL_RGBA), 1u, 2u, GLenum(GL_RGB), 4u, 5u})
-      for (GLenum type : {GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_FLOAT, GL_UNSIGNED_SHORT_5_6_5, GL_BYTE, GL_DOUBLE, 0}) {
+      for (GLenum type :
+           {GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_FLOAT, GL_UNSIGNED_SHORT_5_6_5, GL_BYTE, GL_DOUBLE, 0}) {
         void* context = gl.OSMesaCreateContext(format, nullptr);
         log.add(format, type, int(gl.OSMesaMakeCurrent(context, buffer.data(), type, 8, 8)));
         gl.OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
@@ -91,9 +94,12 @@ TEST_CASE("MakeCurrent accepts the same formats and types", "[abi]") {
       log.add("height", size, int(gl.OSMesaMakeCurrent(context, buffer.data(), GL_UNSIGNED_BYTE, 8, size)));
     }
     log.add("current", gl.OSMesaGetCurrentContext() == nullptr);
-    log.add("made", int(gl.OSMesaMakeCurrent(context, buffer.data(), GL_UNSIGNED_BYTE, 8, 8)), gl.OSMesaGetCurrentContext() == context);
-    log.add("failed", int(gl.OSMesaMakeCurrent(context, nullptr, GL_UNSIGNED_BYTE, 8, 8)), gl.OSMesaGetCurrentContext() == context);
-    log.add("unbound", int(gl.OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0)), gl.OSMesaGetCurrentContext() == nullptr);
+    log.add("made", int(gl.OSMesaMakeCurrent(context, buffer.data(), GL_UNSIGNED_BYTE, 8, 8)),
+            gl.OSMesaGetCurrentContext() == context);
+    log.add("failed", int(gl.OSMesaMakeCurrent(context, nullptr, GL_UNSIGNED_BYTE, 8, 8)),
+            gl.OSMesaGetCurrentContext() == context);
+    log.add("unbound", int(gl.OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0)),
+            gl.OSMesaGetCurrentContext() == nullptr);
     gl.OSMesaDestroyContext(context);
   });
 }
@@ -180,14 +186,26 @@ TEST_CASE("Destroying the current context leaves the buffer alone", "[abi]") {
 }
 
 TEST_CASE("Rows of the buffer: every format, upside down and with gaps", "[abi]") {
-  const struct { GLenum format, type; int bytes; } kinds[] = {
-      {GL_RGBA, GL_UNSIGNED_BYTE, 4}, {1, GL_UNSIGNED_BYTE, 4},  {2, GL_UNSIGNED_BYTE, 4},  {GL_RGB, GL_UNSIGNED_BYTE, 3},
-      {5, GL_UNSIGNED_SHORT_5_6_5, 2}, {GL_RGBA, GL_UNSIGNED_SHORT, 8}, {1, GL_UNSIGNED_SHORT, 8}, {2, GL_UNSIGNED_SHORT, 8},
-      {GL_RGBA, GL_FLOAT, 16},        {1, GL_FLOAT, 16},        {2, GL_FLOAT, 16},        {GL_RGB, GL_FLOAT, 12}};
+  const struct {
+    GLenum format, type;
+    int bytes;
+  } kinds[] = {{GL_RGBA, GL_UNSIGNED_BYTE, 4},
+               {1, GL_UNSIGNED_BYTE, 4},
+               {2, GL_UNSIGNED_BYTE, 4},
+               {GL_RGB, GL_UNSIGNED_BYTE, 3},
+               {5, GL_UNSIGNED_SHORT_5_6_5, 2},
+               {GL_RGBA, GL_UNSIGNED_SHORT, 8},
+               {1, GL_UNSIGNED_SHORT, 8},
+               {2, GL_UNSIGNED_SHORT, 8},
+               {GL_RGBA, GL_FLOAT, 16},
+               {1, GL_FLOAT, 16},
+               {2, GL_FLOAT, 16},
+               {GL_RGB, GL_FLOAT, 12}};
   for (const auto& kind : kinds)
     for (int up : {0, 1})
       for (int row_length : {0, 70}) {
-        INFO("format " << kind.format << " type " << kind.type << " up " << up << " row length " << row_length);
+        INFO("format " << kind.format << " type " << kind.type << " up " << up << " row length "
+                       << row_length);
         same_answers([&](const Gl& gl, Log& log) {
           std::vector<unsigned char> buffer(size_t(70) * 70 * size_t(kind.bytes), 0x5a);
           void* context = gl.OSMesaCreateContext(kind.format, nullptr);
@@ -197,7 +215,8 @@ TEST_CASE("Rows of the buffer: every format, upside down and with gaps", "[abi]"
           gl.ClearColor(0.1f, 0.4f, 0.8f, 0.6f);
           gl.Clear(GL_COLOR_BUFFER_BIT);
           gl.Enable(GL_SCISSOR_TEST);
-          // OSMesa draws into 3-byte pixels as if they had 4 bytes (reference/DEVIATIONS.md): only whole clears agree.
+          // OSMesa draws into 3-byte pixels as if they had 4 bytes (reference/DEVIATIONS.md): only whole
+          // clears agree.
           for (int i = 0; i < (kind.bytes == 3 ? 0 : 5); ++i) {
             gl.Scissor(7 * i - 3, 13 * i - 5, 20, 9);
             gl.ClearColor(0.2f * float(i), 1.0f - 0.15f * float(i), 0.3f, 0.1f * float(i));
@@ -205,8 +224,8 @@ TEST_CASE("Rows of the buffer: every format, upside down and with gaps", "[abi]"
           }
           gl.Finish();
           log.add(sum_of(buffer));
-          log.add(integer(gl, 0x20), integer(gl, 0x21), integer(gl, 0x22), integer(gl, 0x23), integer(gl, 0x24),
-                  integer(gl, 0x25), integer(gl, 0x10), integer(gl, 0x11));
+          log.add(integer(gl, 0x20), integer(gl, 0x21), integer(gl, 0x22), integer(gl, 0x23),
+                  integer(gl, 0x24), integer(gl, 0x25), integer(gl, 0x10), integer(gl, 0x11));
           gl.OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
           gl.OSMesaDestroyContext(context);
         });

@@ -31,8 +31,8 @@ void add(const Scene& scene, int first, int count) {
   std::string name = "conformance " + scene.name;
   if (scene.random) name += " " + std::to_string(first) + " to " + std::to_string(first + count - 1);
   Catch::getMutableRegistryHub().registerTest(
-      Catch::makeTestCase(new Invoker(scene, first, count), "", Catch::NameAndTags(name, "[conformance][slow]"),
-                          CATCH_INTERNAL_LINEINFO));
+      Catch::makeTestCase(new Invoker(scene, first, count), "",
+                          Catch::NameAndTags(name, "[conformance][slow]"), CATCH_INTERNAL_LINEINFO));
 }
 
 } // namespace

@@ -1,5 +1,5 @@
-// Lighting that has no answer: light and viewer at the vertex, normals of no length, not a number, infinite, or so long that
-// the highlight is infinite. softgl draws OSMesa's bytes here, too, and they are finite.
+// Lighting that has no answer: light and viewer at the vertex, normals of no length, not a number, infinite,
+// or so long that the highlight is infinite. softgl draws OSMesa's bytes here, too, and they are finite.
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -22,16 +22,19 @@ std::vector<float> draw_all(const Gl& gl) {
   gl.Enable(GL_LIGHT0);
   for (int i = 0; i < 512; i++) {
     const auto bit = [&](int n) { return ((i >> n) & 1) != 0; };
-    const GLfloat specular[4] = {bit(1) ? 0.5f : 0, 0, 0.2f, 1}, position[4] = {0, 0, bit(2) ? 0.0f : 1.0f, bit(2) ? 1.0f : 0.0f};
+    const GLfloat specular[4] = {bit(1) ? 0.5f : 0, 0, 0.2f, 1},
+                  position[4] = {0, 0, bit(2) ? 0.0f : 1.0f, bit(2) ? 1.0f : 0.0f};
     gl.Materialf(GL_FRONT_AND_BACK, GL_SHININESS, bit(0) ? 20.0f : bit(6) ? 128.0f : 0.0f);
     gl.Materialfv(GL_FRONT_AND_BACK, GL_SPECULAR, specular);
     gl.Lightfv(GL_LIGHT0, GL_POSITION, position);
     gl.LightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, bit(3));
     (bit(4) ? gl.Enable : gl.Disable)(GL_NORMALIZE);
     gl.Lightf(GL_LIGHT0, GL_LINEAR_ATTENUATION, bit(5));
-    gl.Lightf(GL_LIGHT0, GL_CONSTANT_ATTENUATION, bit(8) ? 0.0f : 1.0f); // 0: infinitely bright where it is, without the linear one everywhere
+    gl.Lightf(GL_LIGHT0, GL_CONSTANT_ATTENUATION,
+              bit(8) ? 0.0f : 1.0f); // 0: infinitely bright where it is, without the linear one everywhere
     gl.LightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, bit(7) ? GL_SEPARATE_SPECULAR_COLOR : GL_SINGLE_COLOR);
-    static const GLfloat kNormals[6][3] = {{0, 0, 1}, {0, 0, 0}, {NAN, 0, 1}, {INFINITY, 0, 1}, {0, 0, 1e30f}, {0, 0, 7}};
+    static const GLfloat kNormals[6][3] = {{0, 0, 1},        {0, 0, 0},     {NAN, 0, 1},
+                                           {INFINITY, 0, 1}, {0, 0, 1e30f}, {0, 0, 7}};
     for (const auto& normal : kNormals) {
       gl.Clear(GL_COLOR_BUFFER_BIT);
       gl.Begin(GL_TRIANGLES);
@@ -55,7 +58,8 @@ TEST_CASE("lighting without an answer has OSMesa's floats", "[conformance][light
   fix_environment();
   const std::vector<float> ours = draw_all(softgl_library()), theirs = draw_all(osmesa_library());
   size_t different = 0, finite = 0;
-  for (size_t i = 0; i < ours.size(); i++) different += ours[i] != theirs[i], finite += std::isfinite(ours[i]);
+  for (size_t i = 0; i < ours.size(); i++)
+    different += ours[i] != theirs[i], finite += std::isfinite(ours[i]);
   CHECK(different == 0);
   CHECK(finite == ours.size());
 }

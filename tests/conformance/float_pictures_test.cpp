@@ -43,13 +43,15 @@ void draw_upper_levels(Stage& s) {
   std::vector<GLubyte> texels(46 * 66 * 4);
   for (GLubyte& t : texels) t = GLubyte(s.random.bits() >> 40);
   for (int level = 0; level < 7; ++level)
-    gl.TexImage2D(GL_TEXTURE_2D, level, GL_RGBA16, std::max(46 >> level, 1), std::max(66 >> level, 1), 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+    gl.TexImage2D(GL_TEXTURE_2D, level, GL_RGBA16, std::max(46 >> level, 1), std::max(66 >> level, 1), 0,
+                  GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 2);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   gl.Enable(GL_TEXTURE_2D);
   gl.Begin(GL_TRIANGLE_STRIP);
   for (int i = 0; i < 4; ++i) {
-    gl.TexCoord2f(i & 1 ? -25.06f : -36.4f, i & 2 ? -31.971f : -31.998f); // 16 t - 1/2 passes -512 and loses a bit
+    gl.TexCoord2f(i & 1 ? -25.06f : -36.4f,
+                  i & 2 ? -31.971f : -31.998f); // 16 t - 1/2 passes -512 and loses a bit
     gl.Vertex2f(i & 1 ? 1 : -1, i & 2 ? 1 : -1);
   }
   gl.End();
@@ -65,7 +67,8 @@ TEST_CASE("the size of level 0 decides how coordinates repeat on other base leve
   CHECK_FALSE(difference.any());
 }
 
-TEST_CASE("a colour that is constant over a draw is combined like one that every vertex sets", "[osmesa][deviation]") {
+TEST_CASE("a colour that is constant over a draw is combined like one that every vertex sets",
+          "[osmesa][deviation]") {
   fix_environment();
   const Scene varying{.name = "color_of_vertices", .draw = color_of_vertices, .floats = true};
   const Scene constant{.name = "color_of_draw", .draw = color_of_draw, .floats = true};
@@ -77,7 +80,8 @@ TEST_CASE("a colour that is constant over a draw is combined like one that every
 
 TEST_CASE("scenes have OSMesa's floats", "[osmesa][lighting][slow]") {
   fix_environment();
-  for (const char* name : {"lit", "normals", "materials", "clip", "triangles", "fog", "lines", "points", "texture", "texture_units"}) {
+  for (const char* name : {"lit", "normals", "materials", "clip", "triangles", "fog", "lines", "points",
+                           "texture", "texture_units"}) {
     const Scene* found = find_scene(name);
     REQUIRE(found);
     Scene scene = *found;

@@ -1,5 +1,5 @@
-// Where OSMesa's vertices, quadrilaterals and lines leave the specification or depend on history (reference/DEVIATIONS.md):
-// softgl's answer, and that OSMesa's is another.
+// Where OSMesa's vertices, quadrilaterals and lines leave the specification or depend on history
+// (reference/DEVIATIONS.md): softgl's answer, and that OSMesa's is another.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -14,11 +14,13 @@ constexpr Path kPaths[] = {Path::Immediate, Path::List, Path::Arrays, Path::Elem
 Path path; // these are read by the scenes
 bool flat, clipped, lit;
 
-// A quadrilateral whose corners 0 and 2 are near and whose corners 1 and 3 are far; another one beside it, or beyond.
+// A quadrilateral whose corners 0 and 2 are near and whose corners 1 and 3 are far; another one beside it, or
+// beyond.
 void draw_bent_quads(Stage& s) {
   const GLfloat right = clipped ? 1.5f : 0.9f;
-  const GLfloat v[8][3] = {{-0.5f, -0.5f, -0.5f}, {0.5f, -0.5f, 0.5f}, {0.5f, 0.5f, -0.5f}, {-0.5f, 0.5f, 0.5f},
-                           {0.6f, -0.5f, 0},      {right, -0.5f, 0},   {right, 0.5f, 0},    {0.6f, 0.5f, 0}};
+  const GLfloat v[8][3] = {{-0.5f, -0.5f, -0.5f}, {0.5f, -0.5f, 0.5f}, {0.5f, 0.5f, -0.5f},
+                           {-0.5f, 0.5f, 0.5f},   {0.6f, -0.5f, 0},    {right, -0.5f, 0},
+                           {right, 0.5f, 0},      {0.6f, 0.5f, 0}};
   const GLubyte index[8] = {0, 1, 2, 3, 4, 5, 6, 7};
   const Gl& gl = s.gl;
   gl.Clear(GL_DEPTH_BUFFER_BIT);
@@ -27,8 +29,10 @@ void draw_bent_quads(Stage& s) {
   gl.VertexPointer(3, GL_FLOAT, 0, v);
   if (path == Path::Arrays || path == Path::Elements) {
     gl.EnableClientState(GL_VERTEX_ARRAY);
-    if (path == Path::Arrays) gl.DrawArrays(GL_QUADS, 0, 8);
-    else gl.DrawElements(GL_QUADS, 8, GL_UNSIGNED_BYTE, index);
+    if (path == Path::Arrays)
+      gl.DrawArrays(GL_QUADS, 0, 8);
+    else
+      gl.DrawElements(GL_QUADS, 8, GL_UNSIGNED_BYTE, index);
   } else {
     if (path == Path::List) gl.NewList(1, GL_COMPILE);
     gl.Begin(GL_QUADS);
@@ -45,7 +49,8 @@ int diagonal(const Gl& gl) {
   return p.depth[size_t(p.height / 2) * p.width + p.width / 2] < 0x800000 ? 0 : 1;
 }
 
-// A folded strip, clipped on the left only, whose first colour is white; the colour of the last two vertices comes late.
+// A folded strip, clipped on the left only, whose first colour is white; the colour of the last two vertices
+// comes late.
 bool early;
 void draw_strip_colored_late(Stage& s) {
   const Gl& gl = s.gl;
@@ -59,7 +64,8 @@ void draw_strip_colored_late(Stage& s) {
   gl.End();
 }
 
-// A triangle that faces away, each corner with another colour: unlit, or lit by ambient light alone, which gives the same.
+// A triangle that faces away, each corner with another colour: unlit, or lit by ambient light alone, which
+// gives the same.
 void draw_back_face(Stage& s) {
   const Gl& gl = s.gl;
   const GLfloat one[4] = {1, 1, 1, 1}, none[4] = {0, 0, 0, 0};
@@ -87,7 +93,8 @@ void draw_back_face(Stage& s) {
 
 float distance; // of the point from the eye
 
-// A point of 20 pixels at distance 1, in the middle of the left half; the viewport ends 2 pixels to its right.
+// A point of 20 pixels at distance 1, in the middle of the left half; the viewport ends 2 pixels to its
+// right.
 void draw_distant_point(Stage& s) {
   const Gl& gl = s.gl;
   const GLfloat quadratic[3] = {0, 0, 1};
@@ -115,9 +122,11 @@ bool unused; // there is a vertex out of view that no index names
 // A folded quadrilateral of a strip, whose two triangles overlap: the later one is seen.
 void draw_folded_strip(Stage& s) {
   const Gl& gl = s.gl;
-  const GLfloat v[5][2] = {{-0.8f, -0.8f}, {unused ? 9.0f : 0.0f, 0}, {-0.8f, 0.8f}, {0.8f, 0.8f}, {0.6f, -0.3f}};
+  const GLfloat v[5][2] = {
+      {-0.8f, -0.8f}, {unused ? 9.0f : 0.0f, 0}, {-0.8f, 0.8f}, {0.8f, 0.8f}, {0.6f, -0.3f}};
   const GLubyte color[5][3] = {{255, 0, 0}, {0, 0, 0}, {0, 255, 0}, {0, 0, 255}, {255, 255, 255}};
-  const GLubyte index[6] = {0, 2, 3, 4, 3, 4}; // another one without area, for OSMesa to shade all five vertices
+  const GLubyte index[6] = {0, 2, 3,
+                            4, 3, 4}; // another one without area, for OSMesa to shade all five vertices
   gl.EnableClientState(GL_VERTEX_ARRAY);
   gl.EnableClientState(GL_COLOR_ARRAY);
   gl.VertexPointer(2, GL_FLOAT, 0, v);
@@ -165,8 +174,10 @@ void draw_integer_color(Stage& s) {
   gl.VertexPointer(2, GL_FLOAT, 0, v);
   if (in_array) {
     gl.EnableClientState(GL_COLOR_ARRAY);
-    if (type == GL_BYTE) gl.ColorPointer(4, GL_BYTE, 0, bytes);
-    else gl.ColorPointer(4, GL_SHORT, 0, shorts);
+    if (type == GL_BYTE)
+      gl.ColorPointer(4, GL_BYTE, 0, bytes);
+    else
+      gl.ColorPointer(4, GL_SHORT, 0, shorts);
   } else if (type == GL_BYTE) {
     gl.Color4bv(bytes);
   } else {
@@ -211,7 +222,8 @@ TEST_CASE("the diagonal of a quadrilateral depends on the shade model only", "[c
         INFO("path " << int(p) << (f ? " flat" : " smooth") << (c ? " clipped" : ""));
         CHECK(diagonal(softgl_library()) == (f ? 1 : 0));
         if (diagonal(osmesa_library()) != (f ? 1 : 0)) osmesa_is_another = true;
-        if (p == Path::Immediate && !f && !c) CHECK(diagonal(osmesa_library()) == 0); // where most quadrilaterals are
+        if (p == Path::Immediate && !f && !c)
+          CHECK(diagonal(osmesa_library()) == 0); // where most quadrilaterals are
       }
   CHECK(osmesa_is_another);
 }
@@ -235,7 +247,8 @@ TEST_CASE("the viewport does not cut points that shrink with distance", "[confor
   CHECK(point_area(osmesa_library(), 1) < 20 * 20);
 }
 
-TEST_CASE("a vertex that no index names does not change the order of a strip's triangles", "[conformance][deviation]") {
+TEST_CASE("a vertex that no index names does not change the order of a strip's triangles",
+          "[conformance][deviation]") {
   const Scene scene{"folded_strip", draw_folded_strip};
   const auto difference = [&](const Gl& gl) {
     unused = false;
@@ -247,12 +260,14 @@ TEST_CASE("a vertex that no index names does not change the order of a strip's t
   CHECK(difference(osmesa_library()));
 }
 
-TEST_CASE("arrays of signed integers become colours as the arguments of commands do", "[conformance][deviation]") {
+TEST_CASE("arrays of signed integers become colours as the arguments of commands do",
+          "[conformance][deviation]") {
   for (GLint v : {-128, -1, 0, 1, 2, 31, 64, 127}) {
     INFO("value " << v);
     CHECK(drawn_color(softgl_library(), GL_BYTE, v, true) == std::max(2 * v + 1, 0));
     CHECK(drawn_color(softgl_library(), GL_BYTE, v, false) == std::max(2 * v + 1, 0));
-    CHECK(drawn_color(softgl_library(), GL_SHORT, 256 * v + 64, true) == drawn_color(softgl_library(), GL_SHORT, 256 * v + 64, false));
+    CHECK(drawn_color(softgl_library(), GL_SHORT, 256 * v + 64, true) ==
+          drawn_color(softgl_library(), GL_SHORT, 256 * v + 64, false));
   }
   // (2c + 1) / (2^b - 1) and c / (2^(b-1) - 1) differ where c is small.
   CHECK(drawn_color(softgl_library(), GL_SHORT, 64, true) == 1);

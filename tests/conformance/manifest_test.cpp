@@ -30,7 +30,9 @@ TEST_CASE("the manifest names every scene and family", "[manifest]") {
     }
 }
 
-TEST_CASE("softgl draws the pictures of the manifest", "[manifest]") { check_rows(read_manifest(kPath), softgl_library()); }
+TEST_CASE("softgl draws the pictures of the manifest", "[manifest]") {
+  check_rows(read_manifest(kPath), softgl_library());
+}
 
 TEST_CASE("the live OSMesa draws the pictures of the manifest", "[manifest][slow]") {
   const Manifest manifest = read_manifest(kPath);

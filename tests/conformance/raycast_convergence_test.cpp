@@ -15,11 +15,13 @@ void check_convergence(const char* shape, bool reflection) {
   REQUIRE(raycast_setups() >= 20);
   const std::vector<int> slices{8, 32, 128, 512};
   const std::vector<ConvergencePoint> points = compare_with_raycast(shape, reflection, slices);
-  std::printf("%s, %s vector: mean error in 1/255, Phong | Gouraud, with slices", shape, reflection ? "reflection" : "half");
+  std::printf("%s, %s vector: mean error in 1/255, Phong | Gouraud, with slices", shape,
+              reflection ? "reflection" : "half");
   for (int n : slices) std::printf(" %9d    ", n);
   for (size_t i = 0; i < points.size(); i++) {
     const ConvergencePoint& p = points[i];
-    INFO(p.setup << ", " << p.slices << " slices, " << p.pixels << " pixels: within 1/255 Phong " << p.phong_equal << ", Gouraud " << p.gouraud_equal);
+    INFO(p.setup << ", " << p.slices << " slices, " << p.pixels << " pixels: within 1/255 Phong "
+                 << p.phong_equal << ", Gouraud " << p.gouraud_equal);
     if (i % slices.size() == 0) std::printf("\n  %-70s", p.setup.c_str());
     std::printf(" %6.3f|%6.3f", p.phong_mean, p.gouraud_mean);
     CHECK(p.pixels > 2000);
@@ -34,9 +36,27 @@ void check_convergence(const char* shape, bool reflection) {
 
 } // namespace
 
-TEST_CASE("Phong shading of a sphere becomes the ray-cast picture: half vector", "[conformance][reference][slow]") { check_convergence("sphere", false); }
-TEST_CASE("Phong shading of a plane becomes the ray-cast picture: half vector", "[conformance][reference][slow]") { check_convergence("plane", false); }
-TEST_CASE("Phong shading of a box becomes the ray-cast picture: half vector", "[conformance][reference][slow]") { check_convergence("box", false); }
-TEST_CASE("Phong shading of a sphere becomes the ray-cast picture: reflection vector", "[conformance][reference][slow]") { check_convergence("sphere", true); }
-TEST_CASE("Phong shading of a plane becomes the ray-cast picture: reflection vector", "[conformance][reference][slow]") { check_convergence("plane", true); }
-TEST_CASE("Phong shading of a box becomes the ray-cast picture: reflection vector", "[conformance][reference][slow]") { check_convergence("box", true); }
+TEST_CASE("Phong shading of a sphere becomes the ray-cast picture: half vector",
+          "[conformance][reference][slow]") {
+  check_convergence("sphere", false);
+}
+TEST_CASE("Phong shading of a plane becomes the ray-cast picture: half vector",
+          "[conformance][reference][slow]") {
+  check_convergence("plane", false);
+}
+TEST_CASE("Phong shading of a box becomes the ray-cast picture: half vector",
+          "[conformance][reference][slow]") {
+  check_convergence("box", false);
+}
+TEST_CASE("Phong shading of a sphere becomes the ray-cast picture: reflection vector",
+          "[conformance][reference][slow]") {
+  check_convergence("sphere", true);
+}
+TEST_CASE("Phong shading of a plane becomes the ray-cast picture: reflection vector",
+          "[conformance][reference][slow]") {
+  check_convergence("plane", true);
+}
+TEST_CASE("Phong shading of a box becomes the ray-cast picture: reflection vector",
+          "[conformance][reference][slow]") {
+  check_convergence("box", true);
+}

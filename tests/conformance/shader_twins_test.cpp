@@ -12,15 +12,16 @@ namespace {
 
 constexpr int kStatesPerScene = 10;
 
-// Draws scenes of a family both ways: the same pixels are covered, no channel differs by more than 1/255, and 99.9 % of them
-// are equal.
+// Draws scenes of a family both ways: the same pixels are covered, no channel differs by more than 1/255,
+// and 99.9 % of them are equal.
 void compare_scenes(const char* family, int first, int count) {
   fix_environment();
   const Gl shaders = shader_library(Twins::PhongAndGouraud);
   const Scene& scene = *find_scene(family);
   size_t channels = 0, unequal = 0;
   for (int seed = first; seed < first + count; seed++) {
-    const Picture ours = draw(softgl_library(), scene, uint64_t(seed)), theirs = draw(shaders, scene, uint64_t(seed));
+    const Picture ours = draw(softgl_library(), scene, uint64_t(seed)),
+                  theirs = draw(shaders, scene, uint64_t(seed));
     const Difference d = compare(ours, theirs);
     INFO(family << " " << seed << ": " << d.text);
     CHECK_FALSE(d.size);
@@ -33,10 +34,12 @@ void compare_scenes(const char* family, int first, int count) {
   CHECK(unequal * 1000 <= channels);
 }
 
-void compare_with_twin(const char* family, int first, int states) { compare_scenes(family, first / kStatesPerScene, states / kStatesPerScene); }
+void compare_with_twin(const char* family, int first, int states) {
+  compare_scenes(family, first / kStatesPerScene, states / kStatesPerScene);
+}
 
-// A triangle over most of the window, so brightly lit from the eye that red would be 3 and green 0.75 if they were not
-// clamped.
+// A triangle over most of the window, so brightly lit from the eye that red would be 3 and green 0.75 if they
+// were not clamped.
 void bright_triangle(Stage& s) {
   const Gl& gl = s.gl;
   const GLfloat diffuse[4] = {1, 0.25f, 0, 1}, black[4] = {0, 0, 0, 1}, light[4] = {3, 3, 3, 1};
@@ -76,11 +79,12 @@ void foggy_triangle(Stage& s) {
 void textured_triangle_with_highlight(Stage& s) { set_highlight(s.gl), textured_triangle(s); }
 void foggy_triangle_with_highlight(Stage& s) { set_highlight(s.gl), foggy_triangle(s); }
 
-// A triangle whose corners have materials of their own: the left one is red, the right one has a highlight, the upper one
-// shines by itself.
+// A triangle whose corners have materials of their own: the left one is red, the right one has a highlight,
+// the upper one shines by itself.
 void triangle_of_materials(Stage& s) {
   const Gl& gl = s.gl;
-  const GLfloat red[4] = {1, 0, 0, 1}, black[4] = {0, 0, 0, 1}, blue[4] = {0, 0, 1, 1}, green[4] = {0, 1, 0, 1};
+  const GLfloat red[4] = {1, 0, 0, 1}, black[4] = {0, 0, 0, 1}, blue[4] = {0, 0, 1, 1},
+                green[4] = {0, 1, 0, 1};
   gl.ShadeModel(GL_PHONG_WIN);
   gl.Enable(GL_LIGHTING);
   gl.Enable(GL_LIGHT0);
@@ -103,7 +107,8 @@ void triangle_of_materials(Stage& s) {
 std::array<int, 3> color_beside_twin(void (*scene)(Stage&), int x, int y) {
   fix_environment();
   const Scene drawn{"phong", scene, false, 64, 64};
-  const Picture ours = draw(softgl_library(), drawn, 0), theirs = draw(shader_library(Twins::Phong), drawn, 0);
+  const Picture ours = draw(softgl_library(), drawn, 0),
+                theirs = draw(shader_library(Twins::Phong), drawn, 0);
   const Difference d = compare(ours, theirs);
   INFO(d.text);
   CHECK((d.depth_values == 0 && d.max_color <= 1));
@@ -119,9 +124,11 @@ TEST_CASE("lit fragments are clamped before a texture", "[conformance][glsl]") {
 TEST_CASE("lit fragments are clamped before the fog", "[conformance][glsl]") {
   CHECK(color_beside_twin(foggy_triangle, 32, 32) == std::array{51, 38, 0}); // 0.2, 0.15
 }
-TEST_CASE("the highlight is added behind the texture and before the fog, and the sum clamped", "[conformance][glsl]") {
-  CHECK(color_beside_twin(textured_triangle_with_highlight, 32, 32) == std::array{51, 166, 0}); // 0.2, 0.15 + 0.5
-  CHECK(color_beside_twin(foggy_triangle_with_highlight, 32, 32) == std::array{51, 51, 0});     // 0.2, 0.2
+TEST_CASE("the highlight is added behind the texture and before the fog, and the sum clamped",
+          "[conformance][glsl]") {
+  CHECK(color_beside_twin(textured_triangle_with_highlight, 32, 32) ==
+        std::array{51, 166, 0});                                                            // 0.2, 0.15 + 0.5
+  CHECK(color_beside_twin(foggy_triangle_with_highlight, 32, 32) == std::array{51, 51, 0}); // 0.2, 0.2
 }
 TEST_CASE("materials of vertices are interpolated", "[conformance][glsl]") {
   // The weights of the corners are 0.238, 0.254 and 0.508.
@@ -129,14 +136,30 @@ TEST_CASE("materials of vertices are interpolated", "[conformance][glsl]") {
 }
 
 // Several cases, that they can run at the same time.
-TEST_CASE("Gouraud shading is that of its GLSL twin", "[conformance][glsl][slow]") { compare_with_twin("gouraud_twin", 0, 200); }
-TEST_CASE("Phong shading is that of its GLSL twin: states 0 to 249", "[conformance][glsl][slow]") { compare_with_twin("phong_twin", 0, 250); }
-TEST_CASE("Phong shading is that of its GLSL twin: states 250 to 499", "[conformance][glsl][slow]") { compare_with_twin("phong_twin", 250, 250); }
-TEST_CASE("Phong shading is that of its GLSL twin: states 500 to 749", "[conformance][glsl][slow]") { compare_with_twin("phong_twin", 500, 250); }
-TEST_CASE("Phong shading is that of its GLSL twin: states 750 to 999", "[conformance][glsl][slow]") { compare_with_twin("phong_twin", 750, 250); }
+TEST_CASE("Gouraud shading is that of its GLSL twin", "[conformance][glsl][slow]") {
+  compare_with_twin("gouraud_twin", 0, 200);
+}
+TEST_CASE("Phong shading is that of its GLSL twin: states 0 to 249", "[conformance][glsl][slow]") {
+  compare_with_twin("phong_twin", 0, 250);
+}
+TEST_CASE("Phong shading is that of its GLSL twin: states 250 to 499", "[conformance][glsl][slow]") {
+  compare_with_twin("phong_twin", 250, 250);
+}
+TEST_CASE("Phong shading is that of its GLSL twin: states 500 to 749", "[conformance][glsl][slow]") {
+  compare_with_twin("phong_twin", 500, 250);
+}
+TEST_CASE("Phong shading is that of its GLSL twin: states 750 to 999", "[conformance][glsl][slow]") {
+  compare_with_twin("phong_twin", 750, 250);
+}
 // Fog, a texture, materials of vertices, lines, points, flat shading, several primitives over each other.
-TEST_CASE("Phong-lit scenes are those of the GLSL twins: 0 to 39", "[conformance][glsl][slow]") { compare_scenes("phong", 0, 40); }
-TEST_CASE("Phong-lit scenes are those of the GLSL twins: 40 to 79", "[conformance][glsl][slow]") { compare_scenes("phong", 40, 40); }
-TEST_CASE("Gouraud-lit scenes of the extension are those of the GLSL twin", "[conformance][glsl][slow]") { compare_scenes("illumination", 0, 40); }
+TEST_CASE("Phong-lit scenes are those of the GLSL twins: 0 to 39", "[conformance][glsl][slow]") {
+  compare_scenes("phong", 0, 40);
+}
+TEST_CASE("Phong-lit scenes are those of the GLSL twins: 40 to 79", "[conformance][glsl][slow]") {
+  compare_scenes("phong", 40, 40);
+}
+TEST_CASE("Gouraud-lit scenes of the extension are those of the GLSL twin", "[conformance][glsl][slow]") {
+  compare_scenes("illumination", 0, 40);
+}
 
 } // namespace softgl::test

@@ -1,4 +1,5 @@
-// Phong shading against the specification's equations in double: the lighting states of the family phong_twin.
+// Phong shading against the specification's equations in double: the lighting states of the family
+// phong_twin.
 #include <catch2/catch.hpp>
 
 #include "support/environment.h"
@@ -22,8 +23,9 @@ void compare_with_spec(int first, int states) {
       for (size_t c = 4 * i; c < 4 * i + 4; c++)
         if (std::abs(p.drawn.color[c] - p.color[c]) > 1) wrong++, where = c;
     }
-    INFO("seed " << seed << ": " << wrong << " channels, one of them " << where % 4 << " of pixel " << where / 4 % p.drawn.width << ","
-                 << where / 4 / p.drawn.width << ": " << int(p.drawn.color[where]) << " instead of " << int(p.color[where]));
+    INFO("seed " << seed << ": " << wrong << " channels, one of them " << where % 4 << " of pixel "
+                 << where / 4 % p.drawn.width << "," << where / 4 / p.drawn.width << ": "
+                 << int(p.drawn.color[where]) << " instead of " << int(p.color[where]));
     CHECK(wrong == 0);
   }
   INFO(certain << " of " << pixels << " pixels are certain, " << covered << " covered");
@@ -33,9 +35,17 @@ void compare_with_spec(int first, int states) {
 
 } // namespace
 
-TEST_CASE("Phong shading is the specification's: states 0 to 249", "[conformance][reference][slow]") { compare_with_spec(0, 250); }
-TEST_CASE("Phong shading is the specification's: states 250 to 499", "[conformance][reference][slow]") { compare_with_spec(250, 250); }
-TEST_CASE("Phong shading is the specification's: states 500 to 749", "[conformance][reference][slow]") { compare_with_spec(500, 250); }
-TEST_CASE("Phong shading is the specification's: states 750 to 999", "[conformance][reference][slow]") { compare_with_spec(750, 250); }
+TEST_CASE("Phong shading is the specification's: states 0 to 249", "[conformance][reference][slow]") {
+  compare_with_spec(0, 250);
+}
+TEST_CASE("Phong shading is the specification's: states 250 to 499", "[conformance][reference][slow]") {
+  compare_with_spec(250, 250);
+}
+TEST_CASE("Phong shading is the specification's: states 500 to 749", "[conformance][reference][slow]") {
+  compare_with_spec(500, 250);
+}
+TEST_CASE("Phong shading is the specification's: states 750 to 999", "[conformance][reference][slow]") {
+  compare_with_spec(750, 250);
+}
 
 } // namespace softgl::test

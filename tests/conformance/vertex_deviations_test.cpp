@@ -6,11 +6,12 @@
 namespace softgl::test {
 namespace {
 
-GLenum mode;         // read by the scenes
+GLenum mode; // read by the scenes
 bool in_list, execute, behind_another;
 
 void polygon_colors(Stage& s, bool late) {
-  static constexpr GLfloat kVertices[8][2] = {{-0.9f, -0.9f}, {0.9f, -0.7f}, {-0.8f, 0.1f}, {0.7f, 0.3f}, {-0.6f, 0.8f}, {0.5f, 0.9f}, {0.1f, 0.2f}, {-0.3f, -0.4f}};
+  static constexpr GLfloat kVertices[8][2] = {{-0.9f, -0.9f}, {0.9f, -0.7f}, {-0.8f, 0.1f}, {0.7f, 0.3f},
+                                              {-0.6f, 0.8f},  {0.5f, 0.9f},  {0.1f, 0.2f},  {-0.3f, -0.4f}};
   s.gl.Begin(mode);
   for (int i = 0; i < 8; i++) {
     if (i >= (late ? 3 : 0)) s.gl.Color3f(0.1f * float(i), 0.5f, 1);
@@ -20,8 +21,10 @@ void polygon_colors(Stage& s, bool late) {
 }
 
 void draw_late(Stage& s) {
-  if (in_list) s.gl.NewList(1, GL_COMPILE);
-  else s.gl.Color3f(1, 0, 0);
+  if (in_list)
+    s.gl.NewList(1, GL_COMPILE);
+  else
+    s.gl.Color3f(1, 0, 0);
   if (behind_another) {
     s.gl.Begin(GL_POINTS);
     s.gl.Vertex2f(0.5f, -0.95f);
@@ -85,7 +88,8 @@ void draw_empty_first(Stage& s) {
 } // namespace
 
 TEST_CASE("a colour of three components has alpha 1", "[conformance][deviation]") {
-  for (const Scene& scene : {Scene{"three_after_four", draw_three_after_four}, Scene{"three_after_double", draw_three_after_double_and_four}}) {
+  for (const Scene& scene : {Scene{"three_after_four", draw_three_after_four},
+                             Scene{"three_after_double", draw_three_after_double_and_four}}) {
     INFO(scene.name);
     const Picture picture = draw(softgl_library(), scene, 0);
     CHECK(picture.color[0] == 0);
@@ -112,7 +116,8 @@ TEST_CASE("an attribute may come late in a list", "[conformance][deviation]") {
     }
 }
 
-TEST_CASE("state after a primitive does not change it while a list is compiled and executed", "[conformance][deviation]") {
+TEST_CASE("state after a primitive does not change it while a list is compiled and executed",
+          "[conformance][deviation]") {
   const Scene scene{"then_flat", draw_then_flat};
   for (mode = GL_POINTS; mode <= GL_POLYGON; mode++) {
     execute = false;

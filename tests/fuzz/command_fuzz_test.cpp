@@ -39,8 +39,10 @@ std::vector<Step> run(const Gl& gl, uint64_t seed, int length, bool spare_osmesa
     const FuzzCommand& command = random_fuzz_command(random);
     Random arguments(random.bits()); // however many numbers the command draws, the stream goes on the same
     const std::string name = command.name;
-    if (name == "EndList") end_list();
-    else command.call(gl, arguments);
+    if (name == "EndList")
+      end_list();
+    else
+      command.call(gl, arguments);
     if (name == "Begin") inside = true;
     if (name == "End") inside = false;
     steps.push_back({name, inside ? GLenum(GL_NO_ERROR) : gl.GetError()});
@@ -66,7 +68,8 @@ TEST_CASE("hostile commands raise errors where OSMesa does", "[fuzz]") {
   for (uint64_t seed = 1000; seed < 1200; seed++) {
     const auto ours = run(softgl_library(), seed, 60, true), theirs = run(osmesa_library(), seed, 60, true);
     for (size_t i = 0; i < ours.size(); i++) {
-      INFO("seed " << seed << ", command " << i << ": gl" << ours[i].name << ", before it gl" << (i ? ours[i - 1].name : ""));
+      INFO("seed " << seed << ", command " << i << ": gl" << ours[i].name << ", before it gl"
+                   << (i ? ours[i - 1].name : ""));
       // Of several bad arguments GL 1.5 does not say which one is named.
       const bool same = (ours[i].error == GL_NO_ERROR) == (theirs[i].error == GL_NO_ERROR);
       CHECK(same);

@@ -10,18 +10,91 @@ namespace {
 
 // Enumerants of every chapter, and some that no chapter knows.
 GLenum any_enum(Random& r) {
-  return GLenum(r.pick({0, 1, 2, 4, 7, 9, 15, 0xdead, -1, GL_NEVER, GL_LESS, GL_ALWAYS, GL_FRONT, GL_BACK, GL_FRONT_AND_BACK, GL_CW, GL_CCW, GL_POINT,
-                        GL_LINE, GL_FILL, GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE, GL_FLAT, GL_SMOOTH, GL_EXP, GL_LINEAR, GL_NEAREST, GL_REPEAT, GL_CLAMP,
-                        GL_TEXTURE_2D, GL_LIGHTING, GL_LIGHT0, GL_LIGHT7, GL_LIGHT0 + 8, GL_CLIP_PLANE0, GL_CLIP_PLANE5, GL_AMBIENT, GL_DIFFUSE, GL_POSITION,
-                        GL_SPOT_CUTOFF, GL_SHININESS, GL_COLOR_INDEXES, GL_RGBA, GL_RGB, GL_UNSIGNED_BYTE, GL_FLOAT, GL_UNSIGNED_INT, GL_INT, GL_BLEND,
-                        GL_FOG, GL_DEPTH_TEST, GL_FOG_MODE, GL_FOG_DENSITY, GL_FOG_COLOR, GL_ZERO, GL_ONE, GL_SRC_ALPHA, GL_FUNC_ADD, GL_MIN, GL_CLEAR, GL_SET,
-                        GL_ARRAY_BUFFER, GL_STATIC_DRAW, GL_COMPILE, GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE, GL_COMBINE, GL_COMBINE_RGB,
-                        GL_TEXTURE_MIN_FILTER, GL_TEXTURE_WRAP_S, GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_NORMAL_ARRAY, GL_UNPACK_ALIGNMENT, GL_PACK_ROW_LENGTH}));
+  return GLenum(r.pick({0,
+                        1,
+                        2,
+                        4,
+                        7,
+                        9,
+                        15,
+                        0xdead,
+                        -1,
+                        GL_NEVER,
+                        GL_LESS,
+                        GL_ALWAYS,
+                        GL_FRONT,
+                        GL_BACK,
+                        GL_FRONT_AND_BACK,
+                        GL_CW,
+                        GL_CCW,
+                        GL_POINT,
+                        GL_LINE,
+                        GL_FILL,
+                        GL_MODELVIEW,
+                        GL_PROJECTION,
+                        GL_TEXTURE,
+                        GL_FLAT,
+                        GL_SMOOTH,
+                        GL_EXP,
+                        GL_LINEAR,
+                        GL_NEAREST,
+                        GL_REPEAT,
+                        GL_CLAMP,
+                        GL_TEXTURE_2D,
+                        GL_LIGHTING,
+                        GL_LIGHT0,
+                        GL_LIGHT7,
+                        GL_LIGHT0 + 8,
+                        GL_CLIP_PLANE0,
+                        GL_CLIP_PLANE5,
+                        GL_AMBIENT,
+                        GL_DIFFUSE,
+                        GL_POSITION,
+                        GL_SPOT_CUTOFF,
+                        GL_SHININESS,
+                        GL_COLOR_INDEXES,
+                        GL_RGBA,
+                        GL_RGB,
+                        GL_UNSIGNED_BYTE,
+                        GL_FLOAT,
+                        GL_UNSIGNED_INT,
+                        GL_INT,
+                        GL_BLEND,
+                        GL_FOG,
+                        GL_DEPTH_TEST,
+                        GL_FOG_MODE,
+                        GL_FOG_DENSITY,
+                        GL_FOG_COLOR,
+                        GL_ZERO,
+                        GL_ONE,
+                        GL_SRC_ALPHA,
+                        GL_FUNC_ADD,
+                        GL_MIN,
+                        GL_CLEAR,
+                        GL_SET,
+                        GL_ARRAY_BUFFER,
+                        GL_STATIC_DRAW,
+                        GL_COMPILE,
+                        GL_TEXTURE_ENV,
+                        GL_TEXTURE_ENV_MODE,
+                        GL_MODULATE,
+                        GL_COMBINE,
+                        GL_COMBINE_RGB,
+                        GL_TEXTURE_MIN_FILTER,
+                        GL_TEXTURE_WRAP_S,
+                        GL_VERTEX_ARRAY,
+                        GL_COLOR_ARRAY,
+                        GL_NORMAL_ARRAY,
+                        GL_UNPACK_ALIGNMENT,
+                        GL_PACK_ROW_LENGTH}));
 }
-GLenum mostly(Random& r, std::initializer_list<int> good) { return r.chance(70) ? GLenum(r.pick(good)) : any_enum(r); }
-// The same without what OSMesa accepts against GL 1.5 (reference/DEVIATIONS.md): vertex arrays given to glEnable, names of
-// vectors given to the scalar forms of commands, GL_ONE as a source of texture combiners, units of shaders (GL_COMBINE looks
-// like one); nor is 10 among the enumerants, which became a primitive later.
+GLenum mostly(Random& r, std::initializer_list<int> good) {
+  return r.chance(70) ? GLenum(r.pick(good)) : any_enum(r);
+}
+// The same without what OSMesa accepts against GL 1.5 (reference/DEVIATIONS.md): vertex arrays given to
+// glEnable, names of vectors given to the scalar forms of commands, GL_ONE as a source of texture combiners,
+// units of shaders (GL_COMBINE looks like one); nor is 10 among the enumerants, which became a primitive
+// later.
 GLenum mostly_without(Random& r, std::initializer_list<int> good, std::initializer_list<int> bad) {
   for (;;) {
     const GLenum value = mostly(r, good);
@@ -31,7 +104,9 @@ GLenum mostly_without(Random& r, std::initializer_list<int> good, std::initializ
   }
 }
 GLenum capability(Random& r) {
-  return mostly_without(r, {GL_BLEND, GL_LIGHTING, GL_LIGHT0, GL_FOG, GL_DEPTH_TEST, GL_TEXTURE_2D, GL_CLIP_PLANE0, GL_NORMALIZE, GL_CULL_FACE},
+  return mostly_without(r,
+                        {GL_BLEND, GL_LIGHTING, GL_LIGHT0, GL_FOG, GL_DEPTH_TEST, GL_TEXTURE_2D,
+                         GL_CLIP_PLANE0, GL_NORMALIZE, GL_CULL_FACE},
                         {GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_NORMAL_ARRAY});
 }
 GLenum scalar_name(Random& r, std::initializer_list<int> good) {
@@ -39,15 +114,20 @@ GLenum scalar_name(Random& r, std::initializer_list<int> good) {
 }
 GLint small(Random& r) { return r.pick({-1, 0, 1, 2, 3, 4, 5, 8, 16, 17, -100, 64}); }
 GLfloat number(Random& r) {
-  return r.pick({0.0f, -0.0f, 1.0f, -1.0f, 0.5f, 1e-30f, 1e30f, -1e30f, 90.0f, 91.0f, 128.0f, 129.0f, 180.0f, std::numeric_limits<float>::infinity(),
-                 -std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::denorm_min()});
+  return r.pick({0.0f, -0.0f, 1.0f, -1.0f, 0.5f, 1e-30f, 1e30f, -1e30f, 90.0f, 91.0f, 128.0f, 129.0f, 180.0f,
+                 std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
+                 std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::denorm_min()});
 }
-GLfloat tame(Random& r) { return r.pick({0.0f, 1.0f, -1.0f, 0.5f, 2.0f, 90.0f, 128.0f, 129.0f, 180.0f, -0.25f}); }
+GLfloat tame(Random& r) {
+  return r.pick({0.0f, 1.0f, -1.0f, 0.5f, 2.0f, 90.0f, 128.0f, 129.0f, 180.0f, -0.25f});
+}
 
-// Client memory that every pointer of the fuzzer points to. OSMesa refuses a stride of -1, and uses 65535: 256 such vertices.
+// Client memory that every pointer of the fuzzer points to. OSMesa refuses a stride of -1, and uses 65535:
+// 256 such vertices.
 alignas(16) unsigned char memory[1 << 25];
 void* somewhere(Random& r) { return memory + r.integer(0, 1024); }
 
+// clang-format off
 #define COMMAND(name) {#name, [](const Gl& gl, Random& r) {
 #define END }},
 
@@ -141,8 +221,9 @@ const FuzzCommand kCommands[] = {
 };
 #undef COMMAND
 #undef END
+// clang-format on
 
-} // namespace
+} // namespace softgl::test
 
 void set_up_arrays(const Gl& gl) {
   gl.VertexPointer(4, GL_FLOAT, 0, memory);

@@ -17,7 +17,8 @@ struct FuzzCommand {
 /// Points all arrays at memory that exists: an array that is enabled before it was set crashes OSMesa.
 void set_up_arrays(const Gl& gl);
 
-/// All commands of the fuzzer. They read and write only memory that exists, whatever GL makes of their arguments.
+/// All commands of the fuzzer. They read and write only memory that exists, whatever GL makes of their
+/// arguments.
 const FuzzCommand& random_fuzz_command(Random& random);
 
 } // namespace softgl::test

@@ -1,5 +1,5 @@
-// Draws that are cut in pieces: their vertices are shaded piece by piece where they are read in order, and all at once
-// where there are indices. Both draw the same.
+// Draws that are cut in pieces: their vertices are shaded piece by piece where they are read in order, and
+// all at once where there are indices. Both draw the same.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numeric>
@@ -18,8 +18,10 @@ struct Spiral {
   Spiral() : index(20001) {
     std::iota(index.begin(), index.end(), 0u);
     for (size_t i = 0; i < index.size(); ++i) {
-      const float t = float(i) / float(index.size()), angle = 200.0f * t, radius = 1.3f * t + 0.06f * float(i % 3);
-      position.insert(position.end(), {radius * std::cos(angle), radius * std::sin(angle), 1.4f * t - 0.2f * float(i % 2)});
+      const float t = float(i) / float(index.size()), angle = 200.0f * t,
+                  radius = 1.3f * t + 0.06f * float(i % 3);
+      position.insert(position.end(),
+                      {radius * std::cos(angle), radius * std::sin(angle), 1.4f * t - 0.2f * float(i % 2)});
       color.insert(color.end(), {t, float(i % 5) / 4.0f, 1.0f - t});
     }
   }
@@ -38,8 +40,10 @@ void draw_spiral(Stage& s) {
   s.gl.EnableClientState(GL_COLOR_ARRAY);
   s.gl.ColorPointer(3, GL_FLOAT, 0, spiral.color.data());
   const auto count = GLsizei(spiral.index.size()) - 1; // not from the first vertex
-  if (indexed) s.gl.DrawElements(mode, count, GL_UNSIGNED_INT, spiral.index.data() + 1);
-  else s.gl.DrawArrays(mode, 1, count);
+  if (indexed)
+    s.gl.DrawElements(mode, count, GL_UNSIGNED_INT, spiral.index.data() + 1);
+  else
+    s.gl.DrawArrays(mode, 1, count);
 }
 
 Picture spiral_of(const Gl& gl, bool with_indices) {
@@ -50,8 +54,8 @@ Picture spiral_of(const Gl& gl, bool with_indices) {
 } // namespace
 
 TEST_CASE("long draws with and without indices draw the same", "[identity]") {
-  mode = GENERATE(as<GLenum>(), GL_POINTS, GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP, GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN,
-                  GL_QUADS, GL_QUAD_STRIP, GL_POLYGON);
+  mode = GENERATE(as<GLenum>(), GL_POINTS, GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP, GL_TRIANGLES,
+                  GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS, GL_QUAD_STRIP, GL_POLYGON);
   const Picture arrays = spiral_of(softgl_library(), false), elements = spiral_of(softgl_library(), true);
   INFO("mode " << mode);
   CHECK(compare(arrays, elements).text == std::string());

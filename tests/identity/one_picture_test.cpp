@@ -1,5 +1,5 @@
-// One picture on every processor: each scene has one hash, whatever the instruction set and the number of threads; and
-// what is Phong-lit, from immediate mode, lists and arrays, too.
+// One picture on every processor: each scene has one hash, whatever the instruction set and the number of
+// threads; and what is Phong-lit, from immediate mode, lists and arrays, too.
 #include <catch2/catch.hpp>
 
 #include <array>
@@ -16,23 +16,30 @@ namespace {
 bool processor_has(const std::string& isa) {
   __builtin_cpu_init();
   if (isa == "v2") return __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt");
-  if (isa == "v3") return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma");
+  if (isa == "v3")
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma");
   if (isa == "v4")
-    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq");
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+           __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq");
   return true;
 }
 
-bool built(const std::string& isa) { return std::string("," SOFTGL_TEST_ISAS ",").find("," + isa + ",") != std::string::npos; }
+bool built(const std::string& isa) {
+  return std::string("," SOFTGL_TEST_ISAS ",").find("," + isa + ",") != std::string::npos;
+}
 
 // The hash of every scene, from a process of its own.
 std::map<std::string, std::string> hashes(const std::string& isa, int threads) {
-  const std::string command = "SOFTGL_ISA=" + isa + " SOFTGL_THREADS=" + std::to_string(threads) + " '" SOFTGL_TEST_BINARY_DIR
-                              "/softgl_conformance' --library softgl --hash --count " + std::to_string(softgl::test::seed_count(100)) + " --expect-isa " + isa;
+  const std::string command = "SOFTGL_ISA=" + isa + " SOFTGL_THREADS=" + std::to_string(threads) +
+                              " '" SOFTGL_TEST_BINARY_DIR
+                              "/softgl_conformance' --library softgl --hash --count " +
+                              std::to_string(softgl::test::seed_count(100)) + " --expect-isa " + isa;
   std::map<std::string, std::string> result;
   FILE* pipe = popen(command.c_str(), "r");
   REQUIRE(pipe);
   char name[100], seed[32], hash[32];
-  while (std::fscanf(pipe, "%99s %31s %31s", name, seed, hash) == 3) result[std::string(name) + " " + seed] = hash;
+  while (std::fscanf(pipe, "%99s %31s %31s", name, seed, hash) == 3)
+    result[std::string(name) + " " + seed] = hash;
   REQUIRE(pclose(pipe) == 0);
   return result;
 }
@@ -48,11 +55,15 @@ void check(const std::string& isa) {
     const auto got = hashes(isa, threads);
     REQUIRE(got.size() == reference.size());
     for (const auto& [scene, hash] : reference)
-      if (got.at(scene) != hash) FAIL_CHECK(scene << " with " << isa << " and " << threads << " threads has another hash than with baseline and one");
+      if (got.at(scene) != hash)
+        FAIL_CHECK(scene << " with " << isa << " and " << threads
+                         << " threads has another hash than with baseline and one");
     for (int seed = 0; seed < softgl::test::seed_count(100); ++seed) {
       const std::string number = " " + std::to_string(seed), &hash = got.at("phong_immediate" + number);
       for (const char* family : {"phong_list", "phong_arrays"})
-        if (got.at(family + number) != hash) FAIL_CHECK(family << number << " with " << isa << " and " << threads << " threads has another hash than phong_immediate");
+        if (got.at(family + number) != hash)
+          FAIL_CHECK(family << number << " with " << isa << " and " << threads
+                            << " threads has another hash than phong_immediate");
     }
   }
   SUCCEED();

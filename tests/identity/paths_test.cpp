@@ -1,4 +1,5 @@
-// One picture, whichever way the vertices come: immediate mode, display list, vertex arrays, indices, buffer objects.
+// One picture, whichever way the vertices come: immediate mode, display list, vertex arrays, indices, buffer
+// objects.
 #include <catch2/catch.hpp>
 
 #include "conformance/families/paths.h"
@@ -27,11 +28,17 @@ void check_path(Path other) {
 } // namespace
 
 TEST_CASE("a display list draws what immediate mode draws", "[identity][slow]") { check_path(Path::List); }
-TEST_CASE("a list in a list draws what immediate mode draws", "[identity][slow]") { check_path(Path::NestedList); }
+TEST_CASE("a list in a list draws what immediate mode draws", "[identity][slow]") {
+  check_path(Path::NestedList);
+}
 TEST_CASE("vertex arrays draw what immediate mode draws", "[identity][slow]") { check_path(Path::Arrays); }
 TEST_CASE("indexed arrays draw what immediate mode draws", "[identity][slow]") { check_path(Path::Elements); }
-TEST_CASE("glArrayElement draws what immediate mode draws", "[identity][slow]") { check_path(Path::ArrayElement); }
+TEST_CASE("glArrayElement draws what immediate mode draws", "[identity][slow]") {
+  check_path(Path::ArrayElement);
+}
 TEST_CASE("buffer objects draw what immediate mode draws", "[identity][slow]") { check_path(Path::Buffers); }
-TEST_CASE("arrays compiled into a list draw what immediate mode draws", "[identity][slow]") { check_path(Path::ArraysInList); }
+TEST_CASE("arrays compiled into a list draw what immediate mode draws", "[identity][slow]") {
+  check_path(Path::ArraysInList);
+}
 
 } // namespace softgl::test

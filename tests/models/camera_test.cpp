@@ -27,7 +27,8 @@ Mesh random_mesh(uint32_t seed, float sx, float sy, float sz) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> place(-1, 1);
   std::vector<float> positions;
-  for (int i = 0; i < 300; ++i) positions.insert(positions.end(), {place(random) * sx, place(random) * sy, place(random) * sz});
+  for (int i = 0; i < 300; ++i)
+    positions.insert(positions.end(), {place(random) * sx, place(random) * sy, place(random) * sz});
   return mesh_of(positions);
 }
 
@@ -62,7 +63,9 @@ TEST_CASE("camera: every model fills its frame and none is cut", "[models][camer
   const double border = 1 - 2 * kMargin;
   for (uint32_t seed = 0; seed < 200; ++seed) {
     std::mt19937 random(seed);
-    const auto pick = [&](double low, double high) { return low + (high - low) * (random() % 10000) / 10000.0; };
+    const auto pick = [&](double low, double high) {
+      return low + (high - low) * (random() % 10000) / 10000.0;
+    };
     const Mesh mesh = random_mesh(seed, float(pick(0.01, 1)), float(pick(0.01, 1)), float(pick(0.01, 1)));
     CameraOptions options;
     options.azimuth = pick(-360, 360);
@@ -89,9 +92,9 @@ TEST_CASE("camera: every model fills its frame and none is cut", "[models][camer
 }
 
 TEST_CASE("camera: flat, thin and single-place models give finite cameras", "[models][camera]") {
-  const std::vector<float> models[] = {{0, 0, 0, 0, 0, 0, 0, 0, 0}, // one place
-                                       {-1, 0, 0, 1, 0, 0, 0, 0, 0}, // a line along x
-                                       {0, 0, -1, 0, 0, 1, 0, 0, 0}, // along z: end-on from the front
+  const std::vector<float> models[] = {{0, 0, 0, 0, 0, 0, 0, 0, 0},     // one place
+                                       {-1, 0, 0, 1, 0, 0, 0, 0, 0},    // a line along x
+                                       {0, 0, -1, 0, 0, 1, 0, 0, 0},    // along z: end-on from the front
                                        {-1, 0, -1, 1, 0, -1, 1, 0, 1}}; // a plane: edge-on from the front
   for (const auto& positions : models)
     for (const bool orthographic : {false, true})
@@ -135,8 +138,9 @@ TEST_CASE("camera: named views and up axes look where they say", "[models][camer
 
 TEST_CASE("camera: the up axis is guessed from a flat underside", "[models][camera]") {
   // A pyramid standing on the plane z = 0, then on y = 0.
-  const float z_up[] = {-1, -1, 0, 1, -1, 0, 0, 0, 2, 1, -1, 0, 1, 1, 0, 0, 0, 2, 1, 1, 0, -1, 1, 0, 0, 0, 2,
-                        -1, 1, 0, -1, -1, 0, 0, 0, 2, -1, -1, 0, 1, 1, 0, 1, -1, 0, -1, -1, 0, -1, 1, 0, 1, 1, 0};
+  const float z_up[] = {-1, -1, 0, 1,  -1, 0, 0, 0,  2, 1,  -1, 0, 1,  1,  0, 0, 0, 2,
+                        1,  1,  0, -1, 1,  0, 0, 0,  2, -1, 1,  0, -1, -1, 0, 0, 0, 2,
+                        -1, -1, 0, 1,  1,  0, 1, -1, 0, -1, -1, 0, -1, 1,  0, 1, 1, 0};
   std::vector<float> positions(std::begin(z_up), std::end(z_up));
   CHECK(guess_up_axis(mesh_of(positions)) == UpAxis::kPlusZ);
   for (size_t i = 0; i < positions.size(); i += 3) std::swap(positions[i + 1], positions[i + 2]);
@@ -157,9 +161,14 @@ TEST_CASE("camera: sine and cosine", "[models][camera]") {
 TEST_CASE("camera: the picture touches the frame", "[models][program]") {
   const std::string folder = test::output_folder("camera");
   // A body without symmetry, seen in many ways.
-  std::ofstream(folder + "body.obj") << "v 0 0 0\nv 3 0 0.5\nv 1 2 0\nv 0.5 0.7 4\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n";
-  const std::vector<std::string> views[] = {{}, {"--view", "front"}, {"--view", "top", "--ortho"}, {"--az", "-100", "--el", "-40"},
-                                            {"--fov", "90", "--up", "+Z"}, {"--ortho", "--roll", "33"}};
+  std::ofstream(folder + "body.obj")
+      << "v 0 0 0\nv 3 0 0.5\nv 1 2 0\nv 0.5 0.7 4\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n";
+  const std::vector<std::string> views[] = {{},
+                                            {"--view", "front"},
+                                            {"--view", "top", "--ortho"},
+                                            {"--az", "-100", "--el", "-40"},
+                                            {"--fov", "90", "--up", "+Z"},
+                                            {"--ortho", "--roll", "33"}};
   for (const auto& view : views)
     for (const char* size : {"200x200", "300x120", "90x250"}) {
       std::vector<std::string> arguments = {folder + "body.obj", "-o", folder + "body.ppm", "--size", size};
@@ -173,7 +182,8 @@ TEST_CASE("camera: the picture touches the frame", "[models][program]") {
       CHECK(box.top >= 1);
       CHECK(box.right <= picture.width - 2);
       CHECK(box.bottom <= picture.height - 2);
-      const int free_x = box.left + picture.width - 1 - box.right, free_y = box.top + picture.height - 1 - box.bottom;
+      const int free_x = box.left + picture.width - 1 - box.right,
+                free_y = box.top + picture.height - 1 - box.bottom;
       CHECK((free_x <= 0.03 * picture.width + 3 || free_y <= 0.03 * picture.height + 3));
       CHECK(std::abs(box.left - (picture.width - 1 - box.right)) <= 3);
       CHECK(std::abs(box.top - (picture.height - 1 - box.bottom)) <= 3);

@@ -9,7 +9,8 @@ using namespace softgl::test;
 
 namespace {
 
-constexpr int kPart = 200, kGap = 12, kTop = 48, kRow = 36 + kPart + 36; // of a sheet with letters of size one
+constexpr int kPart = 200, kGap = 12, kTop = 48,
+              kRow = 36 + kPart + 36; // of a sheet with letters of size one
 
 struct Sheet {
   TestPicture picture;
@@ -28,7 +29,8 @@ struct Sheet {
 };
 
 Sheet draw(std::vector<std::string> options) {
-  std::vector<std::string> arguments = {"figure", "-o", "-", "--format", "ppm", "--size", "200x200", "--bg", "black"};
+  std::vector<std::string> arguments = {"figure", "-o",      "-",    "--format", "ppm",
+                                        "--size", "200x200", "--bg", "black"};
   arguments.insert(arguments.end(), options.begin(), options.end());
   const ProgramRun run = run_softgl(arguments);
   INFO(run.errors);
@@ -46,10 +48,12 @@ TEST_CASE("figure: the sphere's sheet says what the lecture says", "[models][pro
   for (int y = 0; y < kPart; ++y)
     for (int x = 0; x < kPart; ++x)
       for (int channel = 0; channel < 3; ++channel) {
-        const int sum = sheet.at(0, 0, x, y)[channel] + sheet.at(0, 1, x, y)[channel] + sheet.at(0, 2, x, y)[channel];
+        const int sum =
+            sheet.at(0, 0, x, y)[channel] + sheet.at(0, 1, x, y)[channel] + sheet.at(0, 2, x, y)[channel];
         REQUIRE(std::abs(std::min(sum, 255) - sheet.at(0, 3, x, y)[channel]) <= 2);
       }
-  // A higher exponent makes the highlight smaller; finer triangles make Gouraud shading more like Phong shading.
+  // A higher exponent makes the highlight smaller; finer triangles make Gouraud shading more like Phong
+  // shading.
   for (int column = 0; column < 4; ++column) {
     CHECK(sheet.mean(1, column) > sheet.mean(1, column + 1));
     CHECK(sheet.mean(4, column) > sheet.mean(4, column + 1));
@@ -60,8 +64,12 @@ TEST_CASE("figure: the sphere's sheet says what the lecture says", "[models][pro
 }
 
 TEST_CASE("figure: of a model, at the same fineness steps", "[models][program]") {
-  const std::string folder = output_folder("figure"), file = folder + "w\xc3\xa9""dge, " + std::string(60, 'w') + ".obj";
-  std::ofstream(file) << "v -1 0 0\nv 0 -1 1\nv 1 0 0\nv 0 1 1\nvn -1 0 1\nvn 0 -1 1\nvn 1 0 1\nvn 0 1 1\nf 1//1 2//2 3//3 4//4\n";
+  const std::string folder = output_folder("figure"), file = folder +
+                                                             "w\xc3\xa9"
+                                                             "dge, " +
+                                                             std::string(60, 'w') + ".obj";
+  std::ofstream(file) << "v -1 0 0\nv 0 -1 1\nv 1 0 0\nv 0 1 1\nvn -1 0 1\nvn 0 -1 1\nvn 1 0 1\nvn 0 1 1\nf "
+                         "1//1 2//2 3//3 4//4\n";
   const Sheet sheet = draw({file, "--ks", "0.9", "--ns", "40", "--view", "front"});
   REQUIRE(sheet.picture.width == kGap + 5 * (kPart + kGap));
   for (int column = 0; column < 4; ++column) CHECK(sheet.mean(4, column) > sheet.mean(4, column + 1));

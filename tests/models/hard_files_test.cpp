@@ -123,7 +123,8 @@ TEST_CASE("hard files: the program draws them or says why not", "[models][progra
 
 TEST_CASE("hard files: materials", "[models]") {
   CHECK(diffuse_of(read("14_usemtl_unknown"), 0) == Rgb{0.8f, 0.8f, 0.8f});
-  for (const char* name : {"16_crlf", "38_mtllib_with_spaces"}) CHECK(diffuse_of(read(name), 0) == Rgb{0.8f, 0.1f, 0.1f});
+  for (const char* name : {"16_crlf", "38_mtllib_with_spaces"})
+    CHECK(diffuse_of(read(name), 0) == Rgb{0.8f, 0.1f, 0.1f});
   CHECK(diffuse_of(read("14_usemtl_unknown"), 1) == Rgb{0.8f, 0.1f, 0.1f});
   CHECK(diffuse_of(read("39_mtllib_multiple"), 0) == Rgb{1, 0, 0});
   CHECK(diffuse_of(read("39_mtllib_multiple"), 1) == Rgb{0, 1, 0});
@@ -199,7 +200,8 @@ TEST_CASE("hard files: normals", "[models]") {
   }
   for (const char* name : {"10_partial_normals", "11_zero_normals", "12_unnormalised_normals"}) {
     const Reading reading = read(name);
-    for (size_t i = 0; i < reading.mesh.normals.size(); i += 3) CHECK(reading.mesh.normals[i + 2] == Approx(1));
+    for (size_t i = 0; i < reading.mesh.normals.size(); i += 3)
+      CHECK(reading.mesh.normals[i + 2] == Approx(1));
   }
 }
 

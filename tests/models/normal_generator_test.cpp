@@ -101,7 +101,8 @@ TEST_CASE("normals: those of a sphere point outwards, also across a texture seam
     CHECK(worst > cosine(3));
   }
   // At the seam, positions with two texture coordinates have one normal.
-  const Shaded seam = shade("v 0 0 0\nv 1 0 0.2\nv 1 1 0.2\nv 0 1 0\nv -1 0 0.2\nv -1 1 0.2\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nmtllib x\n"
+  const Shaded seam = shade("v 0 0 0\nv 1 0 0.2\nv 1 1 0.2\nv 0 1 0\nv -1 0 0.2\nv -1 1 0.2\nvt 0 0\nvt 1 "
+                            "0\nvt 1 1\nvt 0 1\nmtllib x\n"
                             "f 1/1 2/2 3/3 4/4\nf 5/1 1/2 4/3 6/4\n");
   std::set<std::tuple<float, float, float>> at_origin;
   size_t copies = 0;
@@ -115,7 +116,8 @@ TEST_CASE("normals: those of a sphere point outwards, also across a texture seam
 }
 
 TEST_CASE("normals: tessellation does not pull them", "[models][normals]") {
-  // A cube's corner, one face of it cut into many triangles at that corner: smoothed over all, the normal is the diagonal.
+  // A cube's corner, one face of it cut into many triangles at that corner: smoothed over all, the normal is
+  // the diagonal.
   std::string text = "s 1\nv 0 0 0\n" + vertex(1, 0, 0) + vertex(0, 1, 0) + vertex(0, 0, 1);
   std::string fan = "f";
   const int steps = 9;
@@ -130,9 +132,11 @@ TEST_CASE("normals: tessellation does not pull them", "[models][normals]") {
   const Shaded shaded = shade(text);
   bool found = false;
   for (size_t i = 0; i < shaded.mesh.positions.size(); i += 3)
-    if (shaded.mesh.positions[i] < -0.49f && shaded.mesh.positions[i + 1] < -0.49f && shaded.mesh.positions[i + 2] < -0.49f) {
+    if (shaded.mesh.positions[i] < -0.49f && shaded.mesh.positions[i + 1] < -0.49f &&
+        shaded.mesh.positions[i + 2] < -0.49f) {
       found = true;
-      for (size_t axis = 0; axis < 3; ++axis) CHECK(shaded.mesh.normals[i + axis] == Approx(1 / std::sqrt(3.0)).margin(0.001));
+      for (size_t axis = 0; axis < 3; ++axis)
+        CHECK(shaded.mesh.normals[i + axis] == Approx(1 / std::sqrt(3.0)).margin(0.001));
     }
   CHECK(found);
 }
@@ -150,7 +154,8 @@ TEST_CASE("normals: the hub of a very large fan", "[models][normals]") {
   std::string text = vertex(0, 0, 1);
   const int corners = 5000;
   for (int i = 0; i < corners; ++i) text += vertex(cosine(360.0 * i / corners), sine(360.0 * i / corners), 0);
-  for (int i = 0; i < corners; ++i) text += "f 1 " + std::to_string(i + 2) + " " + std::to_string((i + 1) % corners + 2) + "\n";
+  for (int i = 0; i < corners; ++i)
+    text += "f 1 " + std::to_string(i + 2) + " " + std::to_string((i + 1) % corners + 2) + "\n";
   const Shaded shaded = shade(text);
   CHECK(shaded.mesh.triangles.size() == 3 * corners);
   for (size_t i = 0; i < shaded.mesh.normals.size(); i += 3) REQUIRE(shaded.mesh.normals[i + 2] > 0.5f);

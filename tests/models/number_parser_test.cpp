@@ -34,12 +34,13 @@ void check_against_c_library(const std::string& text) {
 } // namespace
 
 TEST_CASE("number parser: correctly rounded", "[models][numbers]") {
-  for (const char* text : {"0", "-0", "+1", "1.", ".5", "-.5e1", "1e22", "1e23", "8.5e-23", "9007199254740993",
-                           "9007199254740992.5", "123456789012345678901234567890", "0.000000000000000000000000000012345",
-                           "1e400", "-1e400", "1e-400", "4.9e-324", "2.2250738585072011e-308", "1.17549435e-38",
-                           // halfway between two floats, and a hair beside it
-                           "16777217", "16777217.0000000001", "16777216.9999999999", "1.00000005960464477539062500",
-                           "1.00000005960464477539062501", "3.4028235677973366e38", "100e-2", "0e5", "1E+00"})
+  for (const char* text :
+       {"0", "-0", "+1", "1.", ".5", "-.5e1", "1e22", "1e23", "8.5e-23", "9007199254740993",
+        "9007199254740992.5", "123456789012345678901234567890", "0.000000000000000000000000000012345",
+        "1e400", "-1e400", "1e-400", "4.9e-324", "2.2250738585072011e-308", "1.17549435e-38",
+        // halfway between two floats, and a hair beside it
+        "16777217", "16777217.0000000001", "16777216.9999999999", "1.00000005960464477539062500",
+        "1.00000005960464477539062501", "3.4028235677973366e38", "100e-2", "0e5", "1E+00"})
     check_against_c_library(text);
   std::mt19937_64 random(5);
   for (int i = 0; i < 20000; ++i) {
@@ -48,7 +49,8 @@ TEST_CASE("number parser: correctly rounded", "[models][numbers]") {
     text += std::to_string(random() % 10);
     for (int k = 0; k < whole; ++k) text += static_cast<char>('0' + random() % 10);
     if (random() % 8) text += ".";
-    for (int k = 0; k < decimals && text.find('.') != std::string::npos; ++k) text += static_cast<char>('0' + random() % 10);
+    for (int k = 0; k < decimals && text.find('.') != std::string::npos; ++k)
+      text += static_cast<char>('0' + random() % 10);
     if (random() % 4 == 0) text += "e" + std::to_string(static_cast<int>(random() % 80) - 40);
     check_against_c_library(text);
   }
@@ -56,7 +58,8 @@ TEST_CASE("number parser: correctly rounded", "[models][numbers]") {
 
 TEST_CASE("number parser: what is no number", "[models][numbers]") {
   double value;
-  for (const char* text : {"", "-", "+", ".", "e5", "--3", "+-3", "0x1", "abc", "1,5", "1.2.3", "1e", "1e+", "12a", "1/2"}) {
+  for (const char* text :
+       {"", "-", "+", ".", "e5", "--3", "+-3", "0x1", "abc", "1,5", "1.2.3", "1e", "1e+", "12a", "1/2"}) {
     INFO(text);
     CHECK_FALSE(reads(text, value));
   }

@@ -1,5 +1,6 @@
-// Random damage to OBJ and MTL files: whatever they hold, reading ends, stays within bounds and gives a finite mesh.
-// SOFTGL_FUZZ_ROUNDS=n runs more rounds; under the asan preset this looks for reads out of bounds.
+// Random damage to OBJ and MTL files: whatever they hold, reading ends, stays within bounds and gives a
+// finite mesh. SOFTGL_FUZZ_ROUNDS=n runs more rounds; under the asan preset this looks for reads out of
+// bounds.
 #include <catch2/catch.hpp>
 
 #include "models/hard_files.h"
@@ -26,10 +27,32 @@ namespace {
 
 using Random = std::mt19937;
 
-const char* const kTokens[] = {"v ", "vn ", "vt ", "f ", "l ", "p ", "usemtl ", "mtllib ", "s ", "o ", "g ", "\n", "\r", "\\\n", "\\",
-                               "#", "/", "//", "-1", "0", "1e308", "1e-320", "nan", "inf", "-", "99999999999999999999", "2147483648",
-                               "-2147483648", "newmtl ", "map_Kd ", "Kd ", "d ", "Tr ", "-s ", "-o ", "checker.png", "red", "cstype ", "\t",
-                               " ", "1/1/1", "1//1", ".", "e", "+", "\"", ":", "C:\\", "../", "s off\n", "f 1 2 3\n", "\xef\xbb\xbf"};
+const char* const kTokens[] = {"v ",         "vn ",
+                               "vt ",        "f ",
+                               "l ",         "p ",
+                               "usemtl ",    "mtllib ",
+                               "s ",         "o ",
+                               "g ",         "\n",
+                               "\r",         "\\\n",
+                               "\\",         "#",
+                               "/",          "//",
+                               "-1",         "0",
+                               "1e308",      "1e-320",
+                               "nan",        "inf",
+                               "-",          "99999999999999999999",
+                               "2147483648", "-2147483648",
+                               "newmtl ",    "map_Kd ",
+                               "Kd ",        "d ",
+                               "Tr ",        "-s ",
+                               "-o ",        "checker.png",
+                               "red",        "cstype ",
+                               "\t",         " ",
+                               "1/1/1",      "1//1",
+                               ".",          "e",
+                               "+",          "\"",
+                               ":",          "C:\\",
+                               "../",        "s off\n",
+                               "f 1 2 3\n",  "\xef\xbb\xbf"};
 
 std::string damaged(std::string text, Random& random) {
   const auto place = [&](size_t size) { return size ? random() % size : 0; };
@@ -37,14 +60,19 @@ std::string damaged(std::string text, Random& random) {
   for (int i = 0; i < wounds; ++i) {
     const size_t at = place(text.size() + 1);
     switch (random() % 8) {
-    case 0: if (at < text.size()) text[at] = static_cast<char>(random() % 256); break;
+    case 0:
+      if (at < text.size()) text[at] = static_cast<char>(random() % 256);
+      break;
     case 1: text.insert(at, kTokens[random() % std::size(kTokens)]); break;
     case 2: text.erase(at, random() % 20); break;
     case 3: text.insert(at, text.substr(place(text.size() + 1), random() % 200)); break;
     case 4: text.resize(at); break;
     case 5: text.insert(at, 1, '\0'); break;
-    case 6: if (at < text.size()) text[at] = static_cast<char>(text[at] ^ (1 << random() % 8)); break;
-    default: for (int k = 0; k < 5; ++k) text.insert(at, kTokens[random() % std::size(kTokens)]);
+    case 6:
+      if (at < text.size()) text[at] = static_cast<char>(text[at] ^ (1 << random() % 8));
+      break;
+    default:
+      for (int k = 0; k < 5; ++k) text.insert(at, kTokens[random() % std::size(kTokens)]);
     }
     if (text.size() > 200000) text.resize(200000);
   }
@@ -80,9 +108,7 @@ void read_and_check(const std::string& text, const std::string& name, unsigned t
     for (const double value : camera.projection) good &= std::isfinite(value);
     REQUIRE(good);
     REQUIRE(warnings.sentences().size() < 1000);
-  } catch (const cli::ProgramError& error) {
-    REQUIRE(error.code == cli::kCannotRead);
-  }
+  } catch (const cli::ProgramError& error) { REQUIRE(error.code == cli::kCannotRead); }
 }
 
 int rounds(int usual) {
@@ -122,7 +148,8 @@ TEST_CASE("damaged MTL files", "[models][fuzz]") {
     for (const cli::Material& material : library.materials()) {
       for (const float* colour : {material.ambient, material.diffuse, material.specular, material.emission})
         for (int i = 0; i < 3; ++i) good &= colour[i] >= 0 && colour[i] <= 1;
-      good &= material.opacity >= 0 && material.opacity <= 1 && material.shininess >= 0 && material.shininess <= 128;
+      good &= material.opacity >= 0 && material.opacity <= 1 && material.shininess >= 0 &&
+              material.shininess <= 128;
     }
     REQUIRE(good);
   }

@@ -16,12 +16,14 @@ using Polygon = std::vector<double>;
 
 struct Result {
   std::vector<uint32_t> triangles;
-  double area = 0;       // of all triangles, whatever their direction
+  double area = 0; // of all triangles, whatever their direction
   double signed_area = 0;
 };
 
 double signed_area(const Polygon& p, uint32_t a, uint32_t b, uint32_t c) {
-  return ((p[3 * b] - p[3 * a]) * (p[3 * c + 1] - p[3 * a + 1]) - (p[3 * c] - p[3 * a]) * (p[3 * b + 1] - p[3 * a + 1])) / 2;
+  return ((p[3 * b] - p[3 * a]) * (p[3 * c + 1] - p[3 * a + 1]) -
+          (p[3 * c] - p[3 * a]) * (p[3 * b + 1] - p[3 * a + 1])) /
+         2;
 }
 
 Result triangulate(const Polygon& polygon) {
@@ -31,7 +33,8 @@ Result triangulate(const Polygon& polygon) {
   PolygonTriangulator().triangulate(polygon.data(), size, result.triangles.data());
   for (size_t i = 0; i < result.triangles.size(); i += 3) {
     for (size_t k = 0; k < 3; ++k) REQUIRE(result.triangles[i + k] < size);
-    const double area = signed_area(polygon, result.triangles[i], result.triangles[i + 1], result.triangles[i + 2]);
+    const double area =
+        signed_area(polygon, result.triangles[i], result.triangles[i + 1], result.triangles[i + 2]);
     result.area += std::fabs(area);
     result.signed_area += area;
   }
@@ -40,7 +43,8 @@ Result triangulate(const Polygon& polygon) {
 
 double polygon_area(const Polygon& p) {
   double sum = 0;
-  for (size_t i = 0, j = p.size() / 3 - 1; i < p.size() / 3; j = i++) sum += p[3 * j] * p[3 * i + 1] - p[3 * i] * p[3 * j + 1];
+  for (size_t i = 0, j = p.size() / 3 - 1; i < p.size() / 3; j = i++)
+    sum += p[3 * j] * p[3 * i + 1] - p[3 * i] * p[3 * j + 1];
   return sum / 2;
 }
 
@@ -153,5 +157,6 @@ TEST_CASE("polygon triangulator: hopeless polygons end", "[models][triangulation
     repeated.insert(repeated.end(), {double(i % 3), double(i % 2), 0});
     line.insert(line.end(), {double(i), 2.0 * i, 3.0 * i});
   }
-  for (const Polygon& polygon : {crossing, repeated, line}) CHECK(triangulate(polygon).triangles.size() == 3 * 1998);
+  for (const Polygon& polygon : {crossing, repeated, line})
+    CHECK(triangulate(polygon).triangles.size() == 3 * 1998);
 }

@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
-#include <set>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -37,7 +36,8 @@ std::string output_folder(const std::string& name) {
       }
     }
   } folders;
-  const std::string folder = std::string(SOFTGL_TEST_OUTPUT) + "/" + name + "-" + std::to_string(folders.process) + "/";
+  const std::string folder =
+      std::string(SOFTGL_TEST_OUTPUT) + "/" + name + "-" + std::to_string(folders.process) + "/";
   std::filesystem::create_directories(folder);
   folders.made.insert(folder);
   return folder;

@@ -12,8 +12,8 @@ struct ProgramRun {
   std::string output, errors;
 };
 
-// A folder for what one process writes, ending in "/": ctest runs the cases side by side, and several write the same
-// names. It is gone when the process ends.
+// A folder for what one process writes, ending in "/": ctest runs the cases side by side, and several write
+// the same names. It is gone when the process ends.
 std::string output_folder(const std::string& name);
 
 ProgramRun run_softgl(const std::vector<std::string>& arguments, const std::string& input = {});
@@ -22,7 +22,9 @@ struct TestPicture {
   int width = 0, height = 0;
   std::vector<uint8_t> rgb;
 
-  const uint8_t* at(int x, int y) const { return &rgb[3 * (static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x))]; }
+  const uint8_t* at(int x, int y) const {
+    return &rgb[3 * (static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x))];
+  }
   size_t colours() const; // how many different ones
   // First and last column and row that differ from the top left pixel.
   struct Box {

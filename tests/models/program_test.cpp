@@ -23,27 +23,44 @@ std::string write(const std::string& name, const std::string& text) {
 }
 
 ProgramRun draw(const std::string& text, std::vector<std::string> options = {}) {
-  std::vector<std::string> arguments = {write("model.obj", text), "-o", "-", "--format", "ppm", "--size", "60x40"};
+  std::vector<std::string> arguments = {
+      write("model.obj", text), "-o", "-", "--format", "ppm", "--size", "60x40"};
   arguments.insert(arguments.end(), options.begin(), options.end());
   return run_softgl(arguments);
 }
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-size_t lines(const std::string& text) { return static_cast<size_t>(std::count(text.begin(), text.end(), '\n')); }
+size_t lines(const std::string& text) {
+  return static_cast<size_t>(std::count(text.begin(), text.end(), '\n'));
+}
 
 } // namespace
 
 TEST_CASE("program: wrong usage is exit code 2 and one sentence", "[models][program]") {
   const std::string model = write("usage.obj", kTriangle);
-  const std::vector<std::string> mistakes[] = {
-      {}, {model}, {model, "-o"}, {model, "-o", "x.xyz"}, {model, "-o", "-", "--format", "gif"},
-      {model, "-o", "x.png", "--size", "0x10"}, {model, "-o", "x.png", "--size", "10x"}, {model, "-o", "x.png", "--size", "99999"},
-      {model, "-o", "x.png", "--view", "sideways"}, {model, "-o", "x.png", "--up", "W"}, {model, "-o", "x.png", "--bg", "#12"},
-      {model, "-o", "x.png", "--bg", "nocolour"}, {model, "-o", "x.png", "--color", "2,0,0"}, {model, "-o", "x.png", "--light", "0,0,0"},
-      {model, "-o", "x.png", "--aa", "3"}, {model, "-o", "x.png", "--fov", "0"}, {model, "-o", "x.png", "--zoom", "nan"},
-      {model, "-o", "x.png", "--threads", "0"}, {model, "-o", "x.png", "--nonsense"}, {model, "more.obj", "-o", "x.png"},
-      {model, "-o", "x.png", "--size", "9000x9000", "--aa", "4"}, {"info"}};
+  const std::vector<std::string> mistakes[] = {{},
+                                               {model},
+                                               {model, "-o"},
+                                               {model, "-o", "x.xyz"},
+                                               {model, "-o", "-", "--format", "gif"},
+                                               {model, "-o", "x.png", "--size", "0x10"},
+                                               {model, "-o", "x.png", "--size", "10x"},
+                                               {model, "-o", "x.png", "--size", "99999"},
+                                               {model, "-o", "x.png", "--view", "sideways"},
+                                               {model, "-o", "x.png", "--up", "W"},
+                                               {model, "-o", "x.png", "--bg", "#12"},
+                                               {model, "-o", "x.png", "--bg", "nocolour"},
+                                               {model, "-o", "x.png", "--color", "2,0,0"},
+                                               {model, "-o", "x.png", "--light", "0,0,0"},
+                                               {model, "-o", "x.png", "--aa", "3"},
+                                               {model, "-o", "x.png", "--fov", "0"},
+                                               {model, "-o", "x.png", "--zoom", "nan"},
+                                               {model, "-o", "x.png", "--threads", "0"},
+                                               {model, "-o", "x.png", "--nonsense"},
+                                               {model, "more.obj", "-o", "x.png"},
+                                               {model, "-o", "x.png", "--size", "9000x9000", "--aa", "4"},
+                                               {"info"}};
   for (const auto& arguments : mistakes) {
     std::string line;
     for (const std::string& argument : arguments) line += argument + " ";
@@ -60,7 +77,8 @@ TEST_CASE("program: wrong usage is exit code 2 and one sentence", "[models][prog
 TEST_CASE("program: help and version", "[models][program]") {
   const ProgramRun help = run_softgl({"--help"});
   CHECK(help.exit_code == 0);
-  for (const char* part : {"--size", "--view", "--light", "Examples:", "Exit codes:"}) CHECK(has(help.output, part));
+  for (const char* part : {"--size", "--view", "--light", "Examples:", "Exit codes:"})
+    CHECK(has(help.output, part));
   const ProgramRun version = run_softgl({"--version"});
   CHECK(version.exit_code == 0);
   CHECK(version.output.rfind("softgl ", 0) == 0);
@@ -89,7 +107,8 @@ TEST_CASE("program: what cannot be read is exit code 3", "[models][program]") {
 
 TEST_CASE("program: what cannot be written is exit code 4", "[models][program]") {
   const std::string model = write("triangle.obj", kTriangle);
-  for (const std::string& output : {folder() + "no/such/folder/x.png", folder() + "."  + "/", std::string("/dev/full")}) {
+  for (const std::string& output :
+       {folder() + "no/such/folder/x.png", folder() + "." + "/", std::string("/dev/full")}) {
     const ProgramRun run = run_softgl({model, "-o", output, "--format", "png", "--size", "64x64"});
     INFO(run.errors);
     CHECK(run.exit_code == 4);
@@ -101,7 +120,8 @@ TEST_CASE("program: what cannot be written is exit code 4", "[models][program]")
 TEST_CASE("program: messages name file and line", "[models][program]") {
   const ProgramRun run = draw(kTriangle + "f 1 2 7\nnonsense 1\nnonsense 2\n");
   CHECK(run.exit_code == 0);
-  CHECK(has(run.errors, "model.obj:5: a corner names a vertex that does not exist (the file has 3); face skipped\n"));
+  CHECK(has(run.errors,
+            "model.obj:5: a corner names a vertex that does not exist (the file has 3); face skipped\n"));
   CHECK(has(run.errors, "model.obj:6: unknown statement \"nonsense\" ignored (2 times)\n"));
   CHECK(parse_ppm(run.output).colours() > 1);
   const ProgramRun quiet = draw(kTriangle + "f 1 2 7\n", {"--quiet"});
@@ -130,8 +150,12 @@ TEST_CASE("program: every picture format begins as it should", "[models][program
   const struct {
     const char* end;
     std::string start;
-  } formats[] = {{"png", "\x89PNG\r\n\x1a\n"}, {"ppm", "P6\n60 40\n255\n"}, {"pam", "P7\n"}, {"jpg", "\xff\xd8\xff"},
-                 {"bmp", "BM"}, {"tga", std::string("\0\0", 2)}};
+  } formats[] = {{"png", "\x89PNG\r\n\x1a\n"},
+                 {"ppm", "P6\n60 40\n255\n"},
+                 {"pam", "P7\n"},
+                 {"jpg", "\xff\xd8\xff"},
+                 {"bmp", "BM"},
+                 {"tga", std::string("\0\0", 2)}};
   for (const auto& format : formats) {
     INFO(format.end);
     const std::string picture = folder() + "picture." + format.end;
@@ -149,7 +173,8 @@ TEST_CASE("program: backgrounds", "[models][program]") {
   CHECK(corner(draw(kTriangle, {"--bg", "#123456"})) == std::array<int, 3>{0x12, 0x34, 0x56});
   CHECK(corner(draw(kTriangle, {"--bg", "SteelBlue"})) == std::array<int, 3>{0x46, 0x82, 0xb4});
   CHECK(corner(draw(kTriangle, {"--bg", "1,0,0.5"})) == std::array<int, 3>{255, 0, 128});
-  const ProgramRun transparent = run_softgl({write("t.obj", kTriangle), "-o", "-", "--format", "pam", "--bg", "transparent", "--size", "60x40", "--aa", "4"});
+  const ProgramRun transparent = run_softgl({write("t.obj", kTriangle), "-o", "-", "--format", "pam", "--bg",
+                                             "transparent", "--size", "60x40", "--aa", "4"});
   const std::string header = "P7\nWIDTH 60\nHEIGHT 40\nDEPTH 4\nMAXVAL 255\nTUPLTYPE RGB_ALPHA\nENDHDR\n";
   REQUIRE(transparent.output.rfind(header, 0) == 0);
   REQUIRE(transparent.output.size() == header.size() + 60 * 40 * 4);
@@ -166,12 +191,15 @@ TEST_CASE("program: backgrounds", "[models][program]") {
 
 TEST_CASE("program: antialiasing changes edges only", "[models][program]") {
   const std::string quad = "v -1 -1 0\nv 1 -1 0.2\nv 1 1 0\nv -1 1 0.2\nf 1 2 3 4\n";
-  const auto picture = [&](const char* samples) { return parse_ppm(draw(quad, {"--aa", samples, "--shading", "flat"}).output); };
+  const auto picture = [&](const char* samples) {
+    return parse_ppm(draw(quad, {"--aa", samples, "--shading", "flat"}).output);
+  };
   const TestPicture one = picture("1"), four = picture("4"), sixteen = picture("16");
   CHECK(four.colours() > one.colours());
   CHECK(sixteen.colours() >= four.colours());
   size_t different = 0;
-  for (size_t i = 0; i < one.rgb.size(); i += 3) different += !std::equal(&one.rgb[i], &one.rgb[i] + 3, &four.rgb[i]);
+  for (size_t i = 0; i < one.rgb.size(); i += 3)
+    different += !std::equal(&one.rgb[i], &one.rgb[i] + 3, &four.rgb[i]);
   CHECK(different < 60 * 40 / 8);
 }
 
@@ -184,8 +212,10 @@ TEST_CASE("program: a surface seen from its edge is not a blank picture", "[mode
 }
 
 TEST_CASE("program: two-sided, so that mixed winding does not show", "[models][program]") {
-  const ProgramRun same = draw("v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3\nf 1 3 4\n", {"--view", "front", "--shading", "flat"});
-  const ProgramRun mixed = draw("v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3\nf 1 4 3\n", {"--view", "front", "--shading", "flat"});
+  const ProgramRun same = draw("v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3\nf 1 3 4\n",
+                               {"--view", "front", "--shading", "flat"});
+  const ProgramRun mixed = draw("v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3\nf 1 4 3\n",
+                                {"--view", "front", "--shading", "flat"});
   CHECK(parse_ppm(same.output).drawn().right == parse_ppm(mixed.output).drawn().right);
   CHECK(parse_ppm(mixed.output).colours() == 2);
 }
@@ -193,8 +223,9 @@ TEST_CASE("program: two-sided, so that mixed winding does not show", "[models][p
 TEST_CASE("program: transparent faces let the others through", "[models][program]") {
   write("glass.mtl", "newmtl red\nKd 1 0 0\nnewmtl glass\nKd 0 0 1\nd 0.5\nillum 0\n");
   // The glass is nearer but stands first in the file.
-  const std::string model = "mtllib glass.mtl\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\nv -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\n"
-                            "usemtl glass\nf 1 2 3 4\nusemtl red\nf 5 6 7 8\n";
+  const std::string model =
+      "mtllib glass.mtl\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\nv -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\n"
+      "usemtl glass\nf 1 2 3 4\nusemtl red\nf 5 6 7 8\n";
   const TestPicture picture = parse_ppm(draw(model, {"--view", "front"}).output);
   const uint8_t* middle = picture.at(30, 20);
   CHECK(middle[0] > 60);
@@ -212,11 +243,13 @@ TEST_CASE("program: threads and light", "[models][program]") {
 }
 
 TEST_CASE("program: info", "[models][program]") {
-  const std::string model = write("info.obj", "o thing\nv 0 0 0\nv 2 0 0\nv 2 3 0\nv 0 3 0\nf 1 2 3 4\nl 1 2\np 3\n");
+  const std::string model =
+      write("info.obj", "o thing\nv 0 0 0\nv 2 0 0\nv 2 3 0\nv 0 3 0\nf 1 2 3 4\nl 1 2\np 3\n");
   const ProgramRun json = run_softgl({"info", model, "--json"});
   CHECK(json.exit_code == 0);
-  for (const char* part : {"\"vertices\": 4", "\"faces\": 1", "\"triangles\": 2", "\"line_segments\": 1", "\"points\": 1",
-                           "\"objects\": 1", "\"low\": [0, 0, 0]", "\"high\": [2, 3, 0]", "\"area\": 6", "\"warning_count\": 0"}) {
+  for (const char* part : {"\"vertices\": 4", "\"faces\": 1", "\"triangles\": 2", "\"line_segments\": 1",
+                           "\"points\": 1", "\"objects\": 1", "\"low\": [0, 0, 0]", "\"high\": [2, 3, 0]",
+                           "\"area\": 6", "\"warning_count\": 0"}) {
     INFO(part);
     CHECK(has(json.output, part));
   }

@@ -9,7 +9,9 @@ using namespace softgl::cli;
 
 namespace {
 
-const float* position(const Mesh& mesh, size_t index) { return &mesh.positions[3 * static_cast<size_t>(mesh.triangles[index])]; }
+const float* position(const Mesh& mesh, size_t index) {
+  return &mesh.positions[3 * static_cast<size_t>(mesh.triangles[index])];
+}
 
 double area(const Mesh& mesh) {
   double sum = 0;
@@ -54,7 +56,8 @@ TEST_CASE("tessellation: spheres are closed, face outwards and come near the tru
     CHECK(closed(mesh));
     for (size_t i = 0; i < mesh.triangles.size(); i += 3) {
       const float *a = position(mesh, i), *b = position(mesh, i + 1), *c = position(mesh, i + 2);
-      const double volume = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+      const double volume = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                            a[2] * (b[0] * c[1] - b[1] * c[0]);
       REQUIRE(volume > 0);
     }
     CHECK(area(mesh) < exact);
@@ -76,5 +79,6 @@ TEST_CASE("tessellation: cutting triangles keeps surface, batches and unit norma
   CHECK(fine.triangle_batches[1].first == 120);
   CHECK(fine.triangle_batches[1].count == 4 * mesh.triangle_batches[1].count);
   for (size_t i = 0; i < fine.normals.size(); i += 3)
-    REQUIRE(std::hypot(fine.normals[i], fine.normals[i + 1], fine.normals[i + 2]) == Approx(1).margin(1e-6)); // rounding of floats
+    REQUIRE(std::hypot(fine.normals[i], fine.normals[i + 1], fine.normals[i + 2]) ==
+            Approx(1).margin(1e-6)); // rounding of floats
 }

@@ -10,12 +10,12 @@ namespace softgl::test {
 
 /// One picture of ours beside what it is compared with.
 struct ReportRow {
-  std::string group;  // what is compared with what
-  std::string name;   // scene or family, and seed
-  std::string again;  // the command that draws it again; may be empty
+  std::string group; // what is compared with what
+  std::string name;  // scene or family, and seed
+  std::string again; // the command that draws it again; may be empty
   Picture ours, theirs;
   bool same_depths = true; // or the depths do not count
-  int allowed = 0;    // largest difference of a colour byte that the group allows
+  int allowed = 0;         // largest difference of a colour byte that the group allows
 };
 
 /// The same depths, where they count, no other errors, and colours within what the group allows.

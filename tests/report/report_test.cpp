@@ -29,8 +29,10 @@ size_t count(const std::string& text, const std::string& part) {
   return n;
 }
 
-// Loads the report in a frame, uses its filter and its zoom as a reader would, and leaves what it saw in the page.
-constexpr const char* kVisitor = R"(<!DOCTYPE html><title>visitor</title><iframe id="frame" src="report.html" width="1200" height="900"></iframe>
+// Loads the report in a frame, uses its filter and its zoom as a reader would, and leaves what it saw in the
+// page.
+constexpr const char* kVisitor =
+    R"(<!DOCTYPE html><title>visitor</title><iframe id="frame" src="report.html" width="1200" height="900"></iframe>
 <pre id="seen">nothing</pre><script>
 const frame = document.getElementById('frame');
 frame.addEventListener('load', () => {
@@ -83,7 +85,9 @@ TEST_CASE("report: rows, states and sums", "[report]") {
   CHECK(count(page, "src=\"data:image/png;base64,iVBORw0KGgo") == 9);
   CHECK(page.find("one &lt;1&gt;") != std::string::npos);
   CHECK(page.find("24 of 24 colour bytes differ, by at most 2") != std::string::npos);
-  CHECK(page.find("<td>a &amp; b</td><td>2</td><td>1</td><td>2</td><td>24</td><td>50&nbsp;%</td><td>1</td>") != std::string::npos);
+  CHECK(
+      page.find("<td>a &amp; b</td><td>2</td><td>1</td><td>2</td><td>24</td><td>50&nbsp;%</td><td>1</td>") !=
+      std::string::npos);
   CHECK(count(page, "<polyline") == 1);
   CHECK_THROWS(report_page("<html></html>", report));
 }
@@ -99,9 +103,12 @@ TEST_CASE("report: Chromium shows all of it", "[report][slow]") {
     return;
   }
   std::ofstream(folder + "visitor.html") << kVisitor;
-  const std::string visit = "timeout 120 chromium --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --allow-file-access-from-files "
-                            "--user-data-dir=" + output_folder("chromium") + "profile --virtual-time-budget=30000 --dump-dom file://" + folder + "visitor.html > " +
-                            folder + "seen.html 2> " + folder + "chromium.txt";
+  const std::string visit = "timeout 120 chromium --headless --no-sandbox --disable-gpu "
+                            "--disable-dev-shm-usage --allow-file-access-from-files "
+                            "--user-data-dir=" +
+                            output_folder("chromium") +
+                            "profile --virtual-time-budget=30000 --dump-dom file://" + folder +
+                            "visitor.html > " + folder + "seen.html 2> " + folder + "chromium.txt";
   const int status = std::system(visit.c_str());
   const std::string page = read_bytes(folder + "seen.html");
   const size_t at = page.find("<pre id=\"seen\">");
@@ -111,9 +118,11 @@ TEST_CASE("report: Chromium shows all of it", "[report][slow]") {
   INFO(seen);
   const size_t rows = count(read_bytes(path), "<tr class=\"scene");
   CHECK(rows >= 12);
-  for (const std::string& said : {"images " + std::to_string(3 * rows), std::string("broken 0"), "rows " + std::to_string(rows),
-                                  std::string("filtered phong_twin 11;"), std::string("failed 0"), std::string("closed true"), std::string("zoomed true"),
-                                  std::string("larger true"), std::string("closed again true"), std::string("plots 2"), std::string("elsewhere 0")}) {
+  for (const std::string& said :
+       {"images " + std::to_string(3 * rows), std::string("broken 0"), "rows " + std::to_string(rows),
+        std::string("filtered phong_twin 11;"), std::string("failed 0"), std::string("closed true"),
+        std::string("zoomed true"), std::string("larger true"), std::string("closed again true"),
+        std::string("plots 2"), std::string("elsewhere 0")}) {
     INFO(said);
     CHECK(seen.find(said) != std::string::npos);
   }

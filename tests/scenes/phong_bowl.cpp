@@ -1,4 +1,5 @@
-// Per-pixel lighting of half a torus seen from both sides: two-sided, separate specular, clipped, colour material.
+// Per-pixel lighting of half a torus seen from both sides: two-sided, separate specular, clipped, colour
+// material.
 #include "scenes/shapes.h"
 
 namespace softgl::test {
@@ -22,6 +23,11 @@ static void draw_phong_bowl(Stage& s) {
   gl.End();
 }
 
-static SceneRegistration registration{{.name = "phong_bowl", .draw = draw_phong_bowl, .width = 224, .height = 168, .extension = true, .clipped = true}};
+static SceneRegistration registration{{.name = "phong_bowl",
+                                       .draw = draw_phong_bowl,
+                                       .width = 224,
+                                       .height = 168,
+                                       .extension = true,
+                                       .clipped = true}};
 
 } // namespace softgl::test

@@ -37,6 +37,7 @@ static void draw_phong_lines(Stage& s) {
   }
 }
 
-static SceneRegistration registration{{.name = "phong_lines", .draw = draw_phong_lines, .width = 200, .height = 160, .extension = true}};
+static SceneRegistration registration{
+    {.name = "phong_lines", .draw = draw_phong_lines, .width = 200, .height = 160, .extension = true}};
 
 } // namespace softgl::test

@@ -6,7 +6,8 @@ namespace softgl::test {
 static void draw_phong_sphere(Stage& s) {
   const Gl& gl = s.gl;
   const GLfloat diffuse[4] = {0.1f, 0.4f, 0.7f, 1}, white[4] = {1, 1, 1, 1}, dim[4] = {0.3f, 0.25f, 0.2f, 1};
-  const GLfloat near_light[4] = {1, 1.5f, 2, 1}, far_light[4] = {-1, 0.2f, 0.3f, 0}, spot[4] = {0, 0.4f, 3, 1}, toward[3] = {0.1f, -0.2f, -1};
+  const GLfloat near_light[4] = {1, 1.5f, 2, 1}, far_light[4] = {-1, 0.2f, 0.3f, 0},
+                spot[4] = {0, 0.4f, 3, 1}, toward[3] = {0.1f, -0.2f, -1};
   gl.ClearColor(0.1f, 0.1f, 0.12f, 1);
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   camera(s, 4);
@@ -33,6 +34,7 @@ static void draw_phong_sphere(Stage& s) {
   torus(s, 0.01f, 0.7f, 8, 8);
 }
 
-static SceneRegistration registration{{.name = "phong_sphere", .draw = draw_phong_sphere, .width = 240, .height = 180, .extension = true}};
+static SceneRegistration registration{
+    {.name = "phong_sphere", .draw = draw_phong_sphere, .width = 240, .height = 180, .extension = true}};
 
 } // namespace softgl::test

@@ -24,7 +24,8 @@ void torus(Stage& s, float outer, float inner, int rings, int sides) {
         const float u = 2 * kPi * float(i + k) / float(rings), v = 2 * kPi * float(j) / float(sides);
         s.gl.Normal3f(std::cos(u) * std::cos(v), std::sin(u) * std::cos(v), std::sin(v));
         s.gl.TexCoord2f(4 * float(i + k) / float(rings), 2 * float(j) / float(sides));
-        s.gl.Vertex3f((outer + inner * std::cos(v)) * std::cos(u), (outer + inner * std::cos(v)) * std::sin(u), inner * std::sin(v));
+        s.gl.Vertex3f((outer + inner * std::cos(v)) * std::cos(u),
+                      (outer + inner * std::cos(v)) * std::sin(u), inner * std::sin(v));
       }
     s.gl.End();
   }
@@ -51,8 +52,10 @@ static void tube(Stage& s, const float (*path)[3], int points, int sides) {
 }
 
 void teapot(Stage& s, int slices) {
-  static constexpr float kProfile[][2] = {{0.0f, -0.75f}, {0.75f, -0.72f}, {0.95f, -0.45f}, {1.0f, -0.15f}, {0.92f, 0.15f}, {0.75f, 0.38f}, {0.7f, 0.45f},
-                                          {0.6f, 0.52f}, {0.35f, 0.62f}, {0.12f, 0.68f}, {0.09f, 0.76f}, {0.14f, 0.84f}, {0.1f, 0.92f}, {0.0f, 0.95f}};
+  static constexpr float kProfile[][2] = {{0.0f, -0.75f}, {0.75f, -0.72f}, {0.95f, -0.45f}, {1.0f, -0.15f},
+                                          {0.92f, 0.15f}, {0.75f, 0.38f},  {0.7f, 0.45f},   {0.6f, 0.52f},
+                                          {0.35f, 0.62f}, {0.12f, 0.68f},  {0.09f, 0.76f},  {0.14f, 0.84f},
+                                          {0.1f, 0.92f},  {0.0f, 0.95f}};
   constexpr int kPoints = int(sizeof kProfile / sizeof *kProfile);
   for (int i = 0; i + 1 < kPoints; i++) {
     s.gl.Begin(GL_TRIANGLE_STRIP);
@@ -67,8 +70,14 @@ void teapot(Stage& s, int slices) {
       }
     s.gl.End();
   }
-  static constexpr float kSpout[][3] = {{0.8f, -0.35f, 0.22f}, {1.1f, -0.2f, 0.16f}, {1.3f, 0.1f, 0.11f}, {1.45f, 0.4f, 0.09f}, {1.62f, 0.5f, 0.1f}};
-  static constexpr float kHandle[][3] = {{-0.85f, 0.3f, 0.08f}, {-1.25f, 0.38f, 0.08f}, {-1.5f, 0.2f, 0.08f}, {-1.45f, -0.15f, 0.08f}, {-1.2f, -0.35f, 0.08f}, {-0.9f, -0.45f, 0.08f}};
+  static constexpr float kSpout[][3] = {{0.8f, -0.35f, 0.22f},
+                                        {1.1f, -0.2f, 0.16f},
+                                        {1.3f, 0.1f, 0.11f},
+                                        {1.45f, 0.4f, 0.09f},
+                                        {1.62f, 0.5f, 0.1f}};
+  static constexpr float kHandle[][3] = {{-0.85f, 0.3f, 0.08f},  {-1.25f, 0.38f, 0.08f},
+                                         {-1.5f, 0.2f, 0.08f},   {-1.45f, -0.15f, 0.08f},
+                                         {-1.2f, -0.35f, 0.08f}, {-0.9f, -0.45f, 0.08f}};
   tube(s, kSpout, 5, slices / 2);
   tube(s, kHandle, 6, slices / 2);
 }
@@ -123,7 +132,8 @@ void checker_texture(Stage& s, int size, bool mipmaps) {
       for (int x = 0; x < n; x++) {
         uint8_t* t = &texels[size_t(y * n + x) * 4];
         const bool odd = ((x * 8 / n) ^ (y * 8 / n)) & 1;
-        t[0] = odd ? 250 : 60, t[1] = odd ? 220 : uint8_t(90 + x * 100 / n), t[2] = uint8_t(80 + y * 150 / n), t[3] = odd ? 255 : 128;
+        t[0] = odd ? 250 : 60, t[1] = odd ? 220 : uint8_t(90 + x * 100 / n), t[2] = uint8_t(80 + y * 150 / n),
+        t[3] = odd ? 255 : 128;
       }
     s.gl.TexImage2D(GL_TEXTURE_2D, level, GL_RGBA, n, n, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
     if (!mipmaps) break;

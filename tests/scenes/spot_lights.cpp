@@ -14,7 +14,8 @@ static void draw_spot_lights(Stage& s) {
   for (int i = 0; i < 3; i++) {
     const GLenum light = GL_LIGHT0 + GLenum(i);
     const GLfloat color[4] = {i == 0 ? 1.0f : 0.2f, i == 1 ? 1.0f : 0.2f, i == 2 ? 1.0f : 0.2f, 1};
-    const GLfloat position[4] = {float(i - 1) * 0.6f, 0.3f, 1, 1}, direction[3] = {float(1 - i) * 0.3f, -0.2f, -1};
+    const GLfloat position[4] = {float(i - 1) * 0.6f, 0.3f, 1, 1},
+                  direction[3] = {float(1 - i) * 0.3f, -0.2f, -1};
     gl.Enable(light);
     gl.Lightfv(light, GL_DIFFUSE, color);
     gl.Lightfv(light, GL_SPECULAR, color);

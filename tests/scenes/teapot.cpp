@@ -5,7 +5,8 @@ namespace softgl::test {
 
 static void draw_teapot(Stage& s) {
   const Gl& gl = s.gl;
-  const GLfloat position[4] = {2, 4, 3, 0}, red[4] = {0.75f, 0.15f, 0.1f, 1}, white[4] = {0.8f, 0.8f, 0.8f, 1};
+  const GLfloat position[4] = {2, 4, 3, 0}, red[4] = {0.75f, 0.15f, 0.1f, 1},
+                white[4] = {0.8f, 0.8f, 0.8f, 1};
   gl.ClearColor(0.15f, 0.18f, 0.22f, 1);
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   camera(s, 4.2f);

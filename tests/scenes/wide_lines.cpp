@@ -14,7 +14,8 @@ static void draw_wide_lines(Stage& s) {
     gl.Color3f(float(i) / 36, 0.2f, 1 - float(i) / 36);
     gl.Vertex2f(0, 0);
     gl.Color3f(0, 0, 0);
-    gl.Vertex2f(i < 18 ? -0.9f + 0.1f * float(i) : 0.9f - 0.1f * float(i - 18), i < 18 ? 0.9f : -0.9f + c * 1e-6f);
+    gl.Vertex2f(i < 18 ? -0.9f + 0.1f * float(i) : 0.9f - 0.1f * float(i - 18),
+                i < 18 ? 0.9f : -0.9f + c * 1e-6f);
     gl.End();
   }
   gl.LineWidth(4.5f);

@@ -1,5 +1,5 @@
-// A lit teapot with its mesh drawn over it, as modellers do: lines that polygon offset keeps in front of the surface.
-// Beside it polygons whose back faces are points.
+// A lit teapot with its mesh drawn over it, as modellers do: lines that polygon offset keeps in front of the
+// surface. Beside it polygons whose back faces are points.
 #include "scenes/shapes.h"
 
 namespace softgl::test {
@@ -30,12 +30,15 @@ static void draw_wireframe(Stage& s) {
   for (GLenum mode : {GL_QUADS, GL_POLYGON}) {
     gl.Translatef(0.3f, 0.3f, -0.2f);
     gl.Begin(mode);
-    gl.Vertex3f(0, 0, 0.8f), gl.Vertex3f(0.8f, 0, 0.8f), gl.Vertex3f(0.9f, 0.6f, 0.8f), gl.Vertex3f(0, 0.5f, 0.8f);
-    gl.Vertex3f(-0.2f, 0.2f, 0.9f), gl.Vertex3f(-0.6f, 0.6f, 0.9f), gl.Vertex3f(-0.2f, 0.9f, 0.9f), gl.Vertex3f(0.1f, 0.6f, 0.9f);
+    gl.Vertex3f(0, 0, 0.8f), gl.Vertex3f(0.8f, 0, 0.8f), gl.Vertex3f(0.9f, 0.6f, 0.8f),
+        gl.Vertex3f(0, 0.5f, 0.8f);
+    gl.Vertex3f(-0.2f, 0.2f, 0.9f), gl.Vertex3f(-0.6f, 0.6f, 0.9f), gl.Vertex3f(-0.2f, 0.9f, 0.9f),
+        gl.Vertex3f(0.1f, 0.6f, 0.9f);
     gl.End();
   }
 }
 
-static SceneRegistration registration{{.name = "wireframe", .draw = draw_wireframe, .width = 220, .height = 180}};
+static SceneRegistration registration{
+    {.name = "wireframe", .draw = draw_wireframe, .width = 220, .height = 180}};
 
 } // namespace softgl::test

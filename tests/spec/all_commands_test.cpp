@@ -1,5 +1,5 @@
-// What GL 1.5 says of every command alike: 2.6.3 (between Begin and End), and what must do no harm: calls without a
-// context, null pointers, senseless numbers. The table is all 452 commands of GL 1.0 to 1.5.
+// What GL 1.5 says of every command alike: 2.6.3 (between Begin and End), and what must do no harm: calls
+// without a context, null pointers, senseless numbers. The table is all 452 commands of GL 1.0 to 1.5.
 #include <catch2/catch.hpp>
 
 #include <cstring>
@@ -16,17 +16,23 @@ namespace {
 
 alignas(16) unsigned char memory[1 << 16];
 
-// Calls a command with `number` for every number and `pointer` for every pointer; returns what it returns, as bits.
+// Calls a command with `number` for every number and `pointer` for every pointer; returns what it returns, as
+// bits.
 template <auto Member> struct Caller;
 template <class R, class... A, R (*Gl::*Member)(A...)> struct Caller<Member> {
   template <class T> static T argument(int number, void* pointer) {
-    if constexpr (std::is_pointer_v<T>) return reinterpret_cast<T>(pointer);
-    else return T(number);
+    if constexpr (std::is_pointer_v<T>)
+      return reinterpret_cast<T>(pointer);
+    else
+      return T(number);
   }
   static uint64_t call(const Gl& gl, int number, void* pointer) {
-    if constexpr (std::is_void_v<R>) return (gl.*Member)(argument<A>(number, pointer)...), 0;
-    else if constexpr (std::is_pointer_v<R>) return reinterpret_cast<uintptr_t>((gl.*Member)(argument<A>(number, pointer)...));
-    else return uint64_t((gl.*Member)(argument<A>(number, pointer)...));
+    if constexpr (std::is_void_v<R>)
+      return (gl.*Member)(argument<A>(number, pointer)...), 0;
+    else if constexpr (std::is_pointer_v<R>)
+      return reinterpret_cast<uintptr_t>((gl.*Member)(argument<A>(number, pointer)...));
+    else
+      return uint64_t((gl.*Member)(argument<A>(number, pointer)...));
   }
 };
 
@@ -47,14 +53,18 @@ bool starts_with_one_of(const std::string& name, std::initializer_list<const cha
 }
 // glVertex*, glColor*, ...: commands that give a vertex or one of its attributes.
 bool is_attribute(const std::string& name) {
-  return starts_with_one_of(name, {"Vertex", "Normal", "Color", "SecondaryColor", "TexCoord", "MultiTexCoord", "FogCoord", "EdgeFlag", "Index"}) &&
-         name.find("Pointer") == std::string::npos && name != "ColorMask" && name != "ColorMaterial" && name != "IndexMask";
+  return starts_with_one_of(name, {"Vertex", "Normal", "Color", "SecondaryColor", "TexCoord", "MultiTexCoord",
+                                   "FogCoord", "EdgeFlag", "Index"}) &&
+         name.find("Pointer") == std::string::npos && name != "ColorMask" && name != "ColorMaterial" &&
+         name != "IndexMask";
 }
 bool allowed_between_begin_and_end(const std::string& name) { // 2.6.3
   return is_attribute(name) || name == "End" || name == "ArrayElement" ||
          starts_with_one_of(name, {"Material", "EvalCoord", "EvalPoint", "CallList"});
 }
-bool is_built(const Gl& gl, const std::string& name) { return gl.OSMesaGetProcAddress(("gl" + name).c_str()) != nullptr; }
+bool is_built(const Gl& gl, const std::string& name) {
+  return gl.OSMesaGetProcAddress(("gl" + name).c_str()) != nullptr;
+}
 
 // Those that read an array whose size they cannot know to be 0.
 bool reads_blindly(const std::string& name) { return is_attribute(name) && name.back() == 'v'; }
@@ -107,16 +117,37 @@ TEST_CASE("between Begin and End the commands of 2.6.3 are accepted", "[spec][er
   CHECK(gl.GetError() == GL_INVALID_OPERATION); // every Begin had its End
 }
 
-TEST_CASE("in a list between Begin and End, too, only the commands of 2.6.3 are accepted", "[spec][errors][lists]") {
+TEST_CASE("in a list between Begin and End, too, only the commands of 2.6.3 are accepted",
+          "[spec][errors][lists]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   const StateSnapshot brief = take_snapshot(gl, false);
-  const auto executed_at_once = [](const std::string& name) { // 5.4, and what gives an error while a list is compiled
-    return name.find("Pointer") != std::string::npos || name.find("ClientState") != std::string::npos || name.find("ClientAttrib") != std::string::npos ||
-           starts_with_one_of(name, {"Get", "Is", "Gen", "Delete", "FeedbackBuffer", "SelectBuffer", "RenderMode", "ClientActiveTexture", "Interleaved",
-                                     "ReadPixels", "PixelStore", "AreTextures", "BindBuffer", "BufferData", "BufferSubData", "MapBuffer", "UnmapBuffer",
-                                     "Flush", "Finish", "NewList", "EndList"});
-  };
+  const auto executed_at_once =
+      [](const std::string& name) { // 5.4, and what gives an error while a list is compiled
+        return name.find("Pointer") != std::string::npos || name.find("ClientState") != std::string::npos ||
+               name.find("ClientAttrib") != std::string::npos ||
+               starts_with_one_of(name, {"Get",
+                                         "Is",
+                                         "Gen",
+                                         "Delete",
+                                         "FeedbackBuffer",
+                                         "SelectBuffer",
+                                         "RenderMode",
+                                         "ClientActiveTexture",
+                                         "Interleaved",
+                                         "ReadPixels",
+                                         "PixelStore",
+                                         "AreTextures",
+                                         "BindBuffer",
+                                         "BufferData",
+                                         "BufferSubData",
+                                         "MapBuffer",
+                                         "UnmapBuffer",
+                                         "Flush",
+                                         "Finish",
+                                         "NewList",
+                                         "EndList"});
+      };
   for (const Command& command : commands) {
     const std::string& name = command.name;
     if (allowed_between_begin_and_end(name) || executed_at_once(name) || !is_built(gl, name)) continue;

@@ -1,4 +1,5 @@
-// Every form of the vertex attribute commands (GL 1.5, 2.7): the current values they leave are OSMesa's, bit for bit.
+// Every form of the vertex attribute commands (GL 1.5, 2.7): the current values they leave are OSMesa's, bit
+// for bit.
 #include <catch2/catch.hpp>
 
 #include <cstring>
@@ -47,7 +48,9 @@ std::vector<GLfloat> forms(const Gl& gl, unsigned seed) {
     gl.GetFloatv(pname, now);
     seen.insert(seen.end(), now, now + 4);
   };
-  // OSMesa keeps components of an earlier longer form (reference/DEVIATIONS.md): start from what is missing in short ones.
+  // OSMesa keeps components of an earlier longer form (reference/DEVIATIONS.md): start from what is missing
+  // in short ones.
+// clang-format off
 #define ONE(call, pname) gl.Color4f(0, 0, 0, 1); gl.TexCoord4f(0, 0, 0, 1); gl.call; look(pname);
 #define COLORS(letter, a) \
   ONE(Color3##letter(a[0], a[1], a[2]), GL_CURRENT_COLOR) ONE(Color4##letter##v(a), GL_CURRENT_COLOR) \
@@ -76,7 +79,8 @@ std::vector<GLfloat> forms(const Gl& gl, unsigned seed) {
   ONE(EdgeFlag(v.ub[0] & 1), GL_EDGE_FLAG) ONE(EdgeFlagv(seed & 1 ? &on : &off), GL_EDGE_FLAG)
   ONE(Indexf(v.f[0]), GL_CURRENT_INDEX) ONE(Indexd(v.d[1]), GL_CURRENT_INDEX) ONE(Indexs(v.s[0]), GL_CURRENT_INDEX)
   ONE(Indexi(v.i[1]), GL_CURRENT_INDEX) ONE(Indexub(v.ub[2]), GL_CURRENT_INDEX) ONE(Indexubv(v.ub), GL_CURRENT_INDEX)
-  return seen;
+      // clang-format on
+      return seen;
 }
 
 void with_context(const Gl& gl, const std::function<void()>& run) {

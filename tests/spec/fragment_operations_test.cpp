@@ -1,5 +1,5 @@
-// Per-fragment operations (GL 1.5, chapter 4.1) on every kind of buffer: random states, triangles of all sizes, points
-// and lines, against OSMesa.
+// Per-fragment operations (GL 1.5, chapter 4.1) on every kind of buffer: random states, triangles of all
+// sizes, points and lines, against OSMesa.
 #include <catch2/catch.hpp>
 
 #include <cstring>
@@ -38,7 +38,8 @@ Picture draw(const Gl& gl, const Kind& kind, unsigned seed, const Options& optio
   const auto number = [&](int n) { return int(random() % unsigned(n)); };
   const auto unit = [&] { return float(random() % 10001) / 10000.0f; };
   const int width = 90, height = 70;
-  void* context = gl.OSMesaCreateContextExt(kind.format, options.depth_bits, options.stencil ? 8 : 0, 0, nullptr);
+  void* context =
+      gl.OSMesaCreateContextExt(kind.format, options.depth_bits, options.stencil ? 8 : 0, 0, nullptr);
   Picture p;
   p.color.resize(size_t(width * height * kind.bytes));
   REQUIRE(gl.OSMesaMakeCurrent(context, p.color.data(), kind.type, width, height));
@@ -46,13 +47,27 @@ Picture draw(const Gl& gl, const Kind& kind, unsigned seed, const Options& optio
   gl.ClearDepth(0.7);
   gl.ClearStencil(number(256));
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-  const GLenum factors[] = {GL_ZERO, GL_ONE, GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA,
-                            GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA, GL_DST_COLOR, GL_ONE_MINUS_DST_COLOR, GL_CONSTANT_COLOR,
-                            GL_ONE_MINUS_CONSTANT_COLOR, GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA, GL_SRC_ALPHA_SATURATE};
+  const GLenum factors[] = {GL_ZERO,
+                            GL_ONE,
+                            GL_SRC_COLOR,
+                            GL_ONE_MINUS_SRC_COLOR,
+                            GL_SRC_ALPHA,
+                            GL_ONE_MINUS_SRC_ALPHA,
+                            GL_DST_ALPHA,
+                            GL_ONE_MINUS_DST_ALPHA,
+                            GL_DST_COLOR,
+                            GL_ONE_MINUS_DST_COLOR,
+                            GL_CONSTANT_COLOR,
+                            GL_ONE_MINUS_CONSTANT_COLOR,
+                            GL_CONSTANT_ALPHA,
+                            GL_ONE_MINUS_CONSTANT_ALPHA,
+                            GL_SRC_ALPHA_SATURATE};
   const GLenum equations[] = {GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX};
-  const GLenum operations[] = {GL_KEEP, GL_ZERO, GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT, GL_INCR_WRAP, GL_DECR_WRAP};
+  const GLenum operations[] = {GL_KEEP, GL_ZERO,   GL_REPLACE,   GL_INCR,
+                               GL_DECR, GL_INVERT, GL_INCR_WRAP, GL_DECR_WRAP};
   for (int i = 0; i < 12; ++i) {
-    gl.Disable(GL_BLEND), gl.Disable(GL_COLOR_LOGIC_OP), gl.Disable(GL_STENCIL_TEST), gl.Disable(GL_ALPHA_TEST);
+    gl.Disable(GL_BLEND), gl.Disable(GL_COLOR_LOGIC_OP), gl.Disable(GL_STENCIL_TEST),
+        gl.Disable(GL_ALPHA_TEST);
     if (options.blend && number(4)) {
       gl.Enable(GL_BLEND);
       gl.BlendEquation(equations[number(5)]);
@@ -61,7 +76,8 @@ Picture draw(const Gl& gl, const Kind& kind, unsigned seed, const Options& optio
         gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
         gl.BlendEquation(GL_FUNC_ADD);
       } else {
-        gl.BlendFuncSeparate(factors[number(15)], factors[number(14)], factors[number(15)], factors[number(14)]);
+        gl.BlendFuncSeparate(factors[number(15)], factors[number(14)], factors[number(15)],
+                             factors[number(14)]);
       }
     }
     if (options.logic && number(3) == 0) {
@@ -78,8 +94,10 @@ Picture draw(const Gl& gl, const Kind& kind, unsigned seed, const Options& optio
       gl.StencilOp(operations[number(8)], operations[number(8)], operations[number(8)]);
       gl.StencilMask(number(2) ? ~0u : unsigned(number(256)));
     }
-    if (number(4)) gl.Enable(GL_DEPTH_TEST);
-    else gl.Disable(GL_DEPTH_TEST);
+    if (number(4))
+      gl.Enable(GL_DEPTH_TEST);
+    else
+      gl.Disable(GL_DEPTH_TEST);
     gl.DepthFunc(GLenum(GL_NEVER + 1 + number(7)));
     gl.DepthMask(GLboolean(number(3) != 0));
     const bool all = number(3) != 0;
@@ -95,14 +113,16 @@ Picture draw(const Gl& gl, const Kind& kind, unsigned seed, const Options& optio
         const float r = unit(), g = unit(), b = unit(), a = unit();
         gl.Color4f(r, g, b, a);
         const float dx = unit() - 0.5f, dy = unit() - 0.5f, z = unit() * 1.6f - 0.8f;
-        gl.Vertex3f(std::min(std::max(x + size * dx, -0.99f), 0.99f), std::min(std::max(y + size * dy, -0.99f), 0.99f), z);
+        gl.Vertex3f(std::min(std::max(x + size * dx, -0.99f), 0.99f),
+                    std::min(std::max(y + size * dy, -0.99f), 0.99f), z);
       }
     }
     gl.End();
   }
   gl.Finish();
   p.depth.resize(size_t(width * height));
-  if (options.depth_bits) gl.ReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, p.depth.data());
+  if (options.depth_bits)
+    gl.ReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, p.depth.data());
   p.stencil.resize(size_t(width * height));
   if (options.stencil) {
     gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -122,9 +142,10 @@ template <class T> size_t differences(const std::vector<T>& a, const std::vector
 
 void compare(const Kind& kind, const Options& options, unsigned first, unsigned count) {
   for (unsigned seed = first; seed < first + count; ++seed) {
-    INFO(kind.name << " depth " << options.depth_bits << " blend " << options.blend << " stencil " << options.stencil << " logic "
-                   << options.logic << " seed " << seed);
-    const Picture ours = draw(softgl_library(), kind, seed, options), theirs = draw(osmesa_library(), kind, seed, options);
+    INFO(kind.name << " depth " << options.depth_bits << " blend " << options.blend << " stencil "
+                   << options.stencil << " logic " << options.logic << " seed " << seed);
+    const Picture ours = draw(softgl_library(), kind, seed, options),
+                  theirs = draw(osmesa_library(), kind, seed, options);
     CHECK(differences(ours.color, theirs.color) == 0);
     CHECK(differences(ours.depth, theirs.depth) == 0);
     CHECK(differences(ours.stencil, theirs.stencil) == 0);

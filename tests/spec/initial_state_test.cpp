@@ -22,7 +22,8 @@ TEST_CASE("every value of the state tables has its initial value", "[spec][state
 TEST_CASE("a new context answers every query as OSMesa's does", "[spec][state]") {
   for (GLenum type : {GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_FLOAT}) {
     CurrentContext ours(softgl_library(), type), theirs(osmesa_library(), type);
-    const std::string difference = compare_snapshots(take_snapshot(softgl_library(), true), take_snapshot(osmesa_library(), true));
+    const std::string difference =
+        compare_snapshots(take_snapshot(softgl_library(), true), take_snapshot(osmesa_library(), true));
     INFO(type << ": softgl | OSMesa\n" << difference);
     REQUIRE(difference.empty());
   }

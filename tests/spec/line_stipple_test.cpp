@@ -1,4 +1,5 @@
-// GL 1.5, 3.4.2: the counter of a stipple pattern starts at each Begin, and at each line of GL_LINES, and nowhere else.
+// GL 1.5, 3.4.2: the counter of a stipple pattern starts at each Begin, and at each line of GL_LINES, and
+// nowhere else.
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -9,7 +10,7 @@ namespace softgl::test {
 namespace {
 
 constexpr int kVertices = 300000; // more than a chunk of vertices
-GLenum mode;                     // read by the scenes
+GLenum mode;                      // read by the scenes
 bool in_array, after_another;
 
 void draw_long_strip(Stage& s) {
@@ -32,7 +33,8 @@ void draw_long_strip(Stage& s) {
   gl.End();
 }
 
-// The first line of the strip is out of view. Another strip before it leaves nothing but, in OSMesa, its counter.
+// The first line of the strip is out of view. Another strip before it leaves nothing but, in OSMesa, its
+// counter.
 void draw_after_another(Stage& s) {
   const Gl& gl = s.gl;
   gl.Enable(GL_LINE_STIPPLE);
@@ -76,7 +78,8 @@ TEST_CASE("the stipple pattern of a long strip runs on", "[spec][lines]") {
   }
 }
 
-TEST_CASE("the stipple pattern starts anew with a strip whose first line is out of view", "[spec][lines][deviation]") {
+TEST_CASE("the stipple pattern starts anew with a strip whose first line is out of view",
+          "[spec][lines][deviation]") {
   CHECK_FALSE(changed_by_another(softgl_library()));
   CHECK(changed_by_another(osmesa_library()));
 }

@@ -10,7 +10,8 @@ namespace softgl::test {
 namespace {
 
 struct Played {
-  GLenum compiled, outside, inside; // errors: of compiling, of playing the list, and of playing it between Begin and End
+  GLenum compiled, outside,
+      inside; // errors: of compiling, of playing the list, and of playing it between Begin and End
 };
 
 Played play(const Gl& gl, const std::function<void(const Gl&)>& command) {
@@ -37,18 +38,29 @@ TEST_CASE("Errors of a list come when it is played", "[spec][lists]") {
     GLenum outside, inside;
   };
   const std::vector<Case> cases = {
-      {"nothing between Begin and End", [](const Gl& gl) { gl.Begin(GL_LINES), gl.End(); }, GL_NO_ERROR, GL_INVALID_OPERATION},
-      {"half a triangle", [](const Gl& gl) { gl.Begin(GL_TRIANGLES), gl.Vertex2f(0, 0), gl.End(); }, GL_NO_ERROR, GL_INVALID_OPERATION},
-      {"no vertices of arrays", [](const Gl& gl) { gl.DrawArrays(GL_LINES, 0, 0); }, GL_NO_ERROR, GL_INVALID_OPERATION},
-      {"arrays that are not enabled", [](const Gl& gl) { gl.DrawArrays(GL_LINES, 0, 4); }, GL_NO_ERROR, GL_INVALID_OPERATION},
-      {"elements", [&](const Gl& gl) { gl.DrawElements(GL_POINTS, 1, GL_UNSIGNED_INT, &index); }, GL_NO_ERROR, GL_INVALID_OPERATION},
-      {"arrays of no mode", [](const Gl& gl) { gl.DrawArrays(99, 0, 4); }, GL_INVALID_ENUM, GL_INVALID_OPERATION},
-      {"one number for four", [](const Gl& gl) { gl.LightModelf(GL_LIGHT_MODEL_AMBIENT, 1); }, GL_INVALID_ENUM, GL_INVALID_OPERATION},
-      {"the same between Begin and End", [](const Gl& gl) { gl.Begin(GL_LINES), gl.LightModelf(GL_LIGHT_MODEL_AMBIENT, 1), gl.End(); }, GL_INVALID_OPERATION,
+      {"nothing between Begin and End", [](const Gl& gl) { gl.Begin(GL_LINES), gl.End(); }, GL_NO_ERROR,
        GL_INVALID_OPERATION},
-      {"a command with a bad name", [](const Gl& gl) { gl.Enable(1); }, GL_INVALID_ENUM, GL_INVALID_OPERATION},
-      {"fewer lists than none", [&](const Gl& gl) { gl.CallLists(-1, GL_UNSIGNED_INT, &index); }, GL_INVALID_VALUE, GL_INVALID_VALUE},
-      {"the same without a list", [](const Gl& gl) { gl.CallLists(-1, GL_INT, nullptr); }, GL_INVALID_VALUE, GL_INVALID_VALUE},
+      {"half a triangle", [](const Gl& gl) { gl.Begin(GL_TRIANGLES), gl.Vertex2f(0, 0), gl.End(); },
+       GL_NO_ERROR, GL_INVALID_OPERATION},
+      {"no vertices of arrays", [](const Gl& gl) { gl.DrawArrays(GL_LINES, 0, 0); }, GL_NO_ERROR,
+       GL_INVALID_OPERATION},
+      {"arrays that are not enabled", [](const Gl& gl) { gl.DrawArrays(GL_LINES, 0, 4); }, GL_NO_ERROR,
+       GL_INVALID_OPERATION},
+      {"elements", [&](const Gl& gl) { gl.DrawElements(GL_POINTS, 1, GL_UNSIGNED_INT, &index); }, GL_NO_ERROR,
+       GL_INVALID_OPERATION},
+      {"arrays of no mode", [](const Gl& gl) { gl.DrawArrays(99, 0, 4); }, GL_INVALID_ENUM,
+       GL_INVALID_OPERATION},
+      {"one number for four", [](const Gl& gl) { gl.LightModelf(GL_LIGHT_MODEL_AMBIENT, 1); },
+       GL_INVALID_ENUM, GL_INVALID_OPERATION},
+      {"the same between Begin and End",
+       [](const Gl& gl) { gl.Begin(GL_LINES), gl.LightModelf(GL_LIGHT_MODEL_AMBIENT, 1), gl.End(); },
+       GL_INVALID_OPERATION, GL_INVALID_OPERATION},
+      {"a command with a bad name", [](const Gl& gl) { gl.Enable(1); }, GL_INVALID_ENUM,
+       GL_INVALID_OPERATION},
+      {"fewer lists than none", [&](const Gl& gl) { gl.CallLists(-1, GL_UNSIGNED_INT, &index); },
+       GL_INVALID_VALUE, GL_INVALID_VALUE},
+      {"the same without a list", [](const Gl& gl) { gl.CallLists(-1, GL_INT, nullptr); }, GL_INVALID_VALUE,
+       GL_INVALID_VALUE},
       {"a vertex", [](const Gl& gl) { gl.Vertex2f(0, 0); }, GL_NO_ERROR, GL_NO_ERROR},
   };
   for (const Case& c : cases) {

@@ -1,5 +1,5 @@
-// GL 1.5, tables 6.8, 6.11, 6.12 and 6.16 to 6.19: what is asked of objects by their own commands, in floats and in
-// integers, is what OSMesa answers: initially, and after everything has been set.
+// GL 1.5, tables 6.8, 6.11, 6.12 and 6.16 to 6.19: what is asked of objects by their own commands, in floats
+// and in integers, is what OSMesa answers: initially, and after everything has been set.
 #include <catch2/catch.hpp>
 #include <sstream>
 
@@ -18,8 +18,10 @@ template <class T, class Query> std::string answer(const Gl& gl, Query query) {
   std::ostringstream s;
   s.precision(9);
   for (T x : v) {
-    if (x == T(-77)) s << "- ";
-    else s << x << ' ';
+    if (x == T(-77))
+      s << "- ";
+    else
+      s << x << ' ';
   }
   const GLenum error = gl.GetError();
   if (error) s << "error " << std::hex << error;
@@ -36,22 +38,35 @@ struct Asked {
 };
 
 constexpr GLenum kTargets[] = {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP};
-constexpr GLenum kImages[] = {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP_POSITIVE_X, GL_TEXTURE_CUBE_MAP_NEGATIVE_Z, GL_TEXTURE_CUBE_MAP,
-                              GL_PROXY_TEXTURE_1D, GL_PROXY_TEXTURE_2D, GL_PROXY_TEXTURE_3D, GL_PROXY_TEXTURE_CUBE_MAP};
+constexpr GLenum kImages[] = {GL_TEXTURE_1D,
+                              GL_TEXTURE_2D,
+                              GL_TEXTURE_3D,
+                              GL_TEXTURE_CUBE_MAP_POSITIVE_X,
+                              GL_TEXTURE_CUBE_MAP_NEGATIVE_Z,
+                              GL_TEXTURE_CUBE_MAP,
+                              GL_PROXY_TEXTURE_1D,
+                              GL_PROXY_TEXTURE_2D,
+                              GL_PROXY_TEXTURE_3D,
+                              GL_PROXY_TEXTURE_CUBE_MAP};
 
 void ask_textures(Asked& a) {
   const Gl& gl = a.gl;
   for (GLenum target : kTargets)
-    for (GLenum p : {GL_TEXTURE_BORDER_COLOR, GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER, GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R,
-                     GL_TEXTURE_PRIORITY, GL_TEXTURE_RESIDENT, GL_TEXTURE_MIN_LOD, GL_TEXTURE_MAX_LOD, GL_TEXTURE_BASE_LEVEL, GL_TEXTURE_MAX_LEVEL,
-                     GL_TEXTURE_LOD_BIAS, GL_DEPTH_TEXTURE_MODE, GL_TEXTURE_COMPARE_MODE, GL_TEXTURE_COMPARE_FUNC, GL_GENERATE_MIPMAP})
-      a("texture " + std::to_string(target) + " " + std::to_string(p), [&](GLfloat* v) { gl.GetTexParameterfv(target, p, v); },
-        [&](GLint* v) { gl.GetTexParameteriv(target, p, v); });
+    for (GLenum p :
+         {GL_TEXTURE_BORDER_COLOR, GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER, GL_TEXTURE_WRAP_S,
+          GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R, GL_TEXTURE_PRIORITY, GL_TEXTURE_RESIDENT, GL_TEXTURE_MIN_LOD,
+          GL_TEXTURE_MAX_LOD, GL_TEXTURE_BASE_LEVEL, GL_TEXTURE_MAX_LEVEL, GL_TEXTURE_LOD_BIAS,
+          GL_DEPTH_TEXTURE_MODE, GL_TEXTURE_COMPARE_MODE, GL_TEXTURE_COMPARE_FUNC, GL_GENERATE_MIPMAP})
+      a(
+          "texture " + std::to_string(target) + " " + std::to_string(p),
+          [&](GLfloat* v) { gl.GetTexParameterfv(target, p, v); },
+          [&](GLint* v) { gl.GetTexParameteriv(target, p, v); });
   for (GLenum image : kImages)
     for (GLint level : {0, 1, 3, 11})
-      for (GLenum p : {GL_TEXTURE_WIDTH, GL_TEXTURE_HEIGHT, GL_TEXTURE_DEPTH, GL_TEXTURE_BORDER, GL_TEXTURE_INTERNAL_FORMAT, GL_TEXTURE_RED_SIZE,
-                       GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE, GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_LUMINANCE_SIZE, GL_TEXTURE_INTENSITY_SIZE,
-                       GL_TEXTURE_DEPTH_SIZE, GL_TEXTURE_COMPRESSED}) {
+      for (GLenum p : {GL_TEXTURE_WIDTH, GL_TEXTURE_HEIGHT, GL_TEXTURE_DEPTH, GL_TEXTURE_BORDER,
+                       GL_TEXTURE_INTERNAL_FORMAT, GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE,
+                       GL_TEXTURE_BLUE_SIZE, GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_LUMINANCE_SIZE,
+                       GL_TEXTURE_INTENSITY_SIZE, GL_TEXTURE_DEPTH_SIZE, GL_TEXTURE_COMPRESSED}) {
         GLint width = 0;
         gl.GetTexLevelParameteriv(image, level, GL_TEXTURE_WIDTH, &width);
         gl.GetError();
@@ -60,28 +75,36 @@ void ask_textures(Asked& a) {
           for (int i = 0; i < 2; ++i) a.answers.emplace_back("not compared", "");
           continue;
         }
-        a("image " + std::to_string(image) + " level " + std::to_string(level) + " " + std::to_string(p),
-          [&](GLfloat* v) { gl.GetTexLevelParameterfv(image, level, p, v); }, [&](GLint* v) { gl.GetTexLevelParameteriv(image, level, p, v); });
+        a(
+            "image " + std::to_string(image) + " level " + std::to_string(level) + " " + std::to_string(p),
+            [&](GLfloat* v) { gl.GetTexLevelParameterfv(image, level, p, v); },
+            [&](GLint* v) { gl.GetTexLevelParameteriv(image, level, p, v); });
       }
 }
 
 void ask_lighting(Asked& a) {
   const Gl& gl = a.gl;
   for (GLenum light : {GL_LIGHT0, GL_LIGHT1, GL_LIGHT7})
-    for (GLenum p : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_POSITION, GL_SPOT_DIRECTION, GL_SPOT_EXPONENT, GL_SPOT_CUTOFF, GL_CONSTANT_ATTENUATION,
-                     GL_LINEAR_ATTENUATION, GL_QUADRATIC_ATTENUATION})
-      a("light " + std::to_string(light) + " " + std::to_string(p), [&](GLfloat* v) { gl.GetLightfv(light, p, v); },
-        [&](GLint* v) { gl.GetLightiv(light, p, v); });
+    for (GLenum p :
+         {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_POSITION, GL_SPOT_DIRECTION, GL_SPOT_EXPONENT,
+          GL_SPOT_CUTOFF, GL_CONSTANT_ATTENUATION, GL_LINEAR_ATTENUATION, GL_QUADRATIC_ATTENUATION})
+      a(
+          "light " + std::to_string(light) + " " + std::to_string(p),
+          [&](GLfloat* v) { gl.GetLightfv(light, p, v); }, [&](GLint* v) { gl.GetLightiv(light, p, v); });
   for (GLenum face : {GL_FRONT, GL_BACK})
     for (GLenum p : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION, GL_SHININESS, GL_COLOR_INDEXES})
-      a("material " + std::to_string(face) + " " + std::to_string(p), [&](GLfloat* v) { gl.GetMaterialfv(face, p, v); },
-        [&](GLint* v) { gl.GetMaterialiv(face, p, v); });
+      a(
+          "material " + std::to_string(face) + " " + std::to_string(p),
+          [&](GLfloat* v) { gl.GetMaterialfv(face, p, v); }, [&](GLint* v) { gl.GetMaterialiv(face, p, v); });
   for (GLenum coordinate : {GL_S, GL_T, GL_R, GL_Q})
     for (GLenum p : {GL_TEXTURE_GEN_MODE, GL_OBJECT_PLANE, GL_EYE_PLANE})
-      a("generation " + std::to_string(coordinate) + " " + std::to_string(p), [&](GLfloat* v) { gl.GetTexGenfv(coordinate, p, v); },
-        [&](GLint* v) { gl.GetTexGeniv(coordinate, p, v); });
-  a("environment colour", [&](GLfloat* v) { gl.GetTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, v); },
-    [&](GLint* v) { gl.GetTexEnviv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, v); });
+      a(
+          "generation " + std::to_string(coordinate) + " " + std::to_string(p),
+          [&](GLfloat* v) { gl.GetTexGenfv(coordinate, p, v); },
+          [&](GLint* v) { gl.GetTexGeniv(coordinate, p, v); });
+  a(
+      "environment colour", [&](GLfloat* v) { gl.GetTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, v); },
+      [&](GLint* v) { gl.GetTexEnviv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, v); });
 }
 
 void ask_buffers(Asked& a) {
@@ -103,16 +126,42 @@ StateSnapshot ask_all(const Gl& gl) {
 void set_all(const Gl& gl, uint64_t seed) {
   Random r(seed);
   const auto color = [&] { return Float4{r.real(-1, 1), r.real(-1, 1), r.real(-1, 1), r.real(-1, 1)}; };
-  const auto whole = [&] { return Float4{float(r.integer(-9, 9)), float(r.integer(-9, 9)), float(r.integer(-9, 9)), float(r.integer(1, 9))}; };
-  static constexpr GLint kFormats[] = {1, 2, 3, 4, GL_ALPHA4, GL_ALPHA16, GL_LUMINANCE8, GL_LUMINANCE12, GL_LUMINANCE6_ALPHA2, GL_INTENSITY4, GL_INTENSITY16,
-                                       GL_R3_G3_B2, GL_RGB4, GL_RGB5, GL_RGB8, GL_RGB10, GL_RGB16, GL_RGBA2, GL_RGBA4, GL_RGB5_A1, GL_RGBA8, GL_RGB10_A2, GL_RGBA16};
+  const auto whole = [&] {
+    return Float4{float(r.integer(-9, 9)), float(r.integer(-9, 9)), float(r.integer(-9, 9)),
+                  float(r.integer(1, 9))};
+  };
+  static constexpr GLint kFormats[] = {1,
+                                       2,
+                                       3,
+                                       4,
+                                       GL_ALPHA4,
+                                       GL_ALPHA16,
+                                       GL_LUMINANCE8,
+                                       GL_LUMINANCE12,
+                                       GL_LUMINANCE6_ALPHA2,
+                                       GL_INTENSITY4,
+                                       GL_INTENSITY16,
+                                       GL_R3_G3_B2,
+                                       GL_RGB4,
+                                       GL_RGB5,
+                                       GL_RGB8,
+                                       GL_RGB10,
+                                       GL_RGB16,
+                                       GL_RGBA2,
+                                       GL_RGBA4,
+                                       GL_RGB5_A1,
+                                       GL_RGBA8,
+                                       GL_RGB10_A2,
+                                       GL_RGBA16};
   const auto format = [&] { return kFormats[r.integer(0, int(std::size(kFormats)) - 1)]; };
   for (GLenum target : kTargets) {
     const Float4 border = color();
     gl.TexParameterfv(target, GL_TEXTURE_BORDER_COLOR, border.data());
     for (GLenum p : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
-      gl.TexParameteri(target, p, r.pick({GL_CLAMP, GL_REPEAT, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_BORDER, GL_MIRRORED_REPEAT}));
-    gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER, r.pick({GL_NEAREST, GL_LINEAR, GL_NEAREST_MIPMAP_NEAREST, GL_LINEAR_MIPMAP_LINEAR}));
+      gl.TexParameteri(
+          target, p, r.pick({GL_CLAMP, GL_REPEAT, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_BORDER, GL_MIRRORED_REPEAT}));
+    gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER,
+                     r.pick({GL_NEAREST, GL_LINEAR, GL_NEAREST_MIPMAP_NEAREST, GL_LINEAR_MIPMAP_LINEAR}));
     gl.TexParameteri(target, GL_TEXTURE_MAG_FILTER, r.pick({GL_NEAREST, GL_LINEAR}));
     gl.TexParameterf(target, GL_TEXTURE_PRIORITY, r.real(-0.5f, 1.5f));
     gl.TexParameterf(target, GL_TEXTURE_MIN_LOD, float(r.integer(-5, 5)));
@@ -123,16 +172,23 @@ void set_all(const Gl& gl, uint64_t seed) {
     gl.TexParameteri(target, GL_DEPTH_TEXTURE_MODE, r.pick({GL_LUMINANCE, GL_INTENSITY, GL_ALPHA}));
     gl.TexParameteri(target, GL_TEXTURE_COMPARE_MODE, r.pick({GL_NONE, GL_COMPARE_R_TO_TEXTURE}));
     gl.TexParameteri(target, GL_TEXTURE_COMPARE_FUNC, GLint(GL_NEVER) + r.integer(0, 7));
-    if (target != GL_TEXTURE_CUBE_MAP) gl.TexParameteri(target, GL_GENERATE_MIPMAP, r.integer(0, 1)); // only two faces have images
+    if (target != GL_TEXTURE_CUBE_MAP)
+      gl.TexParameteri(target, GL_GENERATE_MIPMAP, r.integer(0, 1)); // only two faces have images
   }
   for (GLenum image : kImages)
     for (GLint level : {0, 1}) {
       if (image == GL_TEXTURE_CUBE_MAP) continue; // no image
-      const int size = r.integer(1, 16), height = r.integer(1, 16), depth = r.integer(1, 8), border = r.integer(0, 1), f = format();
-      if (image == GL_TEXTURE_1D || image == GL_PROXY_TEXTURE_1D) gl.TexImage1D(image, level, f, size + 2 * border, border, GL_RGBA, GL_FLOAT, nullptr);
-      else if (image == GL_TEXTURE_3D || image == GL_PROXY_TEXTURE_3D) gl.TexImage3D(image, level, f, size, height, depth, 0, GL_RGBA, GL_FLOAT, nullptr);
-      else if (image == GL_TEXTURE_2D || image == GL_PROXY_TEXTURE_2D) gl.TexImage2D(image, level, f, size + 2 * border, height + 2 * border, border, GL_RGBA, GL_FLOAT, nullptr);
-      else gl.TexImage2D(image, level, f, size, size, 0, GL_RGBA, GL_FLOAT, nullptr);
+      const int size = r.integer(1, 16), height = r.integer(1, 16), depth = r.integer(1, 8),
+                border = r.integer(0, 1), f = format();
+      if (image == GL_TEXTURE_1D || image == GL_PROXY_TEXTURE_1D)
+        gl.TexImage1D(image, level, f, size + 2 * border, border, GL_RGBA, GL_FLOAT, nullptr);
+      else if (image == GL_TEXTURE_3D || image == GL_PROXY_TEXTURE_3D)
+        gl.TexImage3D(image, level, f, size, height, depth, 0, GL_RGBA, GL_FLOAT, nullptr);
+      else if (image == GL_TEXTURE_2D || image == GL_PROXY_TEXTURE_2D)
+        gl.TexImage2D(image, level, f, size + 2 * border, height + 2 * border, border, GL_RGBA, GL_FLOAT,
+                      nullptr);
+      else
+        gl.TexImage2D(image, level, f, size, size, 0, GL_RGBA, GL_FLOAT, nullptr);
     }
   for (GLenum light : {GL_LIGHT0, GL_LIGHT1, GL_LIGHT7}) {
     for (GLenum p : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR}) {
@@ -144,7 +200,8 @@ void set_all(const Gl& gl, uint64_t seed) {
     gl.Lightfv(light, GL_SPOT_DIRECTION, direction.data());
     gl.Lightf(light, GL_SPOT_EXPONENT, float(r.integer(0, 128)));
     gl.Lightf(light, GL_SPOT_CUTOFF, r.chance(30) ? 180.0f : float(r.integer(0, 90)));
-    for (GLenum p : {GL_CONSTANT_ATTENUATION, GL_LINEAR_ATTENUATION, GL_QUADRATIC_ATTENUATION}) gl.Lightf(light, p, float(r.integer(0, 9)));
+    for (GLenum p : {GL_CONSTANT_ATTENUATION, GL_LINEAR_ATTENUATION, GL_QUADRATIC_ATTENUATION})
+      gl.Lightf(light, p, float(r.integer(0, 9)));
   }
   for (GLenum p : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION}) {
     const Float4 front = color(), back = color();
@@ -162,8 +219,10 @@ void set_all(const Gl& gl, uint64_t seed) {
     gl.TexGenfv(coordinate, GL_EYE_PLANE, eye.data());
   }
   gl.BindBuffer(GL_ARRAY_BUFFER, 1);
-  gl.BufferData(GL_ARRAY_BUFFER, r.integer(0, 999), nullptr, GLenum(r.pick({GL_STREAM_DRAW, GL_STATIC_READ, GL_DYNAMIC_COPY, GL_DYNAMIC_DRAW})));
-  if (r.chance(50)) gl.MapBuffer(GL_ARRAY_BUFFER, GLenum(r.pick({GL_READ_ONLY, GL_WRITE_ONLY, GL_READ_WRITE})));
+  gl.BufferData(GL_ARRAY_BUFFER, r.integer(0, 999), nullptr,
+                GLenum(r.pick({GL_STREAM_DRAW, GL_STATIC_READ, GL_DYNAMIC_COPY, GL_DYNAMIC_DRAW})));
+  if (r.chance(50))
+    gl.MapBuffer(GL_ARRAY_BUFFER, GLenum(r.pick({GL_READ_ONLY, GL_WRITE_ONLY, GL_READ_WRITE})));
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, GLuint(r.integer(1, 2)));
 }
 

@@ -42,7 +42,8 @@ std::array<float, 4> lit_point(const Gl& gl, const Float3& normal) {
 
 // One directional light of specular colour only.
 void highlight_only(const Gl& gl, const Float3& toward_light, float exponent) {
-  const GLfloat black[4] = {0, 0, 0, 1}, white[4] = {1, 1, 1, 1}, position[4] = {toward_light[0], toward_light[1], toward_light[2], 0};
+  const GLfloat black[4] = {0, 0, 0, 1}, white[4] = {1, 1, 1, 1},
+                position[4] = {toward_light[0], toward_light[1], toward_light[2], 0};
   gl.Enable(GL_LIGHTING);
   gl.Enable(GL_LIGHT0);
   gl.Lightfv(GL_LIGHT0, GL_POSITION, position);
@@ -95,7 +96,8 @@ TEST_CASE("the light model's form and terms are set, read, saved and listed", "[
     gl.LightModeli(GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL, bad);
     refuses(GL_INVALID_ENUM);
   }
-  for (float bad : {-1.0f, 16.0f, 0.5f, 1e30f, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+  for (float bad : {-1.0f, 16.0f, 0.5f, 1e30f, std::numeric_limits<float>::quiet_NaN(),
+                    std::numeric_limits<float>::infinity()}) {
     gl.LightModelf(GL_LIGHT_MODEL_TERMS_SOFTGL, bad);
     refuses(GL_INVALID_VALUE);
   }
@@ -103,7 +105,8 @@ TEST_CASE("the light model's form and terms are set, read, saved and listed", "[
   refuses(GL_INVALID_ENUM);
 }
 
-TEST_CASE("highlights of the reflection vector are (v.r)^a, for light and viewer before the surface", "[spec][phong]") {
+TEST_CASE("highlights of the reflection vector are (v.r)^a, for light and viewer before the surface",
+          "[spec][phong]") {
   const Gl& gl = softgl_library();
   Random random(3);
   int lit = 0, unlit = 0;
@@ -132,7 +135,8 @@ TEST_CASE("single terms add up to the whole, per vertex and per pixel, in both f
     for (GLint vector : {GL_HALF_VECTOR_SOFTGL, GL_REFLECTION_VECTOR_SOFTGL})
       for (bool varies : {false, true}) {
         CurrentContext context(gl, GL_FLOAT);
-        const GLfloat emission[4] = {0.02f, 0.03f, 0.04f, 1}, ambient[4] = {0.1f, 0.2f, 0.3f, 1}, diffuse[4] = {0.2f, 0.1f, 0.3f, 0.625f};
+        const GLfloat emission[4] = {0.02f, 0.03f, 0.04f, 1}, ambient[4] = {0.1f, 0.2f, 0.3f, 1},
+                      diffuse[4] = {0.2f, 0.1f, 0.3f, 0.625f};
         const GLfloat specular[4] = {0.2f, 0.1f, 0.05f, 1}, position[4] = {0.3f, 0.2f, 2, 1};
         gl.Enable(GL_LIGHTING);
         gl.Enable(GL_LIGHT0);
@@ -171,7 +175,8 @@ TEST_CASE("single terms add up to the whole, per vertex and per pixel, in both f
             sum[i] += c[i];
           }
         }
-        const auto emitted = color(GL_EMISSION_TERM_BIT_SOFTGL), surroundings = color(GL_AMBIENT_TERM_BIT_SOFTGL);
+        const auto emitted = color(GL_EMISSION_TERM_BIT_SOFTGL),
+                   surroundings = color(GL_AMBIENT_TERM_BIT_SOFTGL);
         for (size_t i = 0; i < 3; ++i) {
           INFO("shade model " << shade_model << ", vector " << vector << ", component " << i);
           REQUIRE(none[i] == 0);
@@ -185,17 +190,20 @@ TEST_CASE("single terms add up to the whole, per vertex and per pixel, in both f
 
 TEST_CASE("degenerate input gives no negative colour and none that is not a number", "[spec][phong]") {
   const Gl& gl = softgl_library();
-  const float nan = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
+  const float nan = std::numeric_limits<float>::quiet_NaN(),
+              infinite = std::numeric_limits<float>::infinity();
   const float values[] = {0, -0.0f, 1, -1, 1e-30f, 1e30f, nan, infinite, -infinite};
   Random random(5);
   const auto any = [&] { return values[random.integer(0, 8)]; };
   for (int round = 0; round < 60; ++round) {
     CurrentContext context(gl, GL_FLOAT);
     gl.ShadeModel(round & 1 ? GL_PHONG_WIN : GL_SMOOTH);
-    gl.LightModeli(GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL, round & 2 ? GL_HALF_VECTOR_SOFTGL : GL_REFLECTION_VECTOR_SOFTGL);
+    gl.LightModeli(GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL,
+                   round & 2 ? GL_HALF_VECTOR_SOFTGL : GL_REFLECTION_VECTOR_SOFTGL);
     gl.LightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, random.chance(50));
     gl.LightModeli(GL_LIGHT_MODEL_TWO_SIDE, random.chance(50));
-    gl.LightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, random.chance(50) ? GL_SINGLE_COLOR : GL_SEPARATE_SPECULAR_COLOR);
+    gl.LightModeli(GL_LIGHT_MODEL_COLOR_CONTROL,
+                   random.chance(50) ? GL_SINGLE_COLOR : GL_SEPARATE_SPECULAR_COLOR);
     highlight_only(gl, {0, 0, 1}, float(random.integer(0, 128)));
     for (GLenum light : {GL_LIGHT0, GL_LIGHT1}) {
       gl.Enable(light);

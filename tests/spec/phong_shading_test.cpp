@@ -54,7 +54,8 @@ const uint8_t* pixel(const Picture& p, int x, int y) { return &p.color[size_t(y 
 
 } // namespace
 
-TEST_CASE("the shade model and the hint of GL_WIN_phong_shading are set, read, saved and listed", "[spec][phong]") {
+TEST_CASE("the shade model and the hint of GL_WIN_phong_shading are set, read, saved and listed",
+          "[spec][phong]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   const std::string extensions = reinterpret_cast<const char*>(gl.GetString(GL_EXTENSIONS));
@@ -97,14 +98,16 @@ TEST_CASE("the shade model and the hint of GL_WIN_phong_shading are set, read, s
   REQUIRE(integer(gl, GL_PHONG_HINT_WIN) == GL_FASTEST);
 }
 
-TEST_CASE("Phong shading finds the highlight between the vertices, smooth shading does not", "[spec][phong]") {
+TEST_CASE("Phong shading finds the highlight between the vertices, smooth shading does not",
+          "[spec][phong]") {
   const Picture smooth = picture(lit_quad, GL_SMOOTH), phong = picture(lit_quad, GL_PHONG_WIN);
   REQUIRE(phong.errors.empty());
   REQUIRE(pixel(phong, 35, 33)[0] > 250);
   REQUIRE(pixel(smooth, 35, 33)[0] < 150);
 }
 
-TEST_CASE("SOFTGL_SHADING=phong gives it to programs that ask for smooth shading, and leaves what they read", "[spec][phong]") {
+TEST_CASE("SOFTGL_SHADING=phong gives it to programs that ask for smooth shading, and leaves what they read",
+          "[spec][phong]") {
   const auto expected = picture(lit_quad, GL_PHONG_WIN).hash(), flat = picture(lit_quad, GL_FLAT).hash();
   REQUIRE(picture(lit_quad, GL_SMOOTH).hash() != expected);
   setenv("SOFTGL_SHADING", "phong", 1);
@@ -149,12 +152,14 @@ TEST_CASE("a normal that is the same everywhere is lit alike per vertex and per 
 TEST_CASE("degenerate input is lit per pixel with finite colours or draws nothing", "[spec][phong]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl, GL_FLOAT); // 64x64, colours kept as floats
-  const float nan = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
+  const float nan = std::numeric_limits<float>::quiet_NaN(),
+              infinite = std::numeric_limits<float>::infinity();
   const GLfloat position[4] = {0, 0, 0, 1}, ambient[4] = {0.5f, 0.5f, 0.5f, 1}, white[4] = {1, 1, 1, 1};
   gl.ShadeModel(GL_PHONG_WIN);
   gl.Enable(GL_LIGHTING);
   gl.Enable(GL_LIGHT0);
-  gl.Lightfv(GL_LIGHT0, GL_POSITION, position); // at the centre of what is drawn, which is also the viewer's place
+  gl.Lightfv(GL_LIGHT0, GL_POSITION,
+             position); // at the centre of what is drawn, which is also the viewer's place
   gl.LightModelfv(GL_LIGHT_MODEL_AMBIENT, ambient);
   gl.LightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, 1);
   gl.LightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);
@@ -189,10 +194,12 @@ TEST_CASE("degenerate input is lit per pixel with finite colours or draws nothin
   REQUIRE(drawn);
 }
 
-TEST_CASE("a light at the fragment itself leaves its ambient term, attenuated by its constant part", "[spec][phong]") {
+TEST_CASE("a light at the fragment itself leaves its ambient term, attenuated by its constant part",
+          "[spec][phong]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl, GL_FLOAT);
-  const GLfloat position[4] = {0, 0, 0, 1}, sun[4] = {0, 0, 1, 0}, model_ambient[4] = {0.125f, 0.125f, 0.125f, 1}, white[4] = {1, 1, 1, 1};
+  const GLfloat position[4] = {0, 0, 0, 1}, sun[4] = {0, 0, 1, 0},
+                model_ambient[4] = {0.125f, 0.125f, 0.125f, 1}, white[4] = {1, 1, 1, 1};
   const GLfloat ambient[4] = {0.5f, 0, 0.25f, 1}, sunlight[4] = {0, 0, 0.25f, 1};
   gl.ShadeModel(GL_PHONG_WIN);
   gl.Enable(GL_LIGHTING);
@@ -305,7 +312,8 @@ TEST_CASE("a fragment at the eye has the highlight of a viewer in no direction",
   REQUIRE(red == Approx(0.8f).margin(1e-5)); // the half vector is that to the light: n.h = 4/5
 }
 
-TEST_CASE("primitives with a vertex that is nowhere draw nothing, and their neighbours as ever", "[spec][phong]") {
+TEST_CASE("primitives with a vertex that is nowhere draw nothing, and their neighbours as ever",
+          "[spec][phong]") {
   static GLfloat bad[4];
   static GLenum mode;
   const auto scene = [](Stage& s) {
@@ -321,14 +329,18 @@ TEST_CASE("primitives with a vertex that is nowhere draw nothing, and their neig
       for (int i = 0; i < corners; ++i) {
         const float x = i == 1 ? 0.9f : -0.9f, y = (i == 2 ? 0.2f : -0.2f) + 0.6f * float(primitive - 1);
         gl.Color3f(x, y, 1);
-        if (primitive == 1 && i == corners - 1 && bad[0] != 7) gl.Vertex4fv(bad);
-        else if (primitive != 1 || bad[0] != 7) gl.Vertex2f(x, y);
+        if (primitive == 1 && i == corners - 1 && bad[0] != 7)
+          gl.Vertex4fv(bad);
+        else if (primitive != 1 || bad[0] != 7)
+          gl.Vertex2f(x, y);
       }
     gl.End();
   };
-  const float nan = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
-  const GLfloat vertices[][4] = {{nan, 0, 0, 1}, {0, nan, 0, 1}, {0, 0, nan, 1}, {0, 0, 0, nan}, {nan, nan, nan, nan}, {infinite, 0, 0, 1},
-                                 {0, -infinite, 0, 1}, {0, 0, 0, infinite}, {0, 0, 0, 0}};
+  const float nan = std::numeric_limits<float>::quiet_NaN(),
+              infinite = std::numeric_limits<float>::infinity();
+  const GLfloat vertices[][4] = {{nan, 0, 0, 1},       {0, nan, 0, 1},       {0, 0, nan, 1},
+                                 {0, 0, 0, nan},       {nan, nan, nan, nan}, {infinite, 0, 0, 1},
+                                 {0, -infinite, 0, 1}, {0, 0, 0, infinite},  {0, 0, 0, 0}};
   for (GLenum m : {GL_TRIANGLES, GL_LINES, GL_POINTS})
     for (GLenum shading : {GL_PHONG_WIN, GL_SMOOTH}) {
       mode = m;
@@ -337,7 +349,8 @@ TEST_CASE("primitives with a vertex that is nowhere draw nothing, and their neig
       for (const auto& v : vertices) {
         std::copy(v, v + 4, bad);
         const Difference d = compare(picture(scene, shading), expected);
-        INFO(m << " " << shading << ": " << v[0] << " " << v[1] << " " << v[2] << " " << v[3] << ": " << d.text);
+        INFO(m << " " << shading << ": " << v[0] << " " << v[1] << " " << v[2] << " " << v[3] << ": "
+               << d.text);
         CHECK_FALSE(d.any());
       }
     }

@@ -10,13 +10,15 @@
 namespace softgl::test {
 namespace {
 
-const GLenum kMaps[10] = {GL_PIXEL_MAP_I_TO_I, GL_PIXEL_MAP_S_TO_S, GL_PIXEL_MAP_I_TO_R, GL_PIXEL_MAP_I_TO_G, GL_PIXEL_MAP_I_TO_B,
-                          GL_PIXEL_MAP_I_TO_A, GL_PIXEL_MAP_R_TO_R, GL_PIXEL_MAP_G_TO_G, GL_PIXEL_MAP_B_TO_B, GL_PIXEL_MAP_A_TO_A};
+const GLenum kMaps[10] = {GL_PIXEL_MAP_I_TO_I, GL_PIXEL_MAP_S_TO_S, GL_PIXEL_MAP_I_TO_R, GL_PIXEL_MAP_I_TO_G,
+                          GL_PIXEL_MAP_I_TO_B, GL_PIXEL_MAP_I_TO_A, GL_PIXEL_MAP_R_TO_R, GL_PIXEL_MAP_G_TO_G,
+                          GL_PIXEL_MAP_B_TO_B, GL_PIXEL_MAP_A_TO_A};
 
 /// Where two lists differ first, and by what; empty when they are equal.
 template <class T> std::string difference(const std::vector<T>& a, const std::vector<T>& b) {
   for (size_t i = 0; i < a.size(); i++)
-    if (a[i] != b[i]) return "at " + std::to_string(i) + ": " + std::to_string(a[i]) + " and " + std::to_string(b[i]);
+    if (a[i] != b[i])
+      return "at " + std::to_string(i) + ": " + std::to_string(a[i]) + " and " + std::to_string(b[i]);
   return "";
 }
 
@@ -27,7 +29,8 @@ void random_map(const Gl& gl, Random& r, GLenum map) {
   std::vector<GLfloat> f(256);
   std::vector<GLuint> u(256);
   std::vector<GLushort> s(256);
-  for (size_t i = 0; i < 256; i++) f[i] = r.real(-0.2f, 1.2f), u[i] = GLuint(r.bits()), s[i] = GLushort(r.bits());
+  for (size_t i = 0; i < 256; i++)
+    f[i] = r.real(-0.2f, 1.2f), u[i] = GLuint(r.bits()), s[i] = GLushort(r.bits());
   if (map <= GL_PIXEL_MAP_S_TO_S)
     for (size_t i = 0; i < 256; i++) f[i] = GLfloat(r.integer(0, 255)), u[i] &= 0xff, s[i] &= 0xff;
   const int type = r.integer(0, 2);

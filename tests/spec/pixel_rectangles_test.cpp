@@ -1,6 +1,6 @@
-// GL 1.5, 3.6.4, 3.7 and 4.3.3: glDrawPixels, glBitmap and glCopyPixels. What they have in common with OSMesa is in the
-// families bitmaps, images, copies and stencil_images of tests/conformance; here is what OSMesa does otherwise
-// (reference/DEVIATIONS.md), errors, lists.
+// GL 1.5, 3.6.4, 3.7 and 4.3.3: glDrawPixels, glBitmap and glCopyPixels. What they have in common with OSMesa
+// is in the families bitmaps, images, copies and stencil_images of tests/conformance; here is what OSMesa
+// does otherwise (reference/DEVIATIONS.md), errors, lists.
 #include <catch2/catch.hpp>
 
 #include <array>
@@ -48,7 +48,8 @@ TEST_CASE("A centre between two elements belongs to the one whose left edge it i
   CHECK(reds(gl, 8, 6, 1) == std::vector<int>{40});
 }
 
-TEST_CASE("Each bitmap is drawn with the state it met, and all of them where they overlap", "[spec][pixels]") {
+TEST_CASE("Each bitmap is drawn with the state it met, and all of them where they overlap",
+          "[spec][pixels]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   const GLubyte bits[8] = {0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff};
@@ -101,7 +102,8 @@ TEST_CASE("The stencil test decides about copied pixels whatever its operations 
   CHECK(reds(gl, 0, 0, 1) == std::vector<int>{255});
 }
 
-TEST_CASE("Depths are drawn and copied with 24 bits, scaled and biased, and bring the raster colour", "[spec][pixels]") {
+TEST_CASE("Depths are drawn and copied with 24 bits, scaled and biased, and bring the raster colour",
+          "[spec][pixels]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   gl.ClearDepth(0.25);
@@ -136,7 +138,8 @@ TEST_CASE("Depths are drawn and copied with 24 bits, scaled and biased, and brin
   CHECK(depth_at(gl, 11, 10) == 0x400000);
 }
 
-TEST_CASE("Stencil values are shifted, offset and mapped, and written under the mask, whatever the tests are", "[spec][pixels]") {
+TEST_CASE("Stencil values are shifted, offset and mapped, and written under the mask, whatever the tests are",
+          "[spec][pixels]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);

@@ -17,7 +17,8 @@ bool late, front_first, along_view;
 
 // Six corners of two squares, in the order that the primitive wants: (-0.8, 0, 0.8) x (-0.8, 0.8).
 std::vector<Float3> corners() {
-  const Float3 p[6] = {{-0.8f, -0.8f, 0}, {-0.8f, 0.8f, 0}, {0, -0.8f, 0}, {0, 0.8f, 0}, {0.8f, -0.8f, 0}, {0.8f, 0.8f, 0}};
+  const Float3 p[6] = {{-0.8f, -0.8f, 0}, {-0.8f, 0.8f, 0}, {0, -0.8f, 0},
+                       {0, 0.8f, 0},      {0.8f, -0.8f, 0}, {0.8f, 0.8f, 0}};
   switch (primitive) {
   case GL_TRIANGLE_FAN: return {p[0], p[1], p[3], p[5], p[4], p[2]};
   case GL_POLYGON: return {p[0], p[1], p[3], p[5], p[4], p[2]};
@@ -44,12 +45,15 @@ void draw_squares(Stage& s) {
   gl.EnableClientState(GL_EDGE_FLAG_ARRAY);
   gl.VertexPointer(3, GL_FLOAT, 0, v.data());
   gl.EdgeFlagPointer(0, flags.data());
-  if (path == Path::Arrays) gl.DrawArrays(primitive, 0, GLsizei(v.size()));
-  else gl.DrawElements(primitive, GLsizei(v.size()), GL_UNSIGNED_BYTE, index);
+  if (path == Path::Arrays)
+    gl.DrawArrays(primitive, 0, GLsizei(v.size()));
+  else
+    gl.DrawElements(primitive, GLsizei(v.size()), GL_UNSIGNED_BYTE, index);
   gl.Finish();
 }
 
-Picture squares(const Gl& gl, GLenum p, GLenum m, std::vector<GLboolean> f = {1, 1, 1, 1, 1, 1}, Path with = Path::Immediate) {
+Picture squares(const Gl& gl, GLenum p, GLenum m, std::vector<GLboolean> f = {1, 1, 1, 1, 1, 1},
+                Path with = Path::Immediate) {
   primitive = p, mode = m, flags = std::move(f), path = with;
   return draw(gl, {"squares", draw_squares}, 0);
 }
@@ -142,7 +146,8 @@ void draw_lit_back(Stage& s) {
 
 TEST_CASE("polygons are drawn by their edges and corners", "[spec][polygon_mode]") {
   // The outlines of whole polygons have no diagonal, those of strips all edges.
-  const Picture polygon = squares(softgl_library(), GL_POLYGON, GL_LINE), strip = squares(softgl_library(), GL_TRIANGLE_STRIP, GL_LINE);
+  const Picture polygon = squares(softgl_library(), GL_POLYGON, GL_LINE),
+                strip = squares(softgl_library(), GL_TRIANGLE_STRIP, GL_LINE);
   const Picture quads = squares(softgl_library(), GL_QUAD_STRIP, GL_LINE);
   CHECK(drawn_pixels(polygon) < drawn_pixels(quads)); // the edge between them
   CHECK(drawn_pixels(quads) < drawn_pixels(strip));   // the diagonals
@@ -173,7 +178,9 @@ TEST_CASE("edge flags leave out edges and corners whatever way they come", "[spe
 
 TEST_CASE("edge flags change nothing about strips and fans", "[spec][polygon_mode][deviation]") {
   for (GLenum p : {GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUAD_STRIP}) {
-    const auto differs = [&](const Gl& gl) { return compare(squares(gl, p, GL_LINE, {0, 1, 0, 0, 0, 0}), squares(gl, p, GL_LINE)).any(); };
+    const auto differs = [&](const Gl& gl) {
+      return compare(squares(gl, p, GL_LINE, {0, 1, 0, 0, 0, 0}), squares(gl, p, GL_LINE)).any();
+    };
     CHECK_FALSE(differs(softgl_library()));
     CHECK(differs(osmesa_library()));
   }
@@ -216,7 +223,8 @@ TEST_CASE("edges along clip planes are drawn, those along the view volume are no
   }
 }
 
-TEST_CASE("lines and points of a polygon that faces away have the back material's light", "[spec][polygon_mode][phong]") {
+TEST_CASE("lines and points of a polygon that faces away have the back material's light",
+          "[spec][polygon_mode][phong]") {
   for (GLenum m : {GL_LINE, GL_POINT, GL_FILL}) {
     mode = m;
     const Picture p = draw(softgl_library(), {"lit_back", draw_lit_back}, 0);

@@ -41,18 +41,20 @@ Picture square(GLenum p, GLenum m, bool list = false) {
 /// Whether the pixel in column x of row y, counted from the bottom, is white.
 bool lit(const Picture& p, int x, int y) { return p.color[size_t(y * p.width + x) * 4] == 255; }
 
-TEST_CASE("A polygon's pattern begins at the window's lower left corner, with the most significant bit", "[spec][polygon]") {
+TEST_CASE("A polygon's pattern begins at the window's lower left corner, with the most significant bit",
+          "[spec][polygon]") {
   pattern.fill(0);
-  pattern[0] = 0x80;      // row 0: column 0
-  pattern[4 * 3] = 0x41;  // row 3: columns 1 and 7
-  pattern[127] = 0x02;    // row 31: column 30
+  pattern[0] = 0x80;     // row 0: column 0
+  pattern[4 * 3] = 0x41; // row 3: columns 1 and 7
+  pattern[127] = 0x02;   // row 31: column 30
   for (bool list : {false, true}) {
     const Picture p = square(GL_QUADS, GL_FILL, list);
     for (int y = 0; y < 64; ++y)
       for (int x = 0; x < 64; ++x) {
         const int px = x & 31, py = y & 31;
         INFO("column " << x << " row " << y);
-        REQUIRE(lit(p, x, y) == ((px == 0 && py == 0) || (py == 3 && (px == 1 || px == 7)) || (px == 30 && py == 31)));
+        REQUIRE(lit(p, x, y) ==
+                ((px == 0 && py == 0) || (py == 3 && (px == 1 || px == 7)) || (px == 30 && py == 31)));
       }
   }
 }
@@ -63,8 +65,8 @@ TEST_CASE("A polygon's pattern may begin inside a byte", "[spec][polygon]") {
   CurrentContext context(gl);
   std::array<GLubyte, 8 * 32> bits{};
   const auto set = [&](int x, int y) { bits[size_t(8 * y + x / 8)] |= GLubyte(1u << (x % 8)); };
-  set(5, 0);           // column 0 of row 0
-  set(5 + 31, 31);     // column 31 of row 31
+  set(5, 0);       // column 0 of row 0
+  set(5 + 31, 31); // column 31 of row 31
   gl.PixelStorei(GL_UNPACK_LSB_FIRST, 1);
   gl.PixelStorei(GL_UNPACK_ROW_LENGTH, 64);
   gl.PixelStorei(GL_UNPACK_SKIP_PIXELS, 5);
@@ -77,7 +79,10 @@ TEST_CASE("A polygon's pattern may begin inside a byte", "[spec][polygon]") {
 TEST_CASE("Lines and points have no polygon's pattern, those of polygons neither", "[spec][polygon]") {
   pattern.fill(0);
   const Picture nothing = square(GL_QUADS, GL_FILL);
-  for (const auto& [p, m] : {std::pair<GLenum, GLenum>{GL_LINE_LOOP, GL_FILL}, {GL_POINTS, GL_FILL}, {GL_QUADS, GL_LINE}, {GL_QUADS, GL_POINT}}) {
+  for (const auto& [p, m] : {std::pair<GLenum, GLenum>{GL_LINE_LOOP, GL_FILL},
+                             {GL_POINTS, GL_FILL},
+                             {GL_QUADS, GL_LINE},
+                             {GL_QUADS, GL_POINT}}) {
     INFO("primitive " << p << " mode " << m);
     CHECK(compare(square(p, m), nothing).any());
   }

@@ -68,8 +68,11 @@ void random_positions(const Gl& gl, Random& r) {
   gl.LoadIdentity();
   if (r.chance(50)) gl.Rotatef(r.real(-180, 180), 0, 0, 1);
   for (int i = 0; i < 3; i++)
-    if (r.chance(15)) gl.WindowPos3f(r.real(-9, 99), r.real(-9, 99), r.real(-0.2f, 1.2f));
-    else gl.RasterPos4f(r.real(-1.5f, 1.5f), r.real(-1.5f, 1.5f), r.real(-1.5f, 1.5f), r.chance(70) ? 1.0f : r.real(0.5f, 2));
+    if (r.chance(15))
+      gl.WindowPos3f(r.real(-9, 99), r.real(-9, 99), r.real(-0.2f, 1.2f));
+    else
+      gl.RasterPos4f(r.real(-1.5f, 1.5f), r.real(-1.5f, 1.5f), r.real(-1.5f, 1.5f),
+                     r.chance(70) ? 1.0f : r.real(0.5f, 2));
 }
 
 TEST_CASE("Raster positions are OSMesa's, bit for bit", "[spec][pixels]") {
@@ -87,8 +90,10 @@ TEST_CASE("Raster positions are OSMesa's, bit for bit", "[spec][pixels]") {
     valid += p[0] != 0;
     const Values expected = attributes(osmesa_library());
     for (size_t i = 0; i < 8; i++) CHECK(with_p[i] == expected[i]); // colours
-    // Coordinates are a vertex's, whose sums of four products up to 4 have another order: three roundings of 2^-22 at most.
-    for (size_t i = 8; i < expected.size(); i++) CHECK(std::fabs(with_p[i] - expected[i]) <= 3.0f / (1 << 22));
+    // Coordinates are a vertex's, whose sums of four products up to 4 have another order: three roundings of
+    // 2^-22 at most.
+    for (size_t i = 8; i < expected.size(); i++)
+      CHECK(std::fabs(with_p[i] - expected[i]) <= 3.0f / (1 << 22));
   }
   CHECK(valid > 100);
   CHECK(valid < 300);
@@ -113,10 +118,17 @@ TEST_CASE("Every form of glRasterPos and glWindowPos means the same", "[spec][pi
   const Values window2 = position(gl);
   const std::vector<std::pair<const Values*, std::function<void()>>> forms = {
 #define FORMS(t, values) \
-  {&of_two, [&] { gl.RasterPos2##t(values[0], values[1]); }}, {&of_two, [&] { gl.RasterPos2##t##v(values); }}, {&of_four, [&] { gl.RasterPos3##t(values[0], values[1], values[2]); }}, \
-  {&of_four, [&] { gl.RasterPos3##t##v(values); }}, {&of_four, [&] { gl.RasterPos4##t(values[0], values[1], values[2], values[3]); }}, {&of_four, [&] { gl.RasterPos4##t##v(values); }}, \
-  {&window2, [&] { gl.WindowPos2##t(values[0], values[1]); }}, {&window2, [&] { gl.WindowPos2##t##v(values); }}, \
-  {&window3, [&] { gl.WindowPos3##t(values[0], values[1], values[2]); }}, {&window3, [&] { gl.WindowPos3##t##v(values); }}
+  {&of_two, [&] { gl.RasterPos2##t(values[0], values[1]); }}, \
+      {&of_two, [&] { gl.RasterPos2##t##v(values); }}, \
+      {&of_four, [&] { gl.RasterPos3##t(values[0], values[1], values[2]); }}, \
+      {&of_four, [&] { gl.RasterPos3##t##v(values); }}, \
+      {&of_four, [&] { gl.RasterPos4##t(values[0], values[1], values[2], values[3]); }}, \
+      {&of_four, [&] { gl.RasterPos4##t##v(values); }}, \
+      {&window2, [&] { gl.WindowPos2##t(values[0], values[1]); }}, \
+      {&window2, [&] { gl.WindowPos2##t##v(values); }}, \
+      {&window3, [&] { gl.WindowPos3##t(values[0], values[1], values[2]); }}, { \
+    &window3, [&] { gl.WindowPos3##t##v(values); } \
+  }
       FORMS(d, d), FORMS(f, f), FORMS(i, i), FORMS(s, s)
 #undef FORMS
   };
@@ -224,7 +236,8 @@ TEST_CASE("A raster position is lit as a vertex is", "[spec][pixels]") {
     draws_point = false;
     const Picture cleared = draw(softgl_library(), {"lit", draw_lit}, seed);
     int equal = 0;
-    for (size_t i = 0; i < point.color.size(); i += 4) equal += std::equal(&point.color[i], &point.color[i] + 4, &cleared.color[i]);
+    for (size_t i = 0; i < point.color.size(); i += 4)
+      equal += std::equal(&point.color[i], &point.color[i] + 4, &cleared.color[i]);
     INFO("seed " << seed);
     CHECK(equal >= 100);
   }

@@ -1,4 +1,5 @@
-// glReadPixels, glPixelStore and glClear (GL 1.5, 4.2.3 and 4.3.2): random clears read back in every format and type.
+// glReadPixels, glPixelStore and glClear (GL 1.5, 4.2.3 and 4.3.2): random clears read back in every format
+// and type.
 #include <catch2/catch.hpp>
 
 #include <cstdio>
@@ -12,18 +13,46 @@ using namespace softgl::test;
 
 namespace {
 
-struct Kind { GLenum format, type; int bytes; };
-const Kind kKinds[] = {{GL_RGBA, GL_UNSIGNED_BYTE, 4}, {1, GL_UNSIGNED_BYTE, 4},      {2, GL_UNSIGNED_BYTE, 4},
-                       {GL_RGB, GL_UNSIGNED_BYTE, 3},  {5, GL_UNSIGNED_SHORT_5_6_5, 2}, {GL_RGBA, GL_UNSIGNED_SHORT, 8},
-                       {GL_RGBA, GL_FLOAT, 16},        {GL_RGB, GL_FLOAT, 12},          {1, GL_FLOAT, 16},
-                       {2, GL_UNSIGNED_SHORT, 8}};
-const GLenum kFormats[] = {GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA, GL_RGB, GL_BGR, GL_RGBA, GL_BGRA, GL_LUMINANCE,
-                           GL_LUMINANCE_ALPHA, GL_DEPTH_COMPONENT, GL_STENCIL_INDEX};
-const GLenum kTypes[] = {GL_UNSIGNED_BYTE, GL_BYTE, GL_UNSIGNED_SHORT, GL_SHORT, GL_UNSIGNED_INT, GL_INT, GL_FLOAT,
-                         GL_UNSIGNED_BYTE_3_3_2, GL_UNSIGNED_BYTE_2_3_3_REV, GL_UNSIGNED_SHORT_5_6_5,
-                         GL_UNSIGNED_SHORT_5_6_5_REV, GL_UNSIGNED_SHORT_4_4_4_4, GL_UNSIGNED_SHORT_4_4_4_4_REV,
-                         GL_UNSIGNED_SHORT_5_5_5_1, GL_UNSIGNED_SHORT_1_5_5_5_REV, GL_UNSIGNED_INT_8_8_8_8,
-                         GL_UNSIGNED_INT_8_8_8_8_REV, GL_UNSIGNED_INT_10_10_10_2, GL_UNSIGNED_INT_2_10_10_10_REV};
+struct Kind {
+  GLenum format, type;
+  int bytes;
+};
+const Kind kKinds[] = {
+    {GL_RGBA, GL_UNSIGNED_BYTE, 4}, {1, GL_UNSIGNED_BYTE, 4},        {2, GL_UNSIGNED_BYTE, 4},
+    {GL_RGB, GL_UNSIGNED_BYTE, 3},  {5, GL_UNSIGNED_SHORT_5_6_5, 2}, {GL_RGBA, GL_UNSIGNED_SHORT, 8},
+    {GL_RGBA, GL_FLOAT, 16},        {GL_RGB, GL_FLOAT, 12},          {1, GL_FLOAT, 16},
+    {2, GL_UNSIGNED_SHORT, 8}};
+const GLenum kFormats[] = {GL_RED,
+                           GL_GREEN,
+                           GL_BLUE,
+                           GL_ALPHA,
+                           GL_RGB,
+                           GL_BGR,
+                           GL_RGBA,
+                           GL_BGRA,
+                           GL_LUMINANCE,
+                           GL_LUMINANCE_ALPHA,
+                           GL_DEPTH_COMPONENT,
+                           GL_STENCIL_INDEX};
+const GLenum kTypes[] = {GL_UNSIGNED_BYTE,
+                         GL_BYTE,
+                         GL_UNSIGNED_SHORT,
+                         GL_SHORT,
+                         GL_UNSIGNED_INT,
+                         GL_INT,
+                         GL_FLOAT,
+                         GL_UNSIGNED_BYTE_3_3_2,
+                         GL_UNSIGNED_BYTE_2_3_3_REV,
+                         GL_UNSIGNED_SHORT_5_6_5,
+                         GL_UNSIGNED_SHORT_5_6_5_REV,
+                         GL_UNSIGNED_SHORT_4_4_4_4,
+                         GL_UNSIGNED_SHORT_4_4_4_4_REV,
+                         GL_UNSIGNED_SHORT_5_5_5_1,
+                         GL_UNSIGNED_SHORT_1_5_5_5_REV,
+                         GL_UNSIGNED_INT_8_8_8_8,
+                         GL_UNSIGNED_INT_8_8_8_8_REV,
+                         GL_UNSIGNED_INT_10_10_10_2,
+                         GL_UNSIGNED_INT_2_10_10_10_REV};
 const GLenum kTransfers[] = {GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE, GL_ALPHA_SCALE, GL_DEPTH_SCALE,
                              GL_RED_BIAS,  GL_GREEN_BIAS,  GL_BLUE_BIAS,  GL_ALPHA_BIAS,  GL_DEPTH_BIAS};
 
@@ -31,7 +60,9 @@ const GLenum kTransfers[] = {GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE, GL_ALP
 std::vector<std::string> run(const Gl& gl, unsigned seed) {
   std::mt19937 random(seed);
   const auto number = [&](int n) { return int(random() % unsigned(n)); };
-  const auto unit = [&] { return number(4) == 0 ? float(number(3)) / 2 : float(random() % 10001) / 10000.0f; };
+  const auto unit = [&] {
+    return number(4) == 0 ? float(number(3)) / 2 : float(random() % 10001) / 10000.0f;
+  };
   std::vector<std::string> lines;
   const Kind kind = kKinds[number(10)];
   const bool three_bytes = kind.bytes == 3; // OSMesa cannot draw to them, see reference/DEVIATIONS.md
@@ -40,7 +71,8 @@ std::vector<std::string> run(const Gl& gl, unsigned seed) {
     uint64_t hash = 1469598103934665603u;
     for (unsigned char b : bytes) hash = (hash ^ b) * 1099511628211u;
     char text[200];
-    std::snprintf(text, sizeof text, "%s: buffer %x %x %dx%d hash %lx", what, kind.format, kind.type, width, height, static_cast<unsigned long>(hash));
+    std::snprintf(text, sizeof text, "%s: buffer %x %x %dx%d hash %lx", what, kind.format, kind.type, width,
+                  height, static_cast<unsigned long>(hash));
     lines.push_back(text);
   };
   const int depth = number(3) == 0 ? 0 : number(2) ? 16 : 24;
@@ -58,11 +90,13 @@ std::vector<std::string> run(const Gl& gl, unsigned seed) {
     } else {
       gl.Disable(GL_SCISSOR_TEST);
     }
-    const bool r = number(5) > 0 || three_bytes, g = number(5) > 0 || three_bytes, b = number(5) > 0 || three_bytes, a = number(5) > 0;
+    const bool r = number(5) > 0 || three_bytes, g = number(5) > 0 || three_bytes,
+               b = number(5) > 0 || three_bytes, a = number(5) > 0;
     gl.ColorMask(r, g, b, a);
     gl.StencilMask(number(3) ? ~0u : unsigned(random()));
     const int mask = number(8);
-    gl.Clear((mask & 1 ? GL_COLOR_BUFFER_BIT : 0u) | (mask & 2 ? GL_DEPTH_BUFFER_BIT : 0u) | (mask & 4 ? GL_STENCIL_BUFFER_BIT : 0u));
+    gl.Clear((mask & 1 ? GL_COLOR_BUFFER_BIT : 0u) | (mask & 2 ? GL_DEPTH_BUFFER_BIT : 0u) |
+             (mask & 4 ? GL_STENCIL_BUFFER_BIT : 0u));
   }
   gl.OSMesaPixelStore(kOSMesaYUp, number(2));
   gl.OSMesaPixelStore(kOSMesaRowLength, number(2) * (width + number(20)));
@@ -72,14 +106,16 @@ std::vector<std::string> run(const Gl& gl, unsigned seed) {
   for (int i = 0; i < 5; ++i) {
     GLenum format = kFormats[number(12)], type = kTypes[number(19)];
     // OSMesa 22.3.6 does not return from stencil indices in packed types.
-    if ((format == GL_STENCIL_INDEX || format == GL_DEPTH_COMPONENT) && (type < GL_BYTE || type > GL_FLOAT)) type = GL_FLOAT;
+    if ((format == GL_STENCIL_INDEX || format == GL_DEPTH_COMPONENT) && (type < GL_BYTE || type > GL_FLOAT))
+      type = GL_FLOAT;
     if (number(6) == 0) {
       const int which = number(10);
       gl.PixelTransferf(kTransfers[which], unit() * 2 - (which < 5 ? 0.0f : 1.0f));
       transferred = true;
     }
     // What is 1.0 on the way to 32-bit integers overflows in OSMesa, see reference/DEVIATIONS.md.
-    const bool floats = transferred || kind.format == 5 || kind.type == GL_FLOAT || format == GL_LUMINANCE || format == GL_LUMINANCE_ALPHA;
+    const bool floats = transferred || kind.format == 5 || kind.type == GL_FLOAT || format == GL_LUMINANCE ||
+                        format == GL_LUMINANCE_ALPHA;
     if (floats && (type == GL_INT || type == GL_UNSIGNED_INT)) type = GL_FLOAT;
     const int x = number(20) - 5, y = number(20) - 5, columns = number(80) - 1, rows = number(80) - 1;
     if (number(3) == 0) {
@@ -92,7 +128,8 @@ std::vector<std::string> run(const Gl& gl, unsigned seed) {
     std::vector<unsigned char> image(150 * 100 * 16, 0xcd);
     gl.ReadPixels(x, y, columns, rows, format, type, image.data());
     char text[100];
-    std::snprintf(text, sizeof text, "read %x %x (%d %d %d %d) error %x", format, type, x, y, columns, rows, gl.GetError());
+    std::snprintf(text, sizeof text, "read %x %x (%d %d %d %d) error %x", format, type, x, y, columns, rows,
+                  gl.GetError());
     note(text, image);
   }
   gl.OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
@@ -135,7 +172,10 @@ TEST_CASE("glPixelStore and glReadPixels raise the errors of the specification",
   std::vector<unsigned char> buffer(8 * 8 * 4);
   void* context = gl.OSMesaCreateContextExt(GL_RGBA, 0, 0, 0, nullptr);
   REQUIRE(gl.OSMesaMakeCurrent(context, buffer.data(), GL_UNSIGNED_BYTE, 8, 8));
-  const auto error_of = [&](auto&& call) { call(); return gl.GetError(); };
+  const auto error_of = [&](auto&& call) {
+    call();
+    return gl.GetError();
+  };
   unsigned char pixels[1024] = {9};
   CHECK(error_of([&] { gl.PixelStorei(GL_PACK_ALIGNMENT, 3); }) == GL_INVALID_VALUE);
   CHECK(error_of([&] { gl.PixelStorei(GL_UNPACK_ROW_LENGTH, -1); }) == GL_INVALID_VALUE);
@@ -148,11 +188,17 @@ TEST_CASE("glPixelStore and glReadPixels raise the errors of the specification",
   CHECK(error_of([&] { gl.ReadPixels(0, 0, 1, 1, 0x1234, GL_UNSIGNED_BYTE, pixels); }) == GL_INVALID_ENUM);
   CHECK(error_of([&] { gl.ReadPixels(0, 0, 1, 1, GL_RGBA, 0x1234, pixels); }) == GL_INVALID_ENUM);
   CHECK(error_of([&] { gl.ReadPixels(0, 0, 1, 1, GL_RGBA, GL_BITMAP, pixels); }) == GL_INVALID_ENUM);
-  CHECK(error_of([&] { gl.ReadPixels(0, 0, 1, 1, GL_RGB, GL_UNSIGNED_SHORT_4_4_4_4, pixels); }) == GL_INVALID_OPERATION);
-  CHECK(error_of([&] { gl.ReadPixels(0, 0, 1, 1, GL_COLOR_INDEX, GL_UNSIGNED_BYTE, pixels); }) == GL_INVALID_OPERATION);
-  CHECK(error_of([&] { gl.ReadPixels(0, 0, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, pixels); }) == GL_INVALID_OPERATION);
-  CHECK(error_of([&] { gl.ReadPixels(0, 0, 1, 1, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, pixels); }) == GL_INVALID_OPERATION);
-  CHECK(error_of([&] { gl.ReadPixels(2147483647, -2147483647, 2147483647, 2147483647, GL_RGBA, GL_UNSIGNED_BYTE, pixels); }) == GL_NO_ERROR);
+  CHECK(error_of([&] { gl.ReadPixels(0, 0, 1, 1, GL_RGB, GL_UNSIGNED_SHORT_4_4_4_4, pixels); }) ==
+        GL_INVALID_OPERATION);
+  CHECK(error_of([&] { gl.ReadPixels(0, 0, 1, 1, GL_COLOR_INDEX, GL_UNSIGNED_BYTE, pixels); }) ==
+        GL_INVALID_OPERATION);
+  CHECK(error_of([&] { gl.ReadPixels(0, 0, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, pixels); }) ==
+        GL_INVALID_OPERATION);
+  CHECK(error_of([&] { gl.ReadPixels(0, 0, 1, 1, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, pixels); }) ==
+        GL_INVALID_OPERATION);
+  CHECK(error_of([&] {
+          gl.ReadPixels(2147483647, -2147483647, 2147483647, 2147483647, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
+        }) == GL_NO_ERROR);
   CHECK(pixels[0] == 9);
   CHECK(error_of([&] { gl.Clear(0x1); }) == GL_INVALID_VALUE);
   gl.Begin(GL_POINTS);

@@ -13,7 +13,9 @@ struct BadCall {
   GLenum error;
   void (*run)(const Gl& gl);
 };
+// clang-format off
 #define BAD(error, call) {#call, GL_##error, [](const Gl& gl) { gl.call; }}
+// clang-format on
 
 /// Each call gives its error, once; `unchanged` then checks that it has done nothing else.
 template <class Check> void expect_refused(const Gl& gl, std::span<const BadCall> calls, Check unchanged) {

@@ -42,7 +42,9 @@ TEST_CASE("A hit record has the names, and the least and the greatest depth", "[
   gl.WindowPos3f(0, 0, 1);
   gl.PopName();
   CHECK(gl.RenderMode(GL_RENDER) == 4);
-  const std::vector<GLuint> expected{0, 3221225471u, 3221225471u, 1, 0, 4294967295u, 7, 2, 2147483648u, 2147483648u, 8, 9, 1, 4294967295u, 4294967295u, 8};
+  const std::vector<GLuint> expected{
+      0,           3221225471u, 3221225471u, 1, 0, 4294967295u, 7,           2,
+      2147483648u, 2147483648u, 8,           9, 1, 4294967295u, 4294967295u, 8};
   for (size_t i = 0; i < expected.size(); i++) {
     INFO("value " << i);
     CHECK(buffer[i] == expected[i]);
@@ -138,8 +140,10 @@ std::vector<double> random_feedback(const Gl& gl, unsigned seed, GLenum render_m
   }
   const GLint result = gl.RenderMode(GL_RENDER);
   std::vector<double> out{double(result)};
-  if (render_mode == GL_FEEDBACK) out.insert(out.end(), values.begin(), values.begin() + std::max(result, 0));
-  else out.insert(out.end(), names.begin(), names.begin() + 60);
+  if (render_mode == GL_FEEDBACK)
+    out.insert(out.end(), values.begin(), values.begin() + std::max(result, 0));
+  else
+    out.insert(out.end(), names.begin(), names.begin() + 60);
   return out;
 }
 
@@ -149,7 +153,8 @@ TEST_CASE("Selection and feedback give what OSMesa gives", "[spec][selection]") 
   for (unsigned seed = 0; seed < 200; seed++)
     for (GLenum mode : {GL_FEEDBACK, GL_SELECT}) {
       INFO("seed " << seed << " mode " << mode);
-      const std::vector<double> ours = random_feedback(softgl_library(), seed, mode), theirs = random_feedback(osmesa_library(), seed, mode);
+      const std::vector<double> ours = random_feedback(softgl_library(), seed, mode),
+                                theirs = random_feedback(osmesa_library(), seed, mode);
       REQUIRE(ours.size() == theirs.size());
       for (size_t i = 0; i < ours.size(); i++) {
         if (ours[i] == GL_LINE_RESET_TOKEN && theirs[i] == GL_LINE_TOKEN) continue; // below
@@ -158,8 +163,10 @@ TEST_CASE("Selection and feedback give what OSMesa gives", "[spec][selection]") 
         // Depths of hits are cut to integers there, and rounded here.
         REQUIRE(std::fabs(ours[i] - theirs[i]) <= (mode == GL_SELECT && theirs[i] > 1e6 ? 1 : 0));
       }
-      if (mode == GL_SELECT) hits += int(ours[0]);
-      else fed_back += ours.size();
+      if (mode == GL_SELECT)
+        hits += int(ours[0]);
+      else
+        fed_back += ours.size();
     }
   CHECK(hits > 400);
   CHECK(fed_back > 10000);
@@ -183,7 +190,8 @@ TEST_CASE("GL_LINE_RESET_TOKEN says where the stipple begins anew", "[spec][sele
   };
   CHECK(tokens(GL_LINES) == std::vector<GLenum>{GL_LINE_RESET_TOKEN, GL_LINE_RESET_TOKEN});
   CHECK(tokens(GL_LINE_STRIP) == std::vector<GLenum>{GL_LINE_RESET_TOKEN, GL_LINE_TOKEN, GL_LINE_TOKEN});
-  CHECK(tokens(GL_LINE_LOOP) == std::vector<GLenum>{GL_LINE_RESET_TOKEN, GL_LINE_TOKEN, GL_LINE_TOKEN, GL_LINE_TOKEN});
+  CHECK(tokens(GL_LINE_LOOP) ==
+        std::vector<GLenum>{GL_LINE_RESET_TOKEN, GL_LINE_TOKEN, GL_LINE_TOKEN, GL_LINE_TOKEN});
 }
 
 TEST_CASE("Flat shaded primitives have one colour in feedback", "[spec][selection]") {

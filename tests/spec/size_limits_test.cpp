@@ -1,5 +1,5 @@
-// Points and lines of any size that glPointSize and glLineWidth take (GL 1.5, 3.3 and 3.4: sizes are clamped to the range
-// that is supported).
+// Points and lines of any size that glPointSize and glLineWidth take (GL 1.5, 3.3 and 3.4: sizes are clamped
+// to the range that is supported).
 #include <catch2/catch.hpp>
 #include <limits>
 
@@ -31,7 +31,8 @@ Picture drawn(const Gl& gl, float size) {
 TEST_CASE("points and lines are at most 255 pixels wide", "[spec]") {
   const Picture widest = drawn(softgl_library(), 255);
   CHECK(compare(widest, drawn(softgl_library(), 254)).any());
-  for (const float size : {255.4f, 256.0f, 300.0f, 1e10f, std::numeric_limits<float>::max(), std::numeric_limits<float>::infinity()}) {
+  for (const float size : {255.4f, 256.0f, 300.0f, 1e10f, std::numeric_limits<float>::max(),
+                           std::numeric_limits<float>::infinity()}) {
     INFO("size " << size);
     CHECK_FALSE(compare(drawn(softgl_library(), size), widest).any());
     CHECK_FALSE(compare(drawn(osmesa_library(), size), widest).any());
@@ -39,7 +40,9 @@ TEST_CASE("points and lines are at most 255 pixels wide", "[spec]") {
 }
 
 TEST_CASE("sizes that are not a number draw what size 1 draws", "[spec]") {
-  CHECK_FALSE(compare(drawn(softgl_library(), std::numeric_limits<float>::quiet_NaN()), drawn(softgl_library(), 1)).any());
+  CHECK_FALSE(
+      compare(drawn(softgl_library(), std::numeric_limits<float>::quiet_NaN()), drawn(softgl_library(), 1))
+          .any());
 }
 
 } // namespace softgl::test

@@ -1,4 +1,5 @@
-// Random sequences of state commands on softgl and on OSMesa: the same errors and the same answers after each.
+// Random sequences of state commands on softgl and on OSMesa: the same errors and the same answers after
+// each.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
@@ -23,10 +24,13 @@ std::string run_sequence(uint64_t seed, int length) {
     command.run(theirs);
     const GLenum our_error = ours.GetError(), their_error = theirs.GetError();
     std::string difference;
-    if (our_error != their_error) difference = "error " + std::to_string(our_error) + " | " + std::to_string(their_error) + "\n";
+    if (our_error != their_error)
+      difference = "error " + std::to_string(our_error) + " | " + std::to_string(their_error) + "\n";
     const bool last = i + 1 == length;
-    if (last || i % 8 == 7) difference += compare_snapshots(take_snapshot(ours, last), take_snapshot(theirs, last));
-    if (!difference.empty()) return "seed " + std::to_string(seed) + " after\n" + history + "softgl | OSMesa\n" + difference;
+    if (last || i % 8 == 7)
+      difference += compare_snapshots(take_snapshot(ours, last), take_snapshot(theirs, last));
+    if (!difference.empty())
+      return "seed " + std::to_string(seed) + " after\n" + history + "softgl | OSMesa\n" + difference;
   }
   return "";
 }

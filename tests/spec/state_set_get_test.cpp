@@ -1,6 +1,7 @@
-// GL 1.5, 6.1: what is set is what is read, converted to the type that is asked for; stacks give back what they saved.
-#include <catch2/catch.hpp>
+// GL 1.5, 6.1: what is set is what is read, converted to the type that is asked for; stacks give back what
+// they saved.
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <cstdint>
 
 #include "spec/state_commands.h"
@@ -25,8 +26,10 @@ TEST_CASE("every capability can be enabled and disabled and is read by every que
     if (row.kind != 'C' && row.kind != 'A') continue;
     INFO(row.name);
     for (GLboolean value : {GL_TRUE, GL_FALSE, GL_TRUE}) {
-      if (row.kind == 'C') (value ? gl.Enable : gl.Disable)(row.token);
-      else (value ? gl.EnableClientState : gl.DisableClientState)(row.token);
+      if (row.kind == 'C')
+        (value ? gl.Enable : gl.Disable)(row.token);
+      else
+        (value ? gl.EnableClientState : gl.DisableClientState)(row.token);
       GLboolean b = 2;
       GLfloat f = 2;
       GLdouble d = 2;
@@ -124,7 +127,9 @@ TEST_CASE("integer parameters of colours are mapped to [-1, 1]", "[spec][state]"
 TEST_CASE("matrix stacks overflow and underflow at their depths", "[spec][state]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
-  struct Stack { GLenum mode, depth, limit; };
+  struct Stack {
+    GLenum mode, depth, limit;
+  };
   for (const Stack& s : {Stack{GL_MODELVIEW, GL_MODELVIEW_STACK_DEPTH, GL_MAX_MODELVIEW_STACK_DEPTH},
                          Stack{GL_PROJECTION, GL_PROJECTION_STACK_DEPTH, GL_MAX_PROJECTION_STACK_DEPTH},
                          Stack{GL_TEXTURE, GL_TEXTURE_STACK_DEPTH, GL_MAX_TEXTURE_STACK_DEPTH}}) {
@@ -146,7 +151,8 @@ TEST_CASE("matrix stacks overflow and underflow at their depths", "[spec][state]
 TEST_CASE("attribute stacks overflow at their depth", "[spec][state]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
-  for (int i = 0; i < 16; ++i) gl.PushAttrib(GL_ALL_ATTRIB_BITS), gl.PushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
+  for (int i = 0; i < 16; ++i)
+    gl.PushAttrib(GL_ALL_ATTRIB_BITS), gl.PushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
   REQUIRE(gl.GetError() == GL_NO_ERROR);
   REQUIRE(integer(gl, GL_ATTRIB_STACK_DEPTH) == 16);
   REQUIRE(integer(gl, GL_CLIENT_ATTRIB_STACK_DEPTH) == 16);
@@ -165,7 +171,8 @@ TEST_CASE("pushing and popping everything leaves everything as it was", "[spec][
       const StateCommand command = random_state_command(random);
       // Matrices and the stacks themselves are not saved by PushAttrib; every other state is.
       bool skip = false;
-      for (const char* name : {"Matri", "Identity", "Rotate", "Translate", "Scalef", "Frustum", "Ortho", "Attrib"})
+      for (const char* name :
+           {"Matri", "Identity", "Rotate", "Translate", "Scalef", "Frustum", "Ortho", "Attrib"})
         skip = skip || command.text.find(name) != std::string::npos;
       if (!skip || command.text.find("MatrixMode") != std::string::npos) command.run(gl);
     }

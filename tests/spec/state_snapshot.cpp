@@ -15,8 +15,8 @@ std::string text(double v) {
   return buffer;
 }
 
-// Values beyond what an integer holds are converted by OSMesa as the processor happens to; GL 1.5, 6.1.2 asks for the
-// nearest. Matrices are mapped like colours by OSMesa, against 6.1.2. Neither is compared.
+// Values beyond what an integer holds are converted by OSMesa as the processor happens to; GL 1.5, 6.1.2 asks
+// for the nearest. Matrices are mapped like colours by OSMesa, against 6.1.2. Neither is compared.
 bool integers_comparable(const StateRow& row, const double* v, int count) {
   if (row.name.find("_MATRIX") != std::string::npos) return false;
   const double limit = row.kind == 'N' ? 1.0 : 2147483520.0;
@@ -32,7 +32,8 @@ template <class T> int written(const T* values, const T* untouched) {
   return count;
 }
 
-// Asks twice with different contents of the array, so that values that are written can be told from those that are not.
+// Asks twice with different contents of the array, so that values that are written can be told from those
+// that are not.
 template <class T, class Ask> std::string answers(Ask ask, double* out = nullptr, int* out_count = nullptr) {
   T a[16], b[16], a0[16], b0[16];
   std::memset(a, 0x5a, sizeof a);
@@ -64,25 +65,30 @@ void add_rows(const Gl& gl, StateSnapshot& out) {
   gl.GetIntegerv(GL_ACTIVE_TEXTURE, &active);
   for (const StateRow& row : state_rows()) {
     if (row.name.ends_with("_WIN") || row.name.ends_with("_SOFTGL")) continue; // extensions that OSMesa lacks
-    if (row.name.find("COMPRESSED_TEXTURE_FORMATS") != std::string::npos) continue; // OSMesa has 12, softgl none
-    if (row.token == GL_TRANSPOSE_TEXTURE_MATRIX && active != GL_TEXTURE0) continue;        // OSMesa gives unit 0's
+    if (row.name.find("COMPRESSED_TEXTURE_FORMATS") != std::string::npos)
+      continue; // OSMesa has 12, softgl none
+    if (row.token == GL_TRANSPOSE_TEXTURE_MATRIX && active != GL_TEXTURE0) continue; // OSMesa gives unit 0's
     double v[16];
     int count = 0;
-    out.emplace_back(row.name + " double", answers<GLdouble>([&](GLdouble* p) { gl.GetDoublev(row.token, p); }, v, &count));
+    out.emplace_back(row.name + " double",
+                     answers<GLdouble>([&](GLdouble* p) { gl.GetDoublev(row.token, p); }, v, &count));
     out.emplace_back(row.name + " float", answers<GLfloat>([&](GLfloat* p) { gl.GetFloatv(row.token, p); }));
-    out.emplace_back(row.name + " bool", answers<GLboolean>([&](GLboolean* p) { gl.GetBooleanv(row.token, p); }));
+    out.emplace_back(row.name + " bool",
+                     answers<GLboolean>([&](GLboolean* p) { gl.GetBooleanv(row.token, p); }));
     out.emplace_back(row.name + " int", integers_comparable(row, v, count)
                                             ? answers<GLint>([&](GLint* p) { gl.GetIntegerv(row.token, p); })
                                             : std::string("not compared"));
-    if (row.kind == 'C' || row.kind == 'A') out.emplace_back(row.name + " enabled", text(gl.IsEnabled(row.token)));
+    if (row.kind == 'C' || row.kind == 'A')
+      out.emplace_back(row.name + " enabled", text(gl.IsEnabled(row.token)));
     out.emplace_back(row.name + " error", error_text(gl));
   }
 }
 
 void add_lighting(const Gl& gl, StateSnapshot& out, int lights) {
   for (int i = 0; i < lights; ++i)
-    for (GLenum pname : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_POSITION, GL_SPOT_DIRECTION, GL_SPOT_EXPONENT, GL_SPOT_CUTOFF,
-                         GL_CONSTANT_ATTENUATION, GL_LINEAR_ATTENUATION, GL_QUADRATIC_ATTENUATION})
+    for (GLenum pname :
+         {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_POSITION, GL_SPOT_DIRECTION, GL_SPOT_EXPONENT,
+          GL_SPOT_CUTOFF, GL_CONSTANT_ATTENUATION, GL_LINEAR_ATTENUATION, GL_QUADRATIC_ATTENUATION})
       out.emplace_back("light " + std::to_string(i) + " " + std::to_string(pname),
                        answers<GLfloat>([&](GLfloat* p) { gl.GetLightfv(GL_LIGHT0 + GLenum(i), pname, p); }));
   for (GLenum face : {GL_FRONT, GL_BACK})
@@ -92,16 +98,20 @@ void add_lighting(const Gl& gl, StateSnapshot& out, int lights) {
 }
 
 void add_unit(const Gl& gl, StateSnapshot& out, const std::string& prefix) {
-  for (GLenum pname : {GL_TEXTURE_ENV_MODE, GL_TEXTURE_ENV_COLOR, GL_COMBINE_RGB, GL_COMBINE_ALPHA, GL_SOURCE0_RGB, GL_SOURCE1_RGB,
-                       GL_SOURCE2_RGB, GL_SOURCE0_ALPHA, GL_SOURCE1_ALPHA, GL_SOURCE2_ALPHA, GL_OPERAND0_RGB, GL_OPERAND1_RGB,
-                       GL_OPERAND2_RGB, GL_OPERAND0_ALPHA, GL_OPERAND1_ALPHA, GL_OPERAND2_ALPHA, GL_RGB_SCALE, GL_ALPHA_SCALE}) {
+  for (GLenum pname : {GL_TEXTURE_ENV_MODE, GL_TEXTURE_ENV_COLOR, GL_COMBINE_RGB, GL_COMBINE_ALPHA,
+                       GL_SOURCE0_RGB, GL_SOURCE1_RGB, GL_SOURCE2_RGB, GL_SOURCE0_ALPHA, GL_SOURCE1_ALPHA,
+                       GL_SOURCE2_ALPHA, GL_OPERAND0_RGB, GL_OPERAND1_RGB, GL_OPERAND2_RGB, GL_OPERAND0_ALPHA,
+                       GL_OPERAND1_ALPHA, GL_OPERAND2_ALPHA, GL_RGB_SCALE, GL_ALPHA_SCALE}) {
     out.emplace_back(prefix + "environment " + std::to_string(pname),
                      answers<GLfloat>([&](GLfloat* p) { gl.GetTexEnvfv(GL_TEXTURE_ENV, pname, p); }));
     out.emplace_back(prefix + "environment int " + std::to_string(pname),
                      answers<GLint>([&](GLint* p) { gl.GetTexEnviv(GL_TEXTURE_ENV, pname, p); }));
   }
-  out.emplace_back(prefix + "lod bias", answers<GLfloat>([&](GLfloat* p) { gl.GetTexEnvfv(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, p); }));
-  out.emplace_back(prefix + "coord replace", answers<GLint>([&](GLint* p) { gl.GetTexEnviv(GL_POINT_SPRITE, GL_COORD_REPLACE, p); }));
+  out.emplace_back(prefix + "lod bias", answers<GLfloat>([&](GLfloat* p) {
+                     gl.GetTexEnvfv(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, p);
+                   }));
+  out.emplace_back(prefix + "coord replace",
+                   answers<GLint>([&](GLint* p) { gl.GetTexEnviv(GL_POINT_SPRITE, GL_COORD_REPLACE, p); }));
   for (GLenum coord : {GL_S, GL_T, GL_R, GL_Q})
     for (GLenum pname : {GL_TEXTURE_GEN_MODE, GL_OBJECT_PLANE, GL_EYE_PLANE}) {
       out.emplace_back(prefix + "generation " + std::to_string(coord) + " " + std::to_string(pname),
@@ -130,7 +140,8 @@ StateSnapshot take_snapshot(const Gl& gl, bool thorough) {
   add_rows(gl, out);
   add_lighting(gl, out, thorough ? 8 : 2);
   for (int i = 0; i < (thorough ? 8 : 2); ++i)
-    out.emplace_back("clip plane " + std::to_string(i), answers<GLdouble>([&](GLdouble* p) { gl.GetClipPlane(GL_CLIP_PLANE0 + GLenum(i), p); }));
+    out.emplace_back("clip plane " + std::to_string(i),
+                     answers<GLdouble>([&](GLdouble* p) { gl.GetClipPlane(GL_CLIP_PLANE0 + GLenum(i), p); }));
   if (thorough) {
     GLint active = 0;
     gl.GetIntegerv(GL_ACTIVE_TEXTURE, &active);
@@ -140,7 +151,8 @@ StateSnapshot take_snapshot(const Gl& gl, bool thorough) {
       add_unit(gl, out, prefix);
       for (const StateRow& row : state_rows())
         if (row.name.rfind("GL_TEXTURE_", 0) == 0 || row.name.rfind("GL_CURRENT_T", 0) == 0)
-          out.emplace_back(prefix + row.name, answers<GLfloat>([&](GLfloat* p) { gl.GetFloatv(row.token, p); }));
+          out.emplace_back(prefix + row.name,
+                           answers<GLfloat>([&](GLfloat* p) { gl.GetFloatv(row.token, p); }));
     }
     gl.ActiveTexture(GLenum(active));
   } else {

@@ -14,15 +14,16 @@ struct StateRow {
   std::string name;
   GLenum token;
   std::vector<double> initial; // empty: depends on the window
-  char kind;                   // B, I, U, E, F, N: Bool, Int, Uint, Enum, Float, Normal; C: a capability; A: a vertex array
+  char kind; // B, I, U, E, F, N: Bool, Int, Uint, Enum, Float, Normal; C: a capability; A: a vertex array
 };
 const std::vector<StateRow>& state_rows();
 
 /// The answers by name, as text with exact values.
 using StateSnapshot = std::vector<std::pair<std::string, std::string>>;
 
-/// All Get commands of all state: the table with four types and IsEnabled, lights, materials, clip planes, texture units,
-/// stipple. `thorough` looks at all texture units, lights and planes, and changes the active unit to do so.
+/// All Get commands of all state: the table with four types and IsEnabled, lights, materials, clip planes,
+/// texture units, stipple. `thorough` looks at all texture units, lights and planes, and changes the active
+/// unit to do so.
 StateSnapshot take_snapshot(const Gl& gl, bool thorough);
 
 /// The names whose answers differ, with both answers; empty if none.

@@ -3,8 +3,9 @@
 
 namespace softgl::test {
 
-/// Call before any library is loaded. OSMesa (llvmpipe) fuses multiplications and additions on processors with FMA; held
-/// to SSE4.1 it computes the same bytes on all of them. Its threads and its shader cache change no byte, only the time.
+/// Call before any library is loaded. OSMesa (llvmpipe) fuses multiplications and additions on processors
+/// with FMA; held to SSE4.1 it computes the same bytes on all of them. Its threads and its shader cache
+/// change no byte, only the time.
 void fix_environment();
 
 /// How many seeds a case draws: `usual`, or at most as many as SOFTGL_TEST_SEEDS says, for slow builds.

@@ -50,7 +50,8 @@ const Gl& softgl_library() {
 }
 
 const Gl& osmesa_library() {
-  static const Gl gl = load_gl("OSMesa", path_from("SOFTGL_TEST_OSMESA", "/usr/lib/x86_64-linux-gnu/libOSMesa.so.8"));
+  static const Gl gl =
+      load_gl("OSMesa", path_from("SOFTGL_TEST_OSMESA", "/usr/lib/x86_64-linux-gnu/libOSMesa.so.8"));
   return gl;
 }
 

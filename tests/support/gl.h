@@ -19,15 +19,19 @@ struct Gl {
 #undef GL_FUNCTION
   using Proc = void (*)();
   void* (*OSMesaCreateContext)(GLenum format, void* share) = nullptr;
-  void* (*OSMesaCreateContextExt)(GLenum format, GLint depth, GLint stencil, GLint accum, void* share) = nullptr;
+  void* (*OSMesaCreateContextExt)(GLenum format, GLint depth, GLint stencil, GLint accum,
+                                  void* share) = nullptr;
   void* (*OSMesaCreateContextAttribs)(const int* attributes, void* share) = nullptr;
   void (*OSMesaDestroyContext)(void* context) = nullptr;
-  GLboolean (*OSMesaMakeCurrent)(void* context, void* buffer, GLenum type, GLsizei width, GLsizei height) = nullptr;
+  GLboolean (*OSMesaMakeCurrent)(void* context, void* buffer, GLenum type, GLsizei width,
+                                 GLsizei height) = nullptr;
   void* (*OSMesaGetCurrentContext)() = nullptr;
   void (*OSMesaPixelStore)(GLint pname, GLint value) = nullptr;
   void (*OSMesaGetIntegerv)(GLint pname, GLint* value) = nullptr;
-  GLboolean (*OSMesaGetDepthBuffer)(void* context, GLint* width, GLint* height, GLint* bytes, void** buffer) = nullptr;
-  GLboolean (*OSMesaGetColorBuffer)(void* context, GLint* width, GLint* height, GLint* format, void** buffer) = nullptr;
+  GLboolean (*OSMesaGetDepthBuffer)(void* context, GLint* width, GLint* height, GLint* bytes,
+                                    void** buffer) = nullptr;
+  GLboolean (*OSMesaGetColorBuffer)(void* context, GLint* width, GLint* height, GLint* format,
+                                    void** buffer) = nullptr;
   Proc (*OSMesaGetProcAddress)(const char* name) = nullptr;
   void (*OSMesaColorClamp)(GLboolean enable) = nullptr;
   void (*OSMesaPostprocess)(void* context, const char* filter, unsigned value) = nullptr;
@@ -36,10 +40,12 @@ struct Gl {
   std::string path;
 };
 
-constexpr GLenum kOSMesaRgba = GL_RGBA, kOSMesaBgra = 1, kOSMesaArgb = 2, kOSMesaRgb = GL_RGB, kOSMesaRgb565 = 5;
+constexpr GLenum kOSMesaRgba = GL_RGBA, kOSMesaBgra = 1, kOSMesaArgb = 2, kOSMesaRgb = GL_RGB,
+                 kOSMesaRgb565 = 5;
 constexpr GLint kOSMesaYUp = 0x11, kOSMesaRowLength = 0x10;
 
-/// Loads a library with RTLD_LOCAL; throws std::runtime_error with the reason when it or a function is missing.
+/// Loads a library with RTLD_LOCAL; throws std::runtime_error with the reason when it or a function is
+/// missing.
 Gl load_gl(const std::string& name, const std::string& path);
 
 /// softgl's drop-in library of this build ($SOFTGL_TEST_LIBRARY names another) and the system's OSMesa

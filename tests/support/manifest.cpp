@@ -18,7 +18,8 @@ const char kLibraryLine[] = "# drawn by ";
 std::string library_text(const Gl& gl) {
   uint32_t pixel = 0;
   void* context = gl.OSMesaCreateContextExt(kOSMesaRgba, 24, 8, 0, nullptr);
-  if (!context || !gl.OSMesaMakeCurrent(context, &pixel, GL_UNSIGNED_BYTE, 1, 1)) throw std::runtime_error(gl.name + " makes no context");
+  if (!context || !gl.OSMesaMakeCurrent(context, &pixel, GL_UNSIGNED_BYTE, 1, 1))
+    throw std::runtime_error(gl.name + " makes no context");
   auto text = [&](GLenum name) { return std::string(reinterpret_cast<const char*>(gl.GetString(name))); };
   const std::string result = text(GL_VERSION) + ", " + text(GL_RENDERER);
   gl.OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
@@ -54,7 +55,9 @@ Manifest read_manifest(const std::string& path) {
     if (line.empty() || line[0] == '#') continue;
     char name[64];
     ManifestRow row;
-    if (std::sscanf(line.c_str(), "%63s %" SCNu64 " %" SCNu64 " %" SCNx64, name, &row.first, &row.count, &row.hash) != 4 || !find_scene(name))
+    if (std::sscanf(line.c_str(), "%63s %" SCNu64 " %" SCNu64 " %" SCNx64, name, &row.first, &row.count,
+                    &row.hash) != 4 ||
+        !find_scene(name))
       throw std::runtime_error(path + ": cannot use the line \"" + line + "\"");
     row.scene = name;
     manifest.rows.push_back(row);
@@ -65,10 +68,12 @@ Manifest read_manifest(const std::string& path) {
 
 void write_manifest(const std::string& path, const Manifest& manifest) {
   std::ofstream file(path);
-  file << kLibraryLine << manifest.library << "\n# scene, first seed, number of seeds, hash of their colours and depths\n";
+  file << kLibraryLine << manifest.library
+       << "\n# scene, first seed, number of seeds, hash of their colours and depths\n";
   for (const ManifestRow& row : manifest.rows) {
     char line[128];
-    std::snprintf(line, sizeof line, "%s %" PRIu64 " %" PRIu64 " %016" PRIx64 "\n", row.scene.c_str(), row.first, row.count, row.hash);
+    std::snprintf(line, sizeof line, "%s %" PRIu64 " %" PRIu64 " %016" PRIx64 "\n", row.scene.c_str(),
+                  row.first, row.count, row.hash);
     file << line;
   }
   if (!file.flush()) throw std::runtime_error(path + " cannot be written");

@@ -8,7 +8,8 @@
 
 namespace softgl::test {
 
-/// Pictures of seeds [first, first + count) of a family, or a named scene: one hash of all their colours and depths.
+/// Pictures of seeds [first, first + count) of a family, or a named scene: one hash of all their colours and
+/// depths.
 struct ManifestRow {
   std::string scene;
   uint64_t first = 0, count = 1, hash = 0;

@@ -6,7 +6,8 @@ namespace softgl::test {
 
 namespace {
 
-Picture draw_without(const Gl& gl, const Scene& scene, uint64_t seed, const std::vector<bool>& skip, int* calls = nullptr) {
+Picture draw_without(const Gl& gl, const Scene& scene, uint64_t seed, const std::vector<bool>& skip,
+                     int* calls = nullptr) {
   CallFilter filter;
   filter.skip = &skip;
   const Gl table = traced(gl, filter);
@@ -20,10 +21,12 @@ Picture draw_without(const Gl& gl, const Scene& scene, uint64_t seed, const std:
 std::vector<bool> minimize(const Gl& a, const Gl& b, const Scene& scene, uint64_t seed, int tolerance) {
   std::vector<bool> skip;
   int calls = 0;
-  const Picture first = draw_without(a, scene, seed, skip, &calls), second = draw_without(b, scene, seed, skip);
+  const Picture first = draw_without(a, scene, seed, skip, &calls),
+                second = draw_without(b, scene, seed, skip);
   const Difference difference = compare(first, second);
   if (!difference.any()) return {};
-  const bool only_errors = difference.errors && !difference.color_bytes && !difference.floats && first.depth == second.depth;
+  const bool only_errors =
+      difference.errors && !difference.color_bytes && !difference.floats && first.depth == second.depth;
   skip.assign(calls, false);
   auto still = [&](const std::vector<bool>& candidate) {
     const Picture x = draw_without(a, scene, seed, candidate), y = draw_without(b, scene, seed, candidate);

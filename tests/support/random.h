@@ -11,7 +11,8 @@ using Float2 = std::array<float, 2>;
 using Float3 = std::array<float, 3>;
 using Float4 = std::array<float, 4>;
 
-/// SplitMix64. Draw one number per statement (or inside braces): the order of evaluation of call arguments is open.
+/// SplitMix64. Draw one number per statement (or inside braces): the order of evaluation of call arguments is
+/// open.
 class Random {
 public:
   explicit Random(uint64_t seed) : state_(seed * 0x9e3779b97f4a7c15u + 0x1234567u) {}
@@ -26,9 +27,15 @@ public:
   /// True in `percent` of a hundred cases.
   bool chance(int percent) { return integer(1, 100) <= percent; }
   /// A float in [low, high).
-  float real(float low, float high) { return low + (high - low) * (float(bits() >> 40) * (1.0f / 16777216.0f)); }
-  template <class T> T pick(std::initializer_list<T> values) { return values.begin()[integer(0, int(values.size()) - 1)]; }
-  template <class T, size_t N> const T& pick(const std::array<T, N>& values) { return values[integer(0, int(N) - 1)]; }
+  float real(float low, float high) {
+    return low + (high - low) * (float(bits() >> 40) * (1.0f / 16777216.0f));
+  }
+  template <class T> T pick(std::initializer_list<T> values) {
+    return values.begin()[integer(0, int(values.size()) - 1)];
+  }
+  template <class T, size_t N> const T& pick(const std::array<T, N>& values) {
+    return values[integer(0, int(N) - 1)];
+  }
   /// Components in [0,1), sometimes exactly 0 or 1.
   Float4 color() {
     Float4 c;

@@ -15,7 +15,8 @@ using raycast::Hit;
 using spec::Vec3;
 constexpr int kSize = 160;
 
-// Set-ups ---------------------------------------------------------------------------------------------------------------
+// Set-ups
+// ---------------------------------------------------------------------------------------------------------------
 
 struct Setup {
   std::string name;
@@ -24,9 +25,11 @@ struct Setup {
   raycast::Material material;
 };
 
-// Lights of every kind around a shape at (0, 0, -4), alone and together; sharp and blunt highlights; both viewers.
+// Lights of every kind around a shape at (0, 0, -4), alone and together; sharp and blunt highlights; both
+// viewers.
 Setup make_setup(int number, bool reflection) {
-  static const char* const kKinds[] = {"directional", "point", "attenuated point", "spotlight", "attenuated spotlight", "three lights"};
+  static const char* const kKinds[] = {"directional",          "point",       "attenuated point", "spotlight",
+                                       "attenuated spotlight", "three lights"};
   static const double kExponents[] = {1, 5, 12, 30, 64, 128};
   const int kind = number % 6;
   Random random(uint64_t(number) + 77);
@@ -46,28 +49,34 @@ Setup make_setup(int number, bool reflection) {
   s.material.phongExponent = kExponents[(number / 2 + number / 6) % 6];
   for (int i = 0; i < (kind == 5 ? 3 : 1); i++) {
     spec::Light light;
-    light.ambient = 0.1 * color(0), light.diffuse = (kind == 5 ? 0.5 : 0.8) * color(0.4f), light.specular = color(0.3f);
+    light.ambient = 0.1 * color(0), light.diffuse = (kind == 5 ? 0.5 : 0.8) * color(0.4f),
+    light.specular = color(0.3f);
     const double x = real(-3, 3), y = real(0.5f, 3), towards_us = real(1, 3);
-    const bool positional = kind != 0 && !(kind == 5 && i == 0), spot = kind == 3 || kind == 4 || (kind == 5 && i == 2);
+    const bool positional = kind != 0 && !(kind == 5 && i == 0),
+               spot = kind == 3 || kind == 4 || (kind == 5 && i == 2);
     light.position = {x, y, towards_us - (positional ? 4 : 0), positional ? 1.0 : 0.0};
-    if (kind == 2 || kind == 4) light.constant_attenuation = 0.4, light.linear_attenuation = 0.1, light.quadratic_attenuation = 0.03;
+    if (kind == 2 || kind == 4)
+      light.constant_attenuation = 0.4, light.linear_attenuation = 0.1, light.quadratic_attenuation = 0.03;
     if (spot) {
       light.spot_direction = Vec3{-x, -y, -towards_us};
       light.spot_cutoff = real(15, 35), light.spot_exponent = real(0, 20);
     }
     s.illumination.lights.push_back(light);
   }
-  s.name = std::string(kKinds[kind]) + (s.camera.perspective ? ", perspective" : ", orthographic") + ", exponent " + std::to_string(int(s.material.phongExponent));
+  s.name = std::string(kKinds[kind]) + (s.camera.perspective ? ", perspective" : ", orthographic") +
+           ", exponent " + std::to_string(int(s.material.phongExponent));
   return s;
 }
 
-// Shapes, exact and tessellated -------------------------------------------------------------------------------------------
+// Shapes, exact and tessellated
+// -------------------------------------------------------------------------------------------
 
 struct Tessellation {
   std::vector<float> vertices; // normal, position
   std::vector<uint32_t> indices;
   void add(Vec3 position, Vec3 normal) {
-    for (double x : {normal.x, normal.y, normal.z, position.x, position.y, position.z}) vertices.push_back(float(x));
+    for (double x : {normal.x, normal.y, normal.z, position.x, position.y, position.z})
+      vertices.push_back(float(x));
   }
   // The quads between rows of `columns` + 1 vertices.
   void connect(int first, int columns, int rows) {
@@ -83,12 +92,14 @@ constexpr Vec3 kCenter{0, 0, -4};
 constexpr double kRadius = 1.2;
 const Vec3 kPlanePoint{0, -0.5, -4}, kPlaneNormal = spec::unit({0.1, 1, 0.6});
 // Three half edges at right angles: rows of a rotation.
-const Vec3 kBoxEdges[3] = {0.75 * Vec3{0.8, 0, -0.6}, 0.75 * Vec3{0.36, 0.8, 0.48}, 0.75 * Vec3{0.48, -0.6, 0.64}};
+const Vec3 kBoxEdges[3] = {0.75 * Vec3{0.8, 0, -0.6}, 0.75 * Vec3{0.36, 0.8, 0.48},
+                           0.75 * Vec3{0.48, -0.6, 0.64}};
 
 std::unique_ptr<raycast::Shape> exact(const std::string& shape, const raycast::Material& material) {
   if (shape == "sphere") return std::make_unique<raycast::Sphere>(material, kCenter, kRadius);
   if (shape == "plane") return std::make_unique<raycast::Plane>(material, kPlanePoint, kPlaneNormal);
-  if (shape == "box") return std::make_unique<raycast::Box>(material, kCenter, kBoxEdges[0], kBoxEdges[1], kBoxEdges[2]);
+  if (shape == "box")
+    return std::make_unique<raycast::Box>(material, kCenter, kBoxEdges[0], kBoxEdges[1], kBoxEdges[2]);
   throw std::runtime_error("no shape is called " + shape);
 }
 
@@ -107,7 +118,8 @@ Tessellation tessellate(const std::string& shape, int n) {
     const int stacks = n / 2;
     for (int j = 0; j <= stacks; j++)
       for (int i = 0; i <= n; i++) {
-        const double u = 2 * std::numbers::pi * (i % n) / n, v = std::numbers::pi * j / stacks - std::numbers::pi / 2;
+        const double u = 2 * std::numbers::pi * (i % n) / n,
+                     v = std::numbers::pi * j / stacks - std::numbers::pi / 2;
         const Vec3 normal{std::cos(v) * std::cos(u), std::cos(v) * std::sin(u), std::sin(v)};
         t.add(kCenter + kRadius * normal, normal);
       }
@@ -125,7 +137,8 @@ Tessellation tessellate(const std::string& shape, int n) {
   return t;
 }
 
-// Drawing -----------------------------------------------------------------------------------------------------------------
+// Drawing
+// -----------------------------------------------------------------------------------------------------------------
 
 struct Drawing {
   const Setup* setup;
@@ -157,9 +170,12 @@ void draw_shape(Stage& stage) {
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   gl.Enable(GL_DEPTH_TEST);
   gl.MatrixMode(GL_PROJECTION);
-  const double half = s.camera.perspective ? std::tan(s.camera.field_of_view / 2 * std::numbers::pi / 180) : s.camera.half_height;
-  if (s.camera.perspective) gl.Frustum(-half, half, -half, half, 1, 20);
-  else gl.Ortho(-half, half, -half, half, 1, 20);
+  const double half = s.camera.perspective ? std::tan(s.camera.field_of_view / 2 * std::numbers::pi / 180)
+                                           : s.camera.half_height;
+  if (s.camera.perspective)
+    gl.Frustum(-half, half, -half, half, 1, 20);
+  else
+    gl.Ortho(-half, half, -half, half, 1, 20);
   gl.MatrixMode(GL_MODELVIEW);
   gl.Enable(GL_LIGHTING);
   const spec::LightModel& model = s.illumination.model;
@@ -167,12 +183,14 @@ void draw_shape(Stage& stage) {
   gl.LightModelfv(GL_LIGHT_MODEL_AMBIENT, ambient);
   gl.LightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, model.local_viewer);
   if (drawing.reflection) gl.LightModeli(GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL, GL_REFLECTION_VECTOR_SOFTGL);
-  for (size_t i = 0; i < s.illumination.lights.size(); i++) set_light(gl, GL_LIGHT0 + GLenum(i), s.illumination.lights[i]);
+  for (size_t i = 0; i < s.illumination.lights.size(); i++)
+    set_light(gl, GL_LIGHT0 + GLenum(i), s.illumination.lights[i]);
   const auto set = [&](GLenum parameter, Vec3 c) {
     const GLfloat values[4] = {float(c.x), float(c.y), float(c.z), 1};
     gl.Materialfv(GL_FRONT_AND_BACK, parameter, values);
   };
-  set(GL_AMBIENT, s.material.kAmbient), set(GL_DIFFUSE, s.material.kDiffuse), set(GL_SPECULAR, s.material.kSpecular);
+  set(GL_AMBIENT, s.material.kAmbient), set(GL_DIFFUSE, s.material.kDiffuse),
+      set(GL_SPECULAR, s.material.kSpecular);
   gl.Materialf(GL_FRONT_AND_BACK, GL_SHININESS, float(s.material.phongExponent));
   gl.ShadeModel(drawing.shading);
   const Tessellation& t = *drawing.tessellation;
@@ -183,7 +201,8 @@ void draw_shape(Stage& stage) {
   gl.DrawElements(GL_TRIANGLES, GLsizei(t.indices.size()), GL_UNSIGNED_INT, t.indices.data());
 }
 
-// Comparing ---------------------------------------------------------------------------------------------------------------
+// Comparing
+// ---------------------------------------------------------------------------------------------------------------
 
 struct Exact {
   std::vector<int> part; // what the ray through each pixel hits: -1 nothing, 0 .. 5 the face of a box
@@ -215,7 +234,8 @@ void compare_pictures(const Exact& e, const Picture& p, int& pixels, double& equ
       const size_t i = at(0, 0);
       bool inside = e.part[i] >= 0;
       for (int dy = -1; dy <= 1; dy++)
-        for (int dx = -1; dx <= 1; dx++) inside &= e.part[at(dx, dy)] == e.part[i] && p.color[4 * at(dx, dy) + 3] == 255;
+        for (int dx = -1; dx <= 1; dx++)
+          inside &= e.part[at(dx, dy)] == e.part[i] && p.color[4 * at(dx, dy) + 3] == 255;
       if (!inside) continue;
       int largest = 0;
       for (size_t c = 0; c < 3; c++) {
@@ -231,7 +251,8 @@ void compare_pictures(const Exact& e, const Picture& p, int& pixels, double& equ
 
 int raycast_setups() { return 24; }
 
-std::vector<ConvergencePoint> compare_with_raycast(const std::string& shape, bool reflection, const std::vector<int>& slices) {
+std::vector<ConvergencePoint> compare_with_raycast(const std::string& shape, bool reflection,
+                                                   const std::vector<int>& slices) {
   std::vector<ConvergencePoint> points;
   std::vector<Tessellation> tessellations;
   for (int n : slices) tessellations.push_back(tessellate(shape, n));
@@ -242,9 +263,11 @@ std::vector<ConvergencePoint> compare_with_raycast(const std::string& shape, boo
     for (size_t i = 0; i < slices.size(); i++) {
       ConvergencePoint point{shape, setup.name, reflection, slices[i]};
       drawing = {&setup, &tessellations[i], GL_PHONG_WIN, reflection};
-      compare_pictures(e, draw(softgl_library(), scene, 0), point.pixels, point.phong_equal, point.phong_mean);
+      compare_pictures(e, draw(softgl_library(), scene, 0), point.pixels, point.phong_equal,
+                       point.phong_mean);
       drawing.shading = GL_SMOOTH;
-      compare_pictures(e, draw(softgl_library(), scene, 0), point.pixels, point.gouraud_equal, point.gouraud_mean);
+      compare_pictures(e, draw(softgl_library(), scene, 0), point.pixels, point.gouraud_equal,
+                       point.gouraud_mean);
       points.push_back(point);
     }
   }

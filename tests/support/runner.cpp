@@ -33,7 +33,8 @@ uint64_t Picture::hash() const {
 }
 
 static void choose_size(const Scene& scene, uint64_t seed, int& width, int& height) {
-  static constexpr int kSizes[8][2] = {{160, 120}, {128, 128}, {160, 120}, {97, 61}, {200, 131}, {64, 64}, {131, 200}, {257, 80}};
+  static constexpr int kSizes[8][2] = {{160, 120}, {128, 128}, {160, 120}, {97, 61},
+                                       {200, 131}, {64, 64},   {131, 200}, {257, 80}};
   width = scene.random ? kSizes[seed % 8][0] : scene.width;
   height = scene.random ? kSizes[seed % 8][1] : scene.height;
 }
@@ -63,7 +64,8 @@ Picture draw(const Gl& gl, const Scene& scene, uint64_t seed) {
   if (!gl.OSMesaMakeCurrent(context, colors, scene.floats ? GL_FLOAT : GL_UNSIGNED_BYTE, p.width, p.height))
     throw std::runtime_error(gl.name + ": OSMesaMakeCurrent failed");
   uint64_t name = 0xcbf29ce484222325u; // every family draws something else for one seed
-  for (char c : scene.numbers.empty() ? scene.name : scene.numbers) name = (name ^ uint8_t(c)) * 0x100000001b3u;
+  for (char c : scene.numbers.empty() ? scene.name : scene.numbers)
+    name = (name ^ uint8_t(c)) * 0x100000001b3u;
   Random random(seed * 1000003u + name);
   Stage stage{gl, random, p.width, p.height};
   scene.draw(stage);
@@ -73,10 +75,12 @@ Picture draw(const Gl& gl, const Scene& scene, uint64_t seed) {
     p.errors.push_back(error);
   }
   gl.Finish();
-  for (size_t i = 0; i < p.floats.size(); i++) p.color[i] = p.floats[i] > 0 ? uint8_t(std::min(p.floats[i], 1.0f) * 255 + 0.5f) : 0;
+  for (size_t i = 0; i < p.floats.size(); i++)
+    p.color[i] = p.floats[i] > 0 ? uint8_t(std::min(p.floats[i], 1.0f) * 255 + 0.5f) : 0;
   GLint w = 0, h = 0, bytes = 0;
   void* buffer = nullptr;
-  if (gl.OSMesaGetDepthBuffer(context, &w, &h, &bytes, &buffer) && bytes == 4 && w == p.width && h == p.height) {
+  if (gl.OSMesaGetDepthBuffer(context, &w, &h, &bytes, &buffer) && bytes == 4 && w == p.width &&
+      h == p.height) {
     std::vector<uint32_t> raw(pixels);
     std::memcpy(raw.data(), buffer, pixels * 4);
     p.depth.resize(pixels), p.stencil.resize(pixels);
@@ -88,7 +92,8 @@ Picture draw(const Gl& gl, const Scene& scene, uint64_t seed) {
 Difference compare(const Picture& ours, const Picture& theirs) {
   Difference d;
   char line[400];
-  if (ours.width != theirs.width || ours.height != theirs.height || ours.depth.size() != theirs.depth.size() || ours.floats.size() != theirs.floats.size()) {
+  if (ours.width != theirs.width || ours.height != theirs.height ||
+      ours.depth.size() != theirs.depth.size() || ours.floats.size() != theirs.floats.size()) {
     d.size = true;
     d.text = "no depth buffer, or another size";
     return d;
@@ -104,7 +109,8 @@ Difference compare(const Picture& ours, const Picture& theirs) {
           d.max_color = std::max(d.max_color, std::abs(ours.color[c] - theirs.color[c]));
         }
       for (size_t c = 4 * i; c < 4 * i + 4 && !ours.floats.empty(); c++)
-        if (std::bit_cast<uint32_t>(ours.floats[c]) != std::bit_cast<uint32_t>(theirs.floats[c])) differs = true, d.floats++;
+        if (std::bit_cast<uint32_t>(ours.floats[c]) != std::bit_cast<uint32_t>(theirs.floats[c]))
+          differs = true, d.floats++;
       if (ours.depth.size() && ours.depth[i] != theirs.depth[i]) differs = true, d.depth_values++;
       if (ours.stencil.size() && ours.stencil[i] != theirs.stencil[i]) differs = true, d.stencil_values++;
       if (differs && d.x < 0) d.x = x, d.y = y;
@@ -112,18 +118,22 @@ Difference compare(const Picture& ours, const Picture& theirs) {
   if (d.x >= 0) {
     const size_t i = size_t(d.y) * ours.width + d.x;
     std::snprintf(line, sizeof line,
-                  "%zu colour bytes (largest by %d), %zu depths, %zu stencils differ; first at (%d,%d): ours %02x%02x%02x%02x z %06x, "
+                  "%zu colour bytes (largest by %d), %zu depths, %zu stencils differ; first at (%d,%d): ours "
+                  "%02x%02x%02x%02x z %06x, "
                   "theirs %02x%02x%02x%02x z %06x",
-                  d.color_bytes, d.max_color, d.depth_values, d.stencil_values, d.x, d.y, ours.color[4 * i], ours.color[4 * i + 1],
-                  ours.color[4 * i + 2], ours.color[4 * i + 3], ours.depth.empty() ? 0 : ours.depth[i], theirs.color[4 * i],
-                  theirs.color[4 * i + 1], theirs.color[4 * i + 2], theirs.color[4 * i + 3], theirs.depth.empty() ? 0 : theirs.depth[i]);
+                  d.color_bytes, d.max_color, d.depth_values, d.stencil_values, d.x, d.y, ours.color[4 * i],
+                  ours.color[4 * i + 1], ours.color[4 * i + 2], ours.color[4 * i + 3],
+                  ours.depth.empty() ? 0 : ours.depth[i], theirs.color[4 * i], theirs.color[4 * i + 1],
+                  theirs.color[4 * i + 2], theirs.color[4 * i + 3],
+                  theirs.depth.empty() ? 0 : theirs.depth[i]);
     d.text = line;
   }
   if (d.floats) {
     const float* a = &ours.floats[4 * (size_t(d.y) * ours.width + d.x)];
     const float* b = &theirs.floats[4 * (size_t(d.y) * ours.width + d.x)];
-    std::snprintf(line, sizeof line, "; %zu floats: ours %.9g %.9g %.9g %.9g, theirs %.9g %.9g %.9g %.9g", d.floats, double(a[0]), double(a[1]),
-                  double(a[2]), double(a[3]), double(b[0]), double(b[1]), double(b[2]), double(b[3]));
+    std::snprintf(line, sizeof line, "; %zu floats: ours %.9g %.9g %.9g %.9g, theirs %.9g %.9g %.9g %.9g",
+                  d.floats, double(a[0]), double(a[1]), double(a[2]), double(a[3]), double(b[0]),
+                  double(b[1]), double(b[2]), double(b[3]));
     d.text += line;
   }
   if (d.errors) {
@@ -133,7 +143,8 @@ Difference compare(const Picture& ours, const Picture& theirs) {
       for (GLenum e : errors) std::snprintf(hex, sizeof hex, " %04x", e), s += hex;
       return s.empty() ? std::string(" none") : s;
     };
-    d.text += (d.text.empty() ? "GL errors: ours" : "; GL errors: ours") + list(ours.errors) + ", theirs" + list(theirs.errors);
+    d.text += (d.text.empty() ? "GL errors: ours" : "; GL errors: ours") + list(ours.errors) + ", theirs" +
+              list(theirs.errors);
   }
   return d;
 }
@@ -155,7 +166,8 @@ std::vector<uint8_t> encode_png(int width, int height, std::vector<uint8_t> rgba
 void write_png(const std::string& path, int width, int height, const std::vector<uint8_t>& rgba) {
   std::filesystem::create_directories(std::filesystem::path(path).parent_path());
   const std::vector<uint8_t> png = encode_png(width, height, rgba);
-  std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
 }
 
 void write_difference(const std::string& stem, const Picture& ours, const Picture& theirs) {
@@ -164,11 +176,14 @@ void write_difference(const std::string& stem, const Picture& ours, const Pictur
   if (ours.color.size() != theirs.color.size()) return;
   std::vector<uint8_t> difference(ours.color.size());
   for (size_t i = 0; i < difference.size(); i++)
-    difference[i] = ours.color[i] == theirs.color[i] ? 0 : uint8_t(std::min(255, 95 + 16 * std::abs(ours.color[i] - theirs.color[i])));
+    difference[i] = ours.color[i] == theirs.color[i]
+                        ? 0
+                        : uint8_t(std::min(255, 95 + 16 * std::abs(ours.color[i] - theirs.color[i])));
   // A pixel whose alpha or depth alone differs is grey.
   for (size_t i = 0; i < difference.size() / 4; i++) {
     const bool depth = ours.depth.size() > i && theirs.depth.size() > i && ours.depth[i] != theirs.depth[i];
-    if (!difference[4 * i] && !difference[4 * i + 1] && !difference[4 * i + 2] && (difference[4 * i + 3] || depth))
+    if (!difference[4 * i] && !difference[4 * i + 1] && !difference[4 * i + 2] &&
+        (difference[4 * i + 3] || depth))
       difference[4 * i] = difference[4 * i + 1] = difference[4 * i + 2] = 128;
   }
   write_png(stem + ".difference.png", ours.width, ours.height, difference);
@@ -180,7 +195,8 @@ std::string check_against_osmesa(const Scene& scene, uint64_t seed) {
   if (!d.any()) return {};
   const std::string stem = std::string(SOFTGL_TEST_OUTPUT) + "/" + scene.name + "-" + std::to_string(seed);
   if (!d.size) write_difference(stem, ours, theirs);
-  return d.text + "\n  pictures: " + stem + ".{ours,theirs,difference}.png\n  again: " + SOFTGL_TEST_BINARY_DIR +
+  return d.text + "\n  pictures: " + stem +
+         ".{ours,theirs,difference}.png\n  again: " + SOFTGL_TEST_BINARY_DIR +
          "/softgl_conformance --family " + scene.name + " --seed " + std::to_string(seed) +
          (scene.floats ? " --floats" : "") + " --minimize";
 }

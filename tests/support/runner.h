@@ -12,9 +12,9 @@ namespace softgl::test {
 /// What a scene left: colours as in the caller's buffer, depth values (24 bits), the GL errors it raised.
 struct Picture {
   int width = 0, height = 0;
-  std::vector<uint8_t> color;   // RGBA, row 0 at the bottom
-  std::vector<float> floats;    // the same of a scene that is drawn to floats; color has them rounded
-  std::vector<uint32_t> depth;  // 0 .. 2^24-1, row 0 at the bottom
+  std::vector<uint8_t> color;  // RGBA, row 0 at the bottom
+  std::vector<float> floats;   // the same of a scene that is drawn to floats; color has them rounded
+  std::vector<uint32_t> depth; // 0 .. 2^24-1, row 0 at the bottom
   std::vector<uint8_t> stencil;
   std::vector<GLenum> errors;
 
@@ -28,16 +28,16 @@ Picture draw(const Gl& gl, const Scene& scene, uint64_t seed);
 /// How two pictures of one scene differ.
 struct Difference {
   size_t color_bytes = 0, floats = 0, depth_values = 0, stencil_values = 0;
-  int max_color = 0;            // largest difference of a colour byte
+  int max_color = 0; // largest difference of a colour byte
   bool errors = false, size = false;
-  int x = -1, y = -1;           // the first pixel that differs (y up)
+  int x = -1, y = -1; // the first pixel that differs (y up)
   bool any() const { return color_bytes || floats || depth_values || stencil_values || errors || size; }
-  std::string text;             // one line for people
+  std::string text; // one line for people
 };
 Difference compare(const Picture& ours, const Picture& theirs);
 
-/// Draws with softgl and OSMesa; on a difference writes PNG files to the output folder and returns a message with the
-/// command that repeats it. Empty: same bytes.
+/// Draws with softgl and OSMesa; on a difference writes PNG files to the output folder and returns a message
+/// with the command that repeats it. Empty: same bytes.
 std::string check_against_osmesa(const Scene& scene, uint64_t seed);
 
 /// PNG with row 0 at the bottom, opaque: alpha is compared, not shown.

@@ -1,5 +1,6 @@
-// What the sanitizers of the presets asan and tsan need to know; without one of them nobody calls these functions. Only
-// the system's OSMesa and its LLVM are spared, by their full paths: softgl's own library has the same name.
+// What the sanitizers of the presets asan and tsan need to know; without one of them nobody calls these
+// functions. Only the system's OSMesa and its LLVM are spared, by their full paths: softgl's own library has
+// the same name.
 #define SOFTGL_SANITIZER_HOOK extern "C" __attribute__((visibility("default"))) const char*
 
 // A size that nobody has is answered with GL_OUT_OF_MEMORY, which tests ask for.
@@ -12,7 +13,8 @@ SOFTGL_SANITIZER_HOOK __lsan_default_suppressions() {
 }
 // A test forks, and its child starts threads.
 SOFTGL_SANITIZER_HOOK __tsan_default_options() { return "second_deadlock_stack=1:die_after_fork=0"; }
-// OSMesa and LLVM are not compiled for ThreadSanitizer, which sees their locks and not what the locks protect.
+// OSMesa and LLVM are not compiled for ThreadSanitizer, which sees their locks and not what the locks
+// protect.
 SOFTGL_SANITIZER_HOOK __tsan_default_suppressions() {
   return "called_from_lib:/usr/lib/x86_64-linux-gnu/libOSMesa\n"
          "called_from_lib:libLLVM\n"

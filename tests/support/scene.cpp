@@ -28,9 +28,15 @@ template <class Wanted> static const std::vector<Scene>& kept(Wanted wanted) {
   return scenes;
 }
 
-const std::vector<Scene>& named_scenes() { return kept([](const Scene& s) { return !s.random && !s.extension; }); }
-const std::vector<Scene>& families() { return kept([](const Scene& s) { return s.random && !s.extension; }); }
-const std::vector<Scene>& extension_scenes() { return kept([](const Scene& s) { return s.extension; }); }
+const std::vector<Scene>& named_scenes() {
+  return kept([](const Scene& s) { return !s.random && !s.extension; });
+}
+const std::vector<Scene>& families() {
+  return kept([](const Scene& s) { return s.random && !s.extension; });
+}
+const std::vector<Scene>& extension_scenes() {
+  return kept([](const Scene& s) { return s.extension; });
+}
 
 const Scene* find_scene(const std::string& name) {
   for (const Scene& scene : registry())

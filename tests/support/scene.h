@@ -1,5 +1,5 @@
-// A scene: GL commands that make a picture. Named scenes stand one per file in tests/scenes; families of random
-// scenes, one file each, in tests/conformance/families.
+// A scene: GL commands that make a picture. Named scenes stand one per file in tests/scenes; families of
+// random scenes, one file each, in tests/conformance/families.
 #pragma once
 
 #include <cstdint>
@@ -21,15 +21,17 @@ struct Stage {
 struct Scene {
   std::string name;
   void (*draw)(Stage& stage) = nullptr;
-  bool random = false;             // the seed decides what is drawn, and the size of the picture
-  int width = 160, height = 120;   // of a scene that is not random
-  bool extension = false;          // uses an extension that OSMesa does not have
-  bool clipped = false;            // by planes of its own: where shaders draw, OSMesa computes the corners that arise another way
-  std::string numbers = {};        // draws the random numbers of this name; empty: of its own
-  bool floats = false;             // drawn to a buffer of floats: what 8 bits would round away must be equal, too
+  bool random = false;           // the seed decides what is drawn, and the size of the picture
+  int width = 160, height = 120; // of a scene that is not random
+  bool extension = false;        // uses an extension that OSMesa does not have
+  bool clipped =
+      false; // by planes of its own: where shaders draw, OSMesa computes the corners that arise another way
+  std::string numbers = {}; // draws the random numbers of this name; empty: of its own
+  bool floats = false;      // drawn to a buffer of floats: what 8 bits would round away must be equal, too
 };
 
-/// All scenes with a name of their own, and all families, in alphabetical order: those that OSMesa can draw too.
+/// All scenes with a name of their own, and all families, in alphabetical order: those that OSMesa can draw
+/// too.
 const std::vector<Scene>& named_scenes();
 const std::vector<Scene>& families();
 /// Scenes and families that use softgl's extensions.

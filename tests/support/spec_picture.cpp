@@ -26,7 +26,7 @@ struct Draw {
   Matrix4 unproject;
   std::vector<Vertex> vertices; // three a triangle; position in eye coordinates, not divided by w
   TriangleMesh mesh{{}, {}, {}};
-  bool defined = true;          // no vertex with w <= 0
+  bool defined = true; // no vertex with w <= 0
   spec::LightModel model;
   std::vector<spec::Light> lights;
   spec::Material material[2];
@@ -88,9 +88,11 @@ spec::Light read_light(GLenum light) {
     recorder.real.GetLightfv(light, name, v);
     return vec4(v);
   };
-  return {get(GL_AMBIENT).xyz(), get(GL_DIFFUSE).xyz(), get(GL_SPECULAR).xyz(), get(GL_POSITION), get(GL_SPOT_DIRECTION).xyz(),
-          get(GL_SPOT_EXPONENT).x, get(GL_SPOT_CUTOFF).x, get(GL_CONSTANT_ATTENUATION).x, get(GL_LINEAR_ATTENUATION).x,
-          get(GL_QUADRATIC_ATTENUATION).x};
+  return {get(GL_AMBIENT).xyz(),        get(GL_DIFFUSE).xyz(),
+          get(GL_SPECULAR).xyz(),       get(GL_POSITION),
+          get(GL_SPOT_DIRECTION).xyz(), get(GL_SPOT_EXPONENT).x,
+          get(GL_SPOT_CUTOFF).x,        get(GL_CONSTANT_ATTENUATION).x,
+          get(GL_LINEAR_ATTENUATION).x, get(GL_QUADRATIC_ATTENUATION).x};
 }
 
 spec::Material read_material(GLenum face) {
@@ -114,7 +116,8 @@ Draw begin_draw() {
   d.model.local_viewer = integer(GL_LIGHT_MODEL_LOCAL_VIEWER);
   d.model.two_sided = integer(GL_LIGHT_MODEL_TWO_SIDE);
   d.model.separate_specular = integer(GL_LIGHT_MODEL_COLOR_CONTROL) == GL_SEPARATE_SPECULAR_COLOR;
-  if (integer(GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL) == GL_REFLECTION_VECTOR_SOFTGL) d.model.highlight = spec::Highlight::ReflectionVector;
+  if (integer(GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL) == GL_REFLECTION_VECTOR_SOFTGL)
+    d.model.highlight = spec::Highlight::ReflectionVector;
   const GLint terms = integer(GL_LIGHT_MODEL_TERMS_SOFTGL);
   d.model.terms = {(terms & GL_EMISSION_TERM_BIT_SOFTGL) != 0, (terms & GL_AMBIENT_TERM_BIT_SOFTGL) != 0,
                    (terms & GL_DIFFUSE_TERM_BIT_SOFTGL) != 0, (terms & GL_SPECULAR_TERM_BIT_SOFTGL) != 0};
@@ -141,7 +144,8 @@ void end_draw(Draw d, const std::vector<Vertex>& triangles) {
   const Matrix4 modelview = matrix(GL_MODELVIEW_MATRIX);
   const bool rescale = recorder.real.IsEnabled(GL_RESCALE_NORMAL);
   // Reflection vectors need normals of unit length: reference/extensions/SOFTGL_phong_illumination.txt.
-  const bool normalize = recorder.real.IsEnabled(GL_NORMALIZE) || d.model.highlight == spec::Highlight::ReflectionVector;
+  const bool normalize =
+      recorder.real.IsEnabled(GL_NORMALIZE) || d.model.highlight == spec::Highlight::ReflectionVector;
   std::vector<TriangleMesh::Vertex> mesh;
   std::vector<int> indices;
   for (const Vertex& v : triangles) {
@@ -165,7 +169,8 @@ std::vector<Vertex> triangles_of(GLenum mode, const std::vector<Vertex>& v) {
   return t;
 }
 
-// The hooks ------------------------------------------------------------------------------------------------------------
+// The hooks
+// ------------------------------------------------------------------------------------------------------------
 
 void add_vertex(double x, double y, double z, double w) {
   recorder.current.position = {x, y, z, w};
@@ -186,20 +191,33 @@ void end() {
   end_draw(std::move(d), triangles_of(recorder.mode, recorder.primitive));
 }
 void vertex2fv(const GLfloat* v) { add_vertex(double(v[0]), double(v[1]), 0, 1), recorder.real.Vertex2fv(v); }
-void vertex3fv(const GLfloat* v) { add_vertex(double(v[0]), double(v[1]), double(v[2]), 1), recorder.real.Vertex3fv(v); }
-void vertex3f(GLfloat x, GLfloat y, GLfloat z) { add_vertex(double(x), double(y), double(z), 1), recorder.real.Vertex3f(x, y, z); }
-void vertex4fv(const GLfloat* v) { add_vertex(double(v[0]), double(v[1]), double(v[2]), double(v[3])), recorder.real.Vertex4fv(v); }
-void normal3fv(const GLfloat* v) { recorder.current.normal = {double(v[0]), double(v[1]), double(v[2])}, recorder.real.Normal3fv(v); }
+void vertex3fv(const GLfloat* v) {
+  add_vertex(double(v[0]), double(v[1]), double(v[2]), 1), recorder.real.Vertex3fv(v);
+}
+void vertex3f(GLfloat x, GLfloat y, GLfloat z) {
+  add_vertex(double(x), double(y), double(z), 1), recorder.real.Vertex3f(x, y, z);
+}
+void vertex4fv(const GLfloat* v) {
+  add_vertex(double(v[0]), double(v[1]), double(v[2]), double(v[3])), recorder.real.Vertex4fv(v);
+}
+void normal3fv(const GLfloat* v) {
+  recorder.current.normal = {double(v[0]), double(v[1]), double(v[2])}, recorder.real.Normal3fv(v);
+}
 
 // GL 1.5, 2.14, table 2.9.
 template <class T> double component(T c) {
-  if constexpr (std::is_floating_point_v<T>) return double(c);
-  else if constexpr (std::is_unsigned_v<T>) return double(c) / double(std::make_unsigned_t<T>(-1));
-  else return (2 * double(c) + 1) / double(std::make_unsigned_t<T>(-1));
+  if constexpr (std::is_floating_point_v<T>)
+    return double(c);
+  else if constexpr (std::is_unsigned_v<T>)
+    return double(c) / double(std::make_unsigned_t<T>(-1));
+  else
+    return (2 * double(c) + 1) / double(std::make_unsigned_t<T>(-1));
 }
 template <auto Member> struct Color;
 template <class T, void (*Gl::*Member)(T, T, T)> struct Color<Member> {
-  static void call(T r, T g, T b) { recorder.current.color = {component(r), component(g), component(b), 1}, (recorder.real.*Member)(r, g, b); }
+  static void call(T r, T g, T b) {
+    recorder.current.color = {component(r), component(g), component(b), 1}, (recorder.real.*Member)(r, g, b);
+  }
 };
 template <class T, void (*Gl::*Member)(T, T, T, T)> struct Color<Member> {
   static void call(T r, T g, T b, T a) {
@@ -207,7 +225,9 @@ template <class T, void (*Gl::*Member)(T, T, T, T)> struct Color<Member> {
     (recorder.real.*Member)(r, g, b, a);
   }
 };
-void color3fv(const GLfloat* c) { recorder.current.color = {double(c[0]), double(c[1]), double(c[2]), 1}, recorder.real.Color3fv(c); }
+void color3fv(const GLfloat* c) {
+  recorder.current.color = {double(c[0]), double(c[1]), double(c[2]), 1}, recorder.real.Color3fv(c);
+}
 void color4fv(const GLfloat* c) { recorder.current.color = vec4(c), recorder.real.Color4fv(c); }
 
 void normal_pointer(GLenum type, GLsizei stride, const void* pointer) {
@@ -224,14 +244,18 @@ void draw_elements(GLenum mode, GLsizei count, GLenum type, const void* indices)
   std::vector<Vertex> triangles;
   for (int i = 0; i < count; i++) {
     const int k = static_cast<const uint16_t*>(indices)[i];
-    const float *n = recorder.normals + k * recorder.normal_stride, *p = recorder.positions + k * recorder.position_stride;
-    triangles.push_back({{double(p[0]), double(p[1]), double(p[2]), 1}, {double(n[0]), double(n[1]), double(n[2])}, vec4(color)});
+    const float *n = recorder.normals + k * recorder.normal_stride,
+                *p = recorder.positions + k * recorder.position_stride;
+    triangles.push_back({{double(p[0]), double(p[1]), double(p[2]), 1},
+                         {double(n[0]), double(n[1]), double(n[2])},
+                         vec4(color)});
   }
   end_draw(begin_draw(), triangles);
   recorder.real.DrawElements(mode, count, type, indices);
 }
 
-// Shading --------------------------------------------------------------------------------------------------------------
+// Shading
+// --------------------------------------------------------------------------------------------------------------
 
 struct Point {
   bool covered = false;
@@ -241,29 +265,35 @@ struct Point {
 
 // What a draw shows at a point of the window.
 Point look(const Draw& d, double x, double y) {
-  const double ndc_x = 2 * (x - d.viewport[0]) / d.viewport[2] - 1, ndc_y = 2 * (y - d.viewport[1]) / d.viewport[3] - 1;
+  const double ndc_x = 2 * (x - d.viewport[0]) / d.viewport[2] - 1,
+               ndc_y = 2 * (y - d.viewport[1]) / d.viewport[3] - 1;
   if (std::abs(ndc_x) > 1 || std::abs(ndc_y) > 1) return {};
-  const Vec3 near = (d.unproject * Vec4{ndc_x, ndc_y, -1, 1}).divided(), far = (d.unproject * Vec4{ndc_x, ndc_y, 1, 1}).divided();
+  const Vec3 near = (d.unproject * Vec4{ndc_x, ndc_y, -1, 1}).divided(),
+             far = (d.unproject * Vec4{ndc_x, ndc_y, 1, 1}).divided();
   const raycast::Ray ray{near, spec::unit(far - near)};
   const std::optional<raycast::Hit> hit = d.mesh.intersect(ray);
   if (!hit || hit->distance > length(far - near)) return {};
   const Vertex* v = &d.vertices[size_t(3 * hit->part)];
   // From the weights of the divided positions to those of the homogeneous ones.
-  double weight[3] = {hit->weights.x / v[0].position.w, hit->weights.y / v[1].position.w, hit->weights.z / v[2].position.w};
+  double weight[3] = {hit->weights.x / v[0].position.w, hit->weights.y / v[1].position.w,
+                      hit->weights.z / v[2].position.w};
   const double sum = weight[0] + weight[1] + weight[2];
   Vec3 eye, normal, rgb;
   double alpha = 0;
   for (int i = 0; i < 3; i++) {
     const double w = weight[i] / sum;
-    eye = eye + w * v[i].position.xyz(), normal = normal + w * v[i].normal, rgb = rgb + w * v[i].color.xyz(), alpha += w * v[i].color.w;
+    eye = eye + w * v[i].position.xyz(), normal = normal + w * v[i].normal, rgb = rgb + w * v[i].color.xyz(),
+    alpha += w * v[i].color.w;
   }
-  // Some projections, such as the identity, look along +z: the window then shows a mirror image of what the ray sees.
+  // Some projections, such as the identity, look along +z: the window then shows a mirror image of what the
+  // ray sees.
   const bool mirrored = ray.direction.z > 0;
   const bool back = d.model.two_sided && (hit->from_behind != mirrored) != d.clockwise;
   spec::Material material = d.material[back];
   if (d.tracks[back]) material = spec::track_color(material, d.tracked, {rgb.x, rgb.y, rgb.z, alpha});
   const Vec3 n = spec::unit(normal);
-  const spec::LitColor lit = spec::light_vertex(d.model, d.lights, material, {eye.x, eye.y, eye.z, 1}, back ? -n : n);
+  const spec::LitColor lit =
+      spec::light_vertex(d.model, d.lights, material, {eye.x, eye.y, eye.z, 1}, back ? -n : n);
   return {true, hit->distance, spec::color_sum(spec::clamped(lit))};
 }
 
@@ -288,12 +318,16 @@ void draw_recorded(Stage& s) {
   recorder.real = s.gl;
   Gl gl = s.gl;
   gl.Begin = begin, gl.End = end;
-  gl.Vertex2fv = vertex2fv, gl.Vertex3fv = vertex3fv, gl.Vertex3f = vertex3f, gl.Vertex4fv = vertex4fv, gl.Normal3fv = normal3fv;
+  gl.Vertex2fv = vertex2fv, gl.Vertex3fv = vertex3fv, gl.Vertex3f = vertex3f, gl.Vertex4fv = vertex4fv,
+  gl.Normal3fv = normal3fv;
   gl.Color3fv = color3fv, gl.Color4fv = color4fv;
+// clang-format off
 #define COLOR(name) gl.name = Color<&Gl::name>::call;
   COLOR(Color3d) COLOR(Color3us) COLOR(Color3i) COLOR(Color3ub) COLOR(Color4d) COLOR(Color4ub) COLOR(Color4f) COLOR(Color4b)
 #undef COLOR
-  gl.NormalPointer = normal_pointer, gl.VertexPointer = vertex_pointer, gl.DrawElements = draw_elements;
+      // clang-format on
+      gl.NormalPointer = normal_pointer,
+      gl.VertexPointer = vertex_pointer, gl.DrawElements = draw_elements;
   Stage hooked{gl, s.random, s.width, s.height};
   draw_scene(hooked);
   GLfloat clear[4];
@@ -315,14 +349,17 @@ SpecPicture draw_with_spec(const Scene& scene, uint64_t seed) {
       const Point center = look(x + 0.5, y + 0.5, background);
       bool certain = true;
       for (const Draw& d : recorder.draws)
-        certain &= d.defined || x < d.viewport[0] || x >= d.viewport[0] + d.viewport[2] || y < d.viewport[1] || y >= d.viewport[1] + d.viewport[3];
+        certain &= d.defined || x < d.viewport[0] || x >= d.viewport[0] + d.viewport[2] ||
+                   y < d.viewport[1] || y >= d.viewport[1] + d.viewport[3];
       for (int corner = 0; corner < 4 && certain; corner++) {
-        const Point beside = look(x + 0.5 + (corner & 1 ? 1 : -1) / 128.0, y + 0.5 + (corner & 2 ? 1 : -1) / 128.0, background);
+        const Point beside = look(x + 0.5 + (corner & 1 ? 1 : -1) / 128.0,
+                                  y + 0.5 + (corner & 2 ? 1 : -1) / 128.0, background);
         certain = beside.covered == center.covered && largest_step(beside.color, center.color) <= 1.0 / 255;
       }
       result.certain.push_back(certain);
       result.covered.push_back(center.covered);
-      for (double c : {center.color.x, center.color.y, center.color.z, center.color.w}) result.color.push_back(spec::to_fixed_point(c));
+      for (double c : {center.color.x, center.color.y, center.color.z, center.color.w})
+        result.color.push_back(spec::to_fixed_point(c));
     }
   return result;
 }

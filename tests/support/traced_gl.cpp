@@ -17,7 +17,8 @@ CallFilter* active;
 int values_of(const char* name) {
   const std::string n = name;
   if (n.find("Matrix") != std::string::npos) return 16;
-  if (n == "DrawElements" || n == "DrawRangeElements" || n.find("Pointer") != std::string::npos || n.find("Image") != std::string::npos)
+  if (n == "DrawElements" || n == "DrawRangeElements" || n.find("Pointer") != std::string::npos ||
+      n.find("Image") != std::string::npos)
     return 0;
   if (n.size() > 3 && n.back() == 'v') {
     for (size_t i = n.size() - 1; i > n.size() - 4; i--)
@@ -62,11 +63,12 @@ bool wanted(const char* name, int number) {
   }
   // What a new buffer holds before the first Clear is undefined: a difference there means nothing.
   if (!std::strcmp(name, "Clear") && !active->cleared) return active->cleared = true;
-  // OSMesa has an answer of its own to a list that lacks an attribute at first: primitives in lists stay whole.
+  // OSMesa has an answer of its own to a list that lacks an attribute at first: primitives in lists stay
+  // whole.
   if (!std::strcmp(name, "NewList") || !std::strcmp(name, "EndList")) active->in_list = name[0] == 'N';
   if (active->in_list && active->in_primitive) return !active->primitive_skipped;
-  // Without these the rest would read memory that nobody owns, crash OSMesa (an EndList alone), or draw what is known
-  // to differ (smooth quads).
+  // Without these the rest would read memory that nobody owns, crash OSMesa (an EndList alone), or draw what
+  // is known to differ (smooth quads).
   for (const char* part : {"Pointer", "Buffer", "Interleaved", "ShadeModel", "NewList", "EndList"})
     if (std::strstr(name, part)) return true;
   return !skip && !active->primitive_skipped;
@@ -81,7 +83,9 @@ template <class R, class... A, R (*Gl::*Member)(A...)> struct Wrapped<Member> {
     if (active->print) {
       std::fprintf(active->print, "/* %4d */ gl%s(", number, name);
       bool first = true;
-      ((std::fprintf(active->print, first ? "" : ", "), first = false, print_value(active->print, name, arguments)), ...);
+      ((std::fprintf(active->print, first ? "" : ", "), first = false,
+        print_value(active->print, name, arguments)),
+       ...);
       std::fprintf(active->print, ");\n");
     }
     return (real_gl->*Member)(arguments...);
@@ -95,7 +99,7 @@ Gl traced(const Gl& real, CallFilter& filter) {
   real_gl = &real;
   active = &filter;
 #define GL_FUNCTION(function) \
-  Wrapped<&Gl::function>::name = #function; \
+  Wrapped<& Gl::function>::name = #function; \
   gl.function = &Wrapped<&Gl::function>::call;
 #include "support/gl_functions.inc"
 #undef GL_FUNCTION

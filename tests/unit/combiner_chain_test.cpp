@@ -56,7 +56,7 @@ void run(const CombinerProgram& p, Values& values, float* result) {
 CombinerChain random_chain(Random& r) {
   CombinerChain chain;
   chain.color_sum = r.chance(50);
-  const int textures = r.pick({2, 8});       // few inputs give many equal terms, which wait in registers
+  const int textures = r.pick({2, 8}); // few inputs give many equal terms, which wait in registers
   const bool interpolates = r.chance(30);
   for (int u = 0; u < 8; ++u) {
     if (r.chance(80)) chain.units = uint8_t(chain.units | 1u << u);
@@ -84,9 +84,12 @@ void expected(const CombinerChain& chain, const Values& in, double* color) {
     auto argument = [&](int part, int i, int k) {
       const CombineArgument a = unit.argument[part][i];
       k = a.alpha ? 3 : k;
-      const double v = a.source == CombineSource::Previous ? color[k]
-                       : double(in.v[a.source == CombineSource::Constant ? kCombinerEnvironment + 4 * u + k
-                                     : a.source == CombineSource::Primary ? kCombinerPrimary + k : 4 * int(a.source) + k]);
+      const double v =
+          a.source == CombineSource::Previous
+              ? color[k]
+              : double(in.v[a.source == CombineSource::Constant  ? kCombinerEnvironment + 4 * u + k
+                            : a.source == CombineSource::Primary ? kCombinerPrimary + k
+                                                                 : 4 * int(a.source) + k]);
       return a.complement ? 1 - v : v;
     };
     auto combined = [&](int part, int k) {
@@ -108,11 +111,17 @@ void expected(const CombinerChain& chain, const Values& in, double* color) {
 TEST_CASE("sums of products take further terms into the first product", "[combiner]") {
   CombinerAlgebra g;
   const CombinerValue a = g.input(0), b = g.input(1), c = g.input(2), d = g.input(3), e = g.input(4);
-  SECTION("after a unit that interpolates") { CHECK(simplified(g, g.add(g.add(g.multiply(a, b), g.multiply(c, d)), e)) == "(((a*b)+e)+(c*d))"); }
-  SECTION("but not products") {
-    CHECK(simplified(g, g.add(g.add(g.multiply(a, b), g.multiply(c, d)), g.multiply(e, a))) == "(((a*b)+(c*d))+(e*a))");
+  SECTION("after a unit that interpolates") {
+    CHECK(simplified(g, g.add(g.add(g.multiply(a, b), g.multiply(c, d)), e)) == "(((a*b)+e)+(c*d))");
   }
-  SECTION("nor where the sum is clamped") { CHECK(simplified(g, g.add(g.saturate(g.add(g.multiply(a, b), g.multiply(c, d))), e)) == "(sat((a*b)+(c*d))+e)"); }
+  SECTION("but not products") {
+    CHECK(simplified(g, g.add(g.add(g.multiply(a, b), g.multiply(c, d)), g.multiply(e, a))) ==
+          "(((a*b)+(c*d))+(e*a))");
+  }
+  SECTION("nor where the sum is clamped") {
+    CHECK(simplified(g, g.add(g.saturate(g.add(g.multiply(a, b), g.multiply(c, d))), e)) ==
+          "(sat((a*b)+(c*d))+e)");
+  }
   SECTION("nor where it has another use") {
     const CombinerValue sum = g.add(g.multiply(a, b), g.multiply(c, d));
     CHECK(simplified(g, g.multiply(sum, g.add(sum, e))) == "(((a*b)+(c*d))*(((a*b)+(c*d))+e))");
@@ -121,22 +130,30 @@ TEST_CASE("sums of products take further terms into the first product", "[combin
 
 TEST_CASE("constants go where they fold, and to terms that are no products", "[combiner]") {
   CombinerAlgebra g;
-  const CombinerValue a = g.input(0), b = g.input(1), c = g.input(2), half = g.constant(-0.5f), one = g.constant(1);
+  const CombinerValue a = g.input(0), b = g.input(1), c = g.input(2), half = g.constant(-0.5f),
+                      one = g.constant(1);
   SECTION("the first term") { CHECK(simplified(g, g.add(g.add(a, b), half)) == "((a+-0.5)+b)"); }
-  SECTION("no product") { CHECK(simplified(g, g.add(g.add(g.multiply(a, b), c), half)) == "((c+-0.5)+(a*b))"); }
+  SECTION("no product") {
+    CHECK(simplified(g, g.add(g.add(g.multiply(a, b), c), half)) == "((c+-0.5)+(a*b))");
+  }
   SECTION("1 - a") { CHECK(simplified(g, g.add(g.add(g.subtract(one, a), b), half)) == "((0.5+-a)+b)"); }
-  SECTION("1 - (1 - a)") { CHECK(simplified(g, g.multiply(b, g.subtract(one, g.subtract(one, a)))) == "(b*a)"); }
+  SECTION("1 - (1 - a)") {
+    CHECK(simplified(g, g.multiply(b, g.subtract(one, g.subtract(one, a)))) == "(b*a)");
+  }
   SECTION("a + (1 - a)") { CHECK(simplified(g, g.add(a, g.subtract(one, a))) == "1.0"); }
   SECTION("1 * a") {
     // It is a before anything is looked at; otherwise a would be a common factor.
     CHECK(simplified(g, g.add(g.multiply(one, a), g.multiply(a, g.subtract(one, a)))) == "(a+(a*(1.0+-a)))");
   }
   SECTION("a difference") {
-    // It becomes a sum first; otherwise the third term would be in the first product before the common factor is found.
+    // It becomes a sum first; otherwise the third term would be in the first product before the common factor
+    // is found.
     const CombinerValue sum = g.add(g.multiply(a, c), g.multiply(a, g.subtract(one, c)));
     CHECK(simplified(g, g.subtract(sum, b)) == "(a+-b)");
   }
-  SECTION("a common factor") { CHECK(simplified(g, g.add(g.multiply(a, b), g.multiply(c, a))) == "(a*(c+b))"); }
+  SECTION("a common factor") {
+    CHECK(simplified(g, g.add(g.multiply(a, b), g.multiply(c, a))) == "(a*(c+b))");
+  }
 }
 
 TEST_CASE("programs of random chains compute the environments within their limits", "[combiner]") {
@@ -156,7 +173,8 @@ TEST_CASE("programs of random chains compute the environments within their limit
       CHECK(std::abs(double(got[k]) - wanted[k]) < 1e-4);
     }
     most_steps = std::max(most_steps, program->step_count);
-    for (int i = 0; i < program->step_count; ++i) most_registers = std::max(most_registers, program->step[i].result - kCombinerRegister + 1);
+    for (int i = 0; i < program->step_count; ++i)
+      most_registers = std::max(most_registers, program->step[i].result - kCombinerRegister + 1);
     while (most_constants < kCombinerConstants && program->constant[most_constants] != 0) ++most_constants;
   }
   // Far from the limits: nobody checks them when programs are made.

@@ -13,7 +13,8 @@
 using namespace softgl;
 
 TEST_CASE("Entry points and tokens are sorted, so that they are found", "[api]") {
-  for (size_t i = 1; i < kNamedDoorCount; ++i) CHECK(std::strcmp(kNamedDoors[i - 1].name, kNamedDoors[i].name) < 0);
+  for (size_t i = 1; i < kNamedDoorCount; ++i)
+    CHECK(std::strcmp(kNamedDoors[i - 1].name, kNamedDoors[i].name) < 0);
   for (size_t i = 1; i < kNamedEnumCount; ++i) CHECK(kNamedEnums[i - 1].value < kNamedEnums[i].value);
   CHECK(std::string(enum_name(GL_DEPTH_TEST)) == "GL_DEPTH_TEST");
   CHECK(std::string(enum_name(0x12345)) == "0x12345");

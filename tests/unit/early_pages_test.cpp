@@ -50,7 +50,8 @@ TEST_CASE("early pages are zero, aligned and given once, and open again when all
   }
 }
 
-TEST_CASE("early pages are not for what is small or large, and take nothing back that is not theirs", "[pages]") {
+TEST_CASE("early pages are not for what is small or large, and take nothing back that is not theirs",
+          "[pages]") {
   open_early_pages();
   CHECK(take_early_pages(0) == nullptr);
   CHECK(take_early_pages(1000) == nullptr);

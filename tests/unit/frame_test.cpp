@@ -51,8 +51,8 @@ TEST_CASE("tiles take memory of the planes when they are written to, not when th
   const Surface& s = framebuffer.surface;
   Frame frame;
   const auto clear = [&](int32_t x0, int32_t y0, int32_t x1, int32_t y1, float red) {
-    frame.append(frame.arena().make<ClearRecord>(
-        ClearRecord{true, true, false, {true, true, true, true}, {red, 0, 0, 0}, uint32_t(red), 0, 0, x0, y0, x1, y1}));
+    frame.append(frame.arena().make<ClearRecord>(ClearRecord{
+        true, true, false, {true, true, true, true}, {red, 0, 0, 0}, uint32_t(red), 0, 0, x0, y0, x1, y1}));
     frame.flush(s);
   };
   const auto tiles = [&] { return *s.next_place / s.place_step; };

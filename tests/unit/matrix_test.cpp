@@ -13,7 +13,8 @@ namespace {
 float distance_from_identity(const glm::mat4& m) {
   float worst = 0;
   for (int column = 0; column < 4; ++column)
-    for (int row = 0; row < 4; ++row) worst = std::fmax(worst, std::fabs(m[column][row] - (row == column ? 1.0f : 0.0f)));
+    for (int row = 0; row < 4; ++row)
+      worst = std::fmax(worst, std::fabs(m[column][row] - (row == column ? 1.0f : 0.0f)));
   return worst;
 }
 
@@ -39,7 +40,8 @@ TEST_CASE("the inverse inverts, whatever a matrix was made of", "[state]") {
       }
     }
     const glm::mat4 inverted = inverse(m);
-    const float scale_of_error = std::fmax(1.0f, std::fabs(glm::determinant(m.m)) + std::fabs(glm::determinant(inverted)));
+    const float scale_of_error =
+        std::fmax(1.0f, std::fabs(glm::determinant(m.m)) + std::fabs(glm::determinant(inverted)));
     REQUIRE(distance_from_identity(m.m * inverted) < 1e-3f * scale_of_error);
   }
 }

@@ -1,4 +1,5 @@
-// Drives set-up, tile lists and tile worker without the vertex side: triangles in window space in, a surface out.
+// Drives set-up, tile lists and tile worker without the vertex side: triangles in window space in, a surface
+// out.
 #pragma once
 
 #include <cstring>
@@ -67,7 +68,8 @@ struct Draw {
 /// Vertices of two slots: x y z 1/w, r g b a; three per triangle.
 using Vertices = std::vector<ShadedVertices::Slot>;
 
-inline void draw_triangles(const Canvas& canvas, const Draw& draw, const Vertices& v, const Kernels& k = kernels(), size_t unit = 5000) {
+inline void draw_triangles(const Canvas& canvas, const Draw& draw, const Vertices& v,
+                           const Kernels& k = kernels(), size_t unit = 5000) {
   const FloatEnvironment environment;
   static auto scratch = std::make_unique<BinnerScratch>();
   static auto block = std::make_unique<FragmentBlock>();
@@ -91,17 +93,36 @@ inline void draw_triangles(const Canvas& canvas, const Draw& draw, const Vertice
 }
 
 /// Kinds of random triangles.
-enum Category { Tiny, Small, Medium, Large, Huge, Sliver, HalfPixelGrid, FineGrid, AxisAligned, OffScreen, Mixed, kCategories };
+enum Category {
+  Tiny,
+  Small,
+  Medium,
+  Large,
+  Huge,
+  Sliver,
+  HalfPixelGrid,
+  FineGrid,
+  AxisAligned,
+  OffScreen,
+  Mixed,
+  kCategories
+};
 
 inline Vertices random_triangles(uint32_t seed, Category category, size_t count, float width, float height) {
   std::mt19937 random(seed);
-  auto uniform = [&](float lo, float hi) { return lo + (hi - lo) * float(random() >> 8) * (1.0f / 16777216.0f); };
+  auto uniform = [&](float lo, float hi) {
+    return lo + (hi - lo) * float(random() >> 8) * (1.0f / 16777216.0f);
+  };
   Vertices v;
   for (size_t i = 0; i < count; ++i) {
     Category kind = category == Mixed ? Category(random() % (kCategories - 1)) : category;
     float x[3], y[3];
     const float cx = uniform(-8, width + 8), cy = uniform(-8, height + 8);
-    float extent = kind == Tiny ? 1.0f : kind == Small ? 5.0f : kind == Medium ? 20.0f : kind == Huge ? 16000.0f : 150.0f;
+    float extent = kind == Tiny     ? 1.0f
+                   : kind == Small  ? 5.0f
+                   : kind == Medium ? 20.0f
+                   : kind == Huge   ? 16000.0f
+                                    : 150.0f;
     for (int k = 0; k < 3; ++k) {
       x[k] = cx + uniform(-extent, extent);
       y[k] = cy + uniform(-extent, extent);
@@ -113,7 +134,9 @@ inline Vertices random_triangles(uint32_t seed, Category category, size_t count,
     if (kind == HalfPixelGrid || kind == FineGrid) {
       const float grid = kind == HalfPixelGrid ? 2.0f : 256.0f;
       const float size = random() & 1 ? 4.0f : 40.0f;
-      for (int k = 0; k < 3; ++k) x[k] = std::floor((cx + uniform(-size, size)) * grid) / grid, y[k] = std::floor((cy + uniform(-size, size)) * grid) / grid;
+      for (int k = 0; k < 3; ++k)
+        x[k] = std::floor((cx + uniform(-size, size)) * grid) / grid,
+        y[k] = std::floor((cy + uniform(-size, size)) * grid) / grid;
     }
     if (kind == AxisAligned) x[1] = x[0], y[2] = y[1];
     if (kind == OffScreen) x[0] -= width, y[1] += height;

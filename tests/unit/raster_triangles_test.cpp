@@ -1,5 +1,5 @@
-// Triangles against a plain scalar rasterizer with 64-bit edges, small against block path, instruction sets against
-// each other.
+// Triangles against a plain scalar rasterizer with 64-bit edges, small against block path, instruction sets
+// against each other.
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -10,8 +10,10 @@ using namespace raster_test;
 
 namespace {
 
-float value(const float* a, const float p[3][4], float px, float py) { // plane through three corners, OSMesa's order
-  const float dx01 = p[0][0] - p[1][0], dy01 = p[0][1] - p[1][1], dx20 = p[2][0] - p[0][0], dy20 = p[2][1] - p[0][1];
+float value(const float* a, const float p[3][4], float px,
+            float py) { // plane through three corners, OSMesa's order
+  const float dx01 = p[0][0] - p[1][0], dy01 = p[0][1] - p[1][1], dx20 = p[2][0] - p[0][0],
+              dy20 = p[2][1] - p[0][1];
   const float r = 1.0f / (dx01 * dy20 - dy01 * dx20);
   const float sx01 = dx01 * r, sy01 = dy01 * r, sx20 = dx20 * r, sy20 = dy20 * r;
   const float gx = (a[0] - a[1]) * sy20 - (a[2] - a[0]) * sy01;
@@ -31,7 +33,8 @@ void reference_triangle(const Canvas& canvas, const RasterConstants& rc, const S
   float p[3][4], c[3][4];
   int64_t x[3], y[3];
   for (int k = 0; k < 3; ++k) memcpy(p[k], v[2 * k].v, 16), memcpy(c[k], v[2 * k + 1].v, 16);
-  for (int k = 0; k < 3; ++k) x[k] = std::llrint((p[k][0] - 0.5f) * 256.0f), y[k] = std::llrint((p[k][1] - 0.5f) * 256.0f);
+  for (int k = 0; k < 3; ++k)
+    x[k] = std::llrint((p[k][0] - 0.5f) * 256.0f), y[k] = std::llrint((p[k][1] - 0.5f) * 256.0f);
   const int64_t area = (x[0] - x[1]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[0] - y[1]);
   if (area == 0 || (area > 0 && (rc.cull & 1)) || (area < 0 && (rc.cull & 2))) return;
   if (area < 0) {
@@ -66,10 +69,12 @@ void reference_triangle(const Canvas& canvas, const RasterConstants& rc, const S
     }
 }
 
-Canvas drawn(const Vertices& v, bool small, int scissor = 0, uint8_t cull = 0, const Kernels& k = kernels(), size_t unit = 5000) {
+Canvas drawn(const Vertices& v, bool small, int scissor = 0, uint8_t cull = 0, const Kernels& k = kernels(),
+             size_t unit = 5000) {
   Canvas canvas(157, 131);
   Draw draw(canvas.surface);
-  draw.raster.x0 += scissor, draw.raster.y0 += 2 * scissor, draw.raster.x1 -= 3 * scissor, draw.raster.y1 -= scissor;
+  draw.raster.x0 += scissor, draw.raster.y0 += 2 * scissor, draw.raster.x1 -= 3 * scissor,
+      draw.raster.y1 -= scissor;
   draw.raster.cull = cull;
   draw.derive();
   draw.derived.small = small;
@@ -83,12 +88,14 @@ TEST_CASE("triangles equal the plain scalar rasterizer", "[raster]") {
   for (int category = 0; category < kCategories; ++category)
     for (int round = 0; round < 3; ++round) {
       INFO("category " << category << " round " << round);
-      const Vertices v = random_triangles(uint32_t(100 * category + round), Category(category), 700, 157, 131);
+      const Vertices v =
+          random_triangles(uint32_t(100 * category + round), Category(category), 700, 157, 131);
       const int scissor = round == 1 ? 13 : 0;
       const uint8_t cull = round == 2 ? 1 : 0;
       Canvas expected(157, 131);
       Draw draw(expected.surface);
-      draw.raster.x0 += scissor, draw.raster.y0 += 2 * scissor, draw.raster.x1 -= 3 * scissor, draw.raster.y1 -= scissor;
+      draw.raster.x0 += scissor, draw.raster.y0 += 2 * scissor, draw.raster.x1 -= 3 * scissor,
+          draw.raster.y1 -= scissor;
       draw.raster.cull = cull;
       {
         const FloatEnvironment environment;
@@ -96,7 +103,8 @@ TEST_CASE("triangles equal the plain scalar rasterizer", "[raster]") {
       }
       size_t wrong = 0;
       const Canvas got = drawn(v, true, scissor, cull);
-      for (size_t i = 0; i < got.color.size(); ++i) wrong += got.color[i] != expected.color[i] || got.depth[i] != expected.depth[i];
+      for (size_t i = 0; i < got.color.size(); ++i)
+        wrong += got.color[i] != expected.color[i] || got.depth[i] != expected.depth[i];
       CHECK(wrong == 0);
       CHECK(drawn(v, false, scissor, cull) == expected);
     }
@@ -108,9 +116,12 @@ TEST_CASE("triangles reach up to 64 pixels out of a small scissor box", "[raster
     const int x = 7 * round % 140, y = 11 * round % 110, side = 1 + round % 16; // on borders of tiles, too
     Vertices v;
     std::mt19937 random{uint32_t(round)};
-    auto uniform = [&](float lo, float hi) { return lo + (hi - lo) * float(random() >> 8) * (1.0f / 16777216.0f); };
+    auto uniform = [&](float lo, float hi) {
+      return lo + (hi - lo) * float(random() >> 8) * (1.0f / 16777216.0f);
+    };
     for (int i = 0; i < 400; ++i) {
-      const float extent = round % 2 ? 63.9f : 31.0f, px = uniform(float(x) - extent, float(x + side)), py = uniform(float(y) - extent, float(y + side));
+      const float extent = round % 2 ? 63.9f : 31.0f, px = uniform(float(x) - extent, float(x + side)),
+                  py = uniform(float(y) - extent, float(y + side));
       for (int k = 0; k < 3; ++k) {
         float cx = px + uniform(0, extent);
         float cy = py + uniform(0, extent);
@@ -121,7 +132,8 @@ TEST_CASE("triangles reach up to 64 pixels out of a small scissor box", "[raster
     }
     Canvas expected(157, 131);
     Draw draw(expected.surface);
-    draw.raster.x0 = x, draw.raster.y0 = y, draw.raster.x1 = std::min(x + side, 157), draw.raster.y1 = std::min(y + side, 131);
+    draw.raster.x0 = x, draw.raster.y0 = y, draw.raster.x1 = std::min(x + side, 157),
+    draw.raster.y1 = std::min(y + side, 131);
     draw.derive();
     {
       const FloatEnvironment environment;
@@ -161,7 +173,8 @@ TEST_CASE("coordinates that are not numbers or too large draw nothing and do no 
   for (float b : bad)
     for (int k = 0; k < 6; ++k)
       for (int c = 0; c < 3; ++c) {
-        v.push_back({{c == k % 3 && k < 3 ? b : 10.0f * float(c), c == k % 3 && k >= 3 ? b : float(c * c) * 7.0f, 0.5f, 1.0f}});
+        v.push_back({{c == k % 3 && k < 3 ? b : 10.0f * float(c),
+                      c == k % 3 && k >= 3 ? b : float(c * c) * 7.0f, 0.5f, 1.0f}});
         v.push_back({{1, 1, 1, 1}});
       }
   CHECK(drawn(v, true) == Canvas(157, 131));
@@ -170,7 +183,8 @@ TEST_CASE("coordinates that are not numbers or too large draw nothing and do no 
 namespace {
 
 /// Alpha test, fog and blending, so that stages run and the order of fragments matters.
-Canvas staged(const Vertices& v, bool small, const Kernels& k, ColorFormat format = ColorFormat::Rgba8, bool stencil = false) {
+Canvas staged(const Vertices& v, bool small, const Kernels& k, ColorFormat format = ColorFormat::Rgba8,
+              bool stencil = false) {
   Canvas canvas(157, 131, format);
   Draw draw(canvas.surface);
   FragmentKey& key = draw.program.key;
@@ -183,16 +197,19 @@ Canvas staged(const Vertices& v, bool small, const Kernels& k, ColorFormat forma
   if (stencil) {
     key.stencil = 1;
     key.stencil_function = uint64_t(Compare::NotEqual);
-    key.stencil_fail = uint64_t(StencilOperation::Increment), key.stencil_depth_fail = uint64_t(StencilOperation::Invert);
+    key.stencil_fail = uint64_t(StencilOperation::Increment),
+    key.stencil_depth_fail = uint64_t(StencilOperation::Invert);
     key.stencil_pass = uint64_t(StencilOperation::IncrementWrap);
-    draw.constants.stencil_reference = 3, draw.constants.stencil_value_mask = 7, draw.constants.stencil_write_mask = 0x3f;
+    draw.constants.stencil_reference = 3, draw.constants.stencil_value_mask = 7,
+    draw.constants.stencil_write_mask = 0x3f;
   }
   draw.constants.alpha_reference = 0.2f, draw.constants.alpha_reference_8 = 51;
   draw.constants.fog_scale = 0.9f;
   draw.constants.fog_color[1] = 0.7f;
   draw.record.layout.secondary = 1; // the colour's alpha serves as fog coordinate
   draw.program.add(k.raster->fog_exp2);
-  draw.program.add(format == ColorFormat::Rgba8 ? k.raster->alpha_test_8 : k.raster->alpha_test_float, int32_t(Compare::Greater));
+  draw.program.add(format == ColorFormat::Rgba8 ? k.raster->alpha_test_8 : k.raster->alpha_test_float,
+                   int32_t(Compare::Greater));
   draw.derive();
   draw.derived.small = draw.derived.small && small;
   draw_triangles(canvas, draw, v, k);
@@ -210,7 +227,8 @@ TEST_CASE("fragments of small, dense and wide primitives go through a program al
       const Canvas first = staged(v, true, kernels(), format, variant == 1);
       CHECK(staged(v, false, kernels(), format, variant == 1) == first);
       for (int isa = 0; isa <= int(detect_isa()); ++isa)
-        if (const Kernels* k = find_kernels(Isa(isa))) CHECK(staged(v, true, *k, format, variant == 1) == first);
+        if (const Kernels* k = find_kernels(Isa(isa)))
+          CHECK(staged(v, true, *k, format, variant == 1) == first);
     }
 }
 

@@ -17,7 +17,8 @@ void check(Vec3 got, Vec3 expected) {
   CHECK(got.y == Approx(expected.y).margin(1e-12));
   CHECK(got.z == Approx(expected.z).margin(1e-12));
 }
-void check(const std::optional<Hit>& hit, double distance, Vec3 point, Vec3 normal, bool from_behind = false) {
+void check(const std::optional<Hit>& hit, double distance, Vec3 point, Vec3 normal,
+           bool from_behind = false) {
   REQUIRE(hit);
   CHECK(hit->distance == Approx(distance));
   check(hit->point, point);
@@ -34,7 +35,7 @@ TEST_CASE("a sphere is hit in front, from inside, at its edge, and not behind", 
   check(sphere.intersect(along({0, 0, -5}, {0, 1, 0})), 2, {0, 2, -5}, {0, 1, 0}, true); // inside
   check(sphere.intersect(along({2, 0, 0}, {0, 0, -1})), 5, {2, 0, -5}, {1, 0, 0});       // tangent
   CHECK_FALSE(sphere.intersect(along({2.0000001, 0, 0}, {0, 0, -1})));
-  CHECK_FALSE(sphere.intersect(along({0, 0, 0}, {0, 0, 1}))); // behind
+  CHECK_FALSE(sphere.intersect(along({0, 0, 0}, {0, 0, 1})));  // behind
   CHECK_FALSE(sphere.intersect(along({0, 0, -3}, {0, 0, 1}))); // from the surface outwards
   check(sphere.intersect(along({0, 0, -3}, {0, 0, -1})), 4, {0, 0, -7}, {0, 0, -1}, true); // and inwards
   // Far away: no cancellation.
@@ -75,11 +76,13 @@ TEST_CASE("a box has six faces, twelve edges and an inside", "[reference][raycas
   // Turned by 45 degrees the box shows an edge; the ray beside it hits a face at 45 degrees.
   const double h = std::sqrt(0.5);
   const Box turned({}, {0, 0, -5}, {h, 0, h}, {0, 1, 0}, {-h, 0, h});
-  check(turned.intersect(along({0.1, 0, 0}, {0, 0, -1})), 5 - std::sqrt(2.0) + 0.1, {0.1, 0, -5 + std::sqrt(2.0) - 0.1}, {h, 0, h});
+  check(turned.intersect(along({0.1, 0, 0}, {0, 0, -1})), 5 - std::sqrt(2.0) + 0.1,
+        {0.1, 0, -5 + std::sqrt(2.0) - 0.1}, {h, 0, h});
 }
 
 TEST_CASE("a triangle mesh interpolates its normals", "[reference][raycast]") {
-  const TriangleMesh mesh({}, {{{-1, -1, -2}, {0, 0, 1}}, {{1, -1, -2}, {1, 0, 0}}, {{-1, 1, -2}, {0, 1, 0}}}, {0, 1, 2});
+  const TriangleMesh mesh({}, {{{-1, -1, -2}, {0, 0, 1}}, {{1, -1, -2}, {1, 0, 0}}, {{-1, 1, -2}, {0, 1, 0}}},
+                          {0, 1, 2});
   const double third = 1.0 / 3;
   const auto hit = mesh.intersect(along({-third, -third, 0}, {0, 0, -1}));
   REQUIRE(hit);
@@ -87,21 +90,24 @@ TEST_CASE("a triangle mesh interpolates its normals", "[reference][raycast]") {
   check(hit->normal, softgl::spec::unit({1, 1, 1}));
   CHECK_FALSE(hit->from_behind);
   CHECK(mesh.intersect(along({-third, -third, -4}, {0, 0, 1}))->from_behind);
-  CHECK_FALSE(mesh.intersect(along({0.1, 0.1, 0}, {0, 0, -1})));  // beside the slanted edge
+  CHECK_FALSE(mesh.intersect(along({0.1, 0.1, 0}, {0, 0, -1})));   // beside the slanted edge
   CHECK_FALSE(mesh.intersect(along({-0.5, -0.5, -2}, {1, 0, 0}))); // in its plane
   CHECK_FALSE(TriangleMesh({}, {}, {}).intersect(along({}, {0, 0, -1})));
 }
 
 TEST_CASE("the tree of a mesh finds what a loop over all triangles finds", "[reference][raycast]") {
   softgl::test::Random random(5);
-  const auto vector = [&](float size) { return Vec3{random.real(-size, size), random.real(-size, size), random.real(-size, size)}; };
+  const auto vector = [&](float size) {
+    return Vec3{random.real(-size, size), random.real(-size, size), random.real(-size, size)};
+  };
   std::vector<TriangleMesh::Vertex> vertices;
   std::vector<int> indices;
   Scene alone;
   for (int i = 0; i < 200; i++) {
     const Vec3 center = vector(1);
     std::vector<TriangleMesh::Vertex> triangle;
-    for (int k = 0; k < 3; k++) triangle.push_back({center + vector(0.2f), {0, 0, 1}}), indices.push_back(3 * i + k);
+    for (int k = 0; k < 3; k++)
+      triangle.push_back({center + vector(0.2f), {0, 0, 1}}), indices.push_back(3 * i + k);
     vertices.insert(vertices.end(), triangle.begin(), triangle.end());
     alone.shapes.push_back(std::make_unique<TriangleMesh>(Material{}, triangle, std::vector<int>{0, 1, 2}));
   }
@@ -120,7 +126,8 @@ TEST_CASE("the tree of a mesh finds what a loop over all triangles finds", "[ref
 
 TEST_CASE("materials compute the textbook's equation and OpenGL's", "[reference][raycast]") {
   Material material;
-  material.kAmbient = {0.5, 0.25, 0}, material.kDiffuse = {1, 0.5, 0}, material.kSpecular = {0.5, 0.5, 0.5}, material.phongExponent = 2;
+  material.kAmbient = {0.5, 0.25, 0}, material.kDiffuse = {1, 0.5, 0}, material.kSpecular = {0.5, 0.5, 0.5},
+  material.phongExponent = 2;
   Illumination light;
   light.model.ambient = {0.2, 0.2, 0.2};
   light.lights.resize(1);
@@ -154,7 +161,10 @@ TEST_CASE("a scene shows the nearest shape through the centre of each pixel", "[
                             "test");
   const std::vector<uint8_t> rgb = render(scene);
   REQUIRE(rgb.size() == 27);
-  const auto pixel = [&](int x, int row) { return rgb[size_t(9 * row + 3 * x)] * 65536 + rgb[size_t(9 * row + 3 * x + 1)] * 256 + rgb[size_t(9 * row + 3 * x + 2)]; };
+  const auto pixel = [&](int x, int row) {
+    return rgb[size_t(9 * row + 3 * x)] * 65536 + rgb[size_t(9 * row + 3 * x + 1)] * 256 +
+           rgb[size_t(9 * row + 3 * x + 2)];
+  };
   CHECK(pixel(1, 1) == 0xff0000);
   CHECK(pixel(2, 0) == 0x00ff00); // y upwards: the top row comes first
   CHECK(pixel(0, 0) == 0x0000ff);
@@ -165,9 +175,10 @@ TEST_CASE("a scene shows the nearest shape through the centre of each pixel", "[
 }
 
 TEST_CASE("scene files say what is wrong with them", "[reference][raycast]") {
-  for (const char* text : {"sphere 0 0 0", "sphere 0 0 0 -1", "size 0 5", "size 100000 5", "camera fisheye", "camera perspective 180",
-                           "light 0 0 1 1 1 1 1 colour 3", "material 3", "box 0 0 0 1 1 1 fold", "mesh no-such-file.obj", "blob 1 2 3",
-                           "plane 0 0 0 0 0 0", "sphere 0 0 0 1 2", "ambient 1 1 nan"}) {
+  for (const char* text :
+       {"sphere 0 0 0", "sphere 0 0 0 -1", "size 0 5", "size 100000 5", "camera fisheye",
+        "camera perspective 180", "light 0 0 1 1 1 1 1 colour 3", "material 3", "box 0 0 0 1 1 1 fold",
+        "mesh no-such-file.obj", "blob 1 2 3", "plane 0 0 0 0 0 0", "sphere 0 0 0 1 2", "ambient 1 1 nan"}) {
     INFO(text);
     CHECK_THROWS_WITH(parse_scene(std::string("size 4 4\n") + text, "file"), Catch::StartsWith("file:2: "));
   }
@@ -180,10 +191,13 @@ TEST_CASE("scene files say what is wrong with them", "[reference][raycast]") {
 }
 
 TEST_CASE("softgl_raycast writes pictures", "[reference][raycast][program]") {
-  const std::string folder = SOFTGL_TEST_OUTPUT "/raycast/", program = SOFTGL_TEST_BINARY_DIR "/softgl_raycast ";
+  const std::string folder = SOFTGL_TEST_OUTPUT "/raycast/",
+                    program = SOFTGL_TEST_BINARY_DIR "/softgl_raycast ";
   REQUIRE(std::system(("mkdir -p " + folder).c_str()) == 0);
-  std::ofstream(folder + "mesh.obj") << "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvn 0 0 2\nf 1//1 2//1 3//-1 -1\n";
-  std::ofstream(folder + "scene.txt") << "size 20 10\nlight 0 0 1 0 1 1 1\nmesh mesh.obj at 0 0 -4 scale 0.5 # a square\n";
+  std::ofstream(folder + "mesh.obj")
+      << "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvn 0 0 2\nf 1//1 2//1 3//-1 -1\n";
+  std::ofstream(folder + "scene.txt")
+      << "size 20 10\nlight 0 0 1 0 1 1 1\nmesh mesh.obj at 0 0 -4 scale 0.5 # a square\n";
   CHECK(std::system((program + folder + "scene.txt -o " + folder + "scene.png").c_str()) == 0);
   std::ifstream png(folder + "scene.png", std::ios::binary);
   char signature[4] = {};

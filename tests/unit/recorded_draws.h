@@ -15,7 +15,8 @@ struct ExpandedVertex {
   std::array<AttributeValue, kAttributeSlots> value{};
   bool operator==(const ExpandedVertex&) const = default;
 };
-/// A point, line, triangle or quad in the order of its vertices; `mode` is GL_POINTS, GL_LINES, GL_TRIANGLES or GL_QUADS.
+/// A point, line, triangle or quad in the order of its vertices; `mode` is GL_POINTS, GL_LINES, GL_TRIANGLES
+/// or GL_QUADS.
 struct ExpandedPrimitive {
   GLenum mode;
   std::vector<ExpandedVertex> vertex;

@@ -23,7 +23,8 @@ TEST_CASE("2.11.3: normals go through the inverse, are rescaled and normalized",
   Matrix4 scale;
   scale.m[0] = 2, scale.m[5] = 4, scale.m[10] = 5, scale.m[12] = 7; // the translation does not matter
   check(transform_normal(scale, {1, 1, 1}, false, false), {0.5, 0.25, 0.2});
-  check(transform_normal(scale, {1, 1, 1}, true, false), {2.5, 1.25, 1}); // third row of the inverse: (0, 0, 1/5)
+  check(transform_normal(scale, {1, 1, 1}, true, false),
+        {2.5, 1.25, 1}); // third row of the inverse: (0, 0, 1/5)
   check(transform_normal(scale, {4, 0, 0}, false, true), {1, 0, 0});
   check(transform_normal(scale, {0, 8, 0}, true, true), {0, 1, 0});
   Matrix4 shear;
@@ -139,20 +140,22 @@ TEST_CASE("the terms of the sum add up to the whole", "[reference][lighting]") {
   Material material;
   material.specular = {0.9, 0.8, 0.7, 1}, material.emission = {0.1, 0, 0.2, 1}, material.shininess = 3;
   std::vector<Light> lights(2);
-  lights[0].ambient = {0.1, 0.2, 0.3}, lights[0].diffuse = {1, 0.9, 0.8}, lights[0].specular = {1, 1, 1}, lights[0].position = {1, 2, 3, 0};
+  lights[0].ambient = {0.1, 0.2, 0.3}, lights[0].diffuse = {1, 0.9, 0.8}, lights[0].specular = {1, 1, 1},
+  lights[0].position = {1, 2, 3, 0};
   lights[1] = lights[0], lights[1].position = {1, -2, 3, 1}, lights[1].linear_attenuation = 0.5;
   const auto picture = [&](Terms terms) {
     model.terms = terms;
     return light_vertex(model, lights, material, {0.1, 0.2, -3, 1}, {0, 0.6, 0.8}).primary.xyz();
   };
-  const Vec3 sum = picture({true, false, false, false}) + picture({false, true, false, false}) + picture({false, false, true, false}) +
-                   picture({false, false, false, true});
+  const Vec3 sum = picture({true, false, false, false}) + picture({false, true, false, false}) +
+                   picture({false, false, true, false}) + picture({false, false, false, true});
   check(sum, picture({}));
   check(picture({false, false, false, false}), {0, 0, 0});
 }
 
 TEST_CASE("2.14.1: the sign of a polygon's area selects the face", "[reference][lighting]") {
-  const std::vector<Vec3> square{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}, other{{0, 0, 0}, {0, 2, 0}, {2, 2, 0}, {2, 0, 0}};
+  const std::vector<Vec3> square{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}},
+      other{{0, 0, 0}, {0, 2, 0}, {2, 2, 0}, {2, 0, 0}};
   CHECK(twice_signed_area(square) == 8);
   CHECK(twice_signed_area(other) == -8);
   CHECK_FALSE(faces_back(8, false));

@@ -13,7 +13,10 @@ struct TextureContext {
   const Gl& gl;
   void* context;
   std::vector<unsigned char> buffer = std::vector<unsigned char>(16 * 16 * 4);
-  explicit TextureContext(const Gl& library) : gl(library), context(library.OSMesaCreateContextExt(kOSMesaRgba, 24, 8, 0, nullptr)) { bind(); }
+  explicit TextureContext(const Gl& library)
+      : gl(library), context(library.OSMesaCreateContextExt(kOSMesaRgba, 24, 8, 0, nullptr)) {
+    bind();
+  }
   ~TextureContext() { gl.OSMesaDestroyContext(context); }
   TextureContext(const TextureContext&) = delete;
   void bind() { REQUIRE(gl.OSMesaMakeCurrent(context, buffer.data(), GL_UNSIGNED_BYTE, 16, 16)); }

@@ -8,7 +8,8 @@
 
 using namespace softgl::test;
 
-TEST_CASE("Skipped pixels are skipped when bytes are swapped or colours transferred", "[texture][deviation]") {
+TEST_CASE("Skipped pixels are skipped when bytes are swapped or colours transferred",
+          "[texture][deviation]") {
   TextureContext c(softgl_library());
   const unsigned short texels[4] = {0x0100, 0x0200, 0x0304, 0xffff};
   c.gl.PixelStorei(GL_UNPACK_SKIP_PIXELS, 2);
@@ -69,7 +70,8 @@ TEST_CASE("Compressed internal formats are stored uncompressed", "[texture][devi
   CHECK(back == texels);
 }
 
-// Three levels of one internal format, each with pixels of another form; gives the colour that each level is drawn with.
+// Three levels of one internal format, each with pixels of another form; gives the colour that each level is
+// drawn with.
 static std::vector<GLuint> draw_levels(const Gl& gl, bool smallest_first) {
   TextureContext c(gl);
   const GLubyte bytes[4] = {51, 102, 204, 255};
@@ -79,10 +81,16 @@ static std::vector<GLuint> draw_levels(const Gl& gl, bool smallest_first) {
     const int level = smallest_first ? 2 - i : i, size = 4 >> level;
     std::vector<GLubyte> image;
     const auto fill = [&](const auto& texel) {
-      for (int k = 0; k < size * size; ++k) image.insert(image.end(), reinterpret_cast<const GLubyte*>(texel), reinterpret_cast<const GLubyte*>(texel) + sizeof texel);
+      for (int k = 0; k < size * size; ++k)
+        image.insert(image.end(), reinterpret_cast<const GLubyte*>(texel),
+                     reinterpret_cast<const GLubyte*>(texel) + sizeof texel);
     };
     level == 0 ? fill(shorts) : level == 1 ? fill(bytes) : fill(floats);
-    gl.TexImage2D(GL_TEXTURE_2D, level, GL_RGBA, size, size, 0, GL_RGBA, level == 0 ? GL_UNSIGNED_SHORT : level == 1 ? GL_UNSIGNED_BYTE : GL_FLOAT, image.data());
+    gl.TexImage2D(GL_TEXTURE_2D, level, GL_RGBA, size, size, 0, GL_RGBA,
+                  level == 0   ? GL_UNSIGNED_SHORT
+                  : level == 1 ? GL_UNSIGNED_BYTE
+                               : GL_FLOAT,
+                  image.data());
   }
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
   gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
@@ -97,7 +105,9 @@ static std::vector<GLuint> draw_levels(const Gl& gl, bool smallest_first) {
   return colors;
 }
 
-TEST_CASE("Levels of one internal format fit together, whatever form their pixels have and whichever comes first", "[texture][deviation]") {
+TEST_CASE(
+    "Levels of one internal format fit together, whatever form their pixels have and whichever comes first",
+    "[texture][deviation]") {
   const std::vector<GLuint> colors = {0xff882211, 0xffcc6633, 0xffcc3399};
   CHECK(draw_levels(softgl_library(), false) == colors);
   CHECK(draw_levels(softgl_library(), true) == colors);
@@ -110,7 +120,8 @@ static int greys_of_rectangle(const Gl& gl, GLenum minify, GLenum magnify, float
   TextureContext c(gl);
   std::vector<GLubyte> image(64 * 64);
   for (size_t i = 0; i < image.size(); ++i) image[i] = (i ^ i / 64) & 1 ? 255 : 0;
-  gl.TexImage2D(GL_TEXTURE_RECTANGLE, 0, GL_LUMINANCE8, 64, 64, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE, image.data());
+  gl.TexImage2D(GL_TEXTURE_RECTANGLE, 0, GL_LUMINANCE8, 64, 64, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE,
+                image.data());
   gl.TexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MIN_FILTER, GLint(minify));
   gl.TexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MAG_FILTER, GLint(magnify));
   gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
@@ -133,8 +144,10 @@ static int greys_of_rectangle(const Gl& gl, GLenum minify, GLenum magnify, float
 TEST_CASE("Rectangles are magnified when a texel covers more than a pixel", "[texture][deviation]") {
   for (const bool magnified : {false, true}) {
     const float texels = magnified ? 4 : 56;
-    CHECK(greys_of_rectangle(softgl_library(), GL_NEAREST, GL_LINEAR, texels) == (magnified ? greys_of_rectangle(softgl_library(), GL_LINEAR, GL_LINEAR, texels) : 0));
-    CHECK(greys_of_rectangle(softgl_library(), GL_LINEAR, GL_NEAREST, texels) == (magnified ? 0 : greys_of_rectangle(softgl_library(), GL_LINEAR, GL_LINEAR, texels)));
+    CHECK(greys_of_rectangle(softgl_library(), GL_NEAREST, GL_LINEAR, texels) ==
+          (magnified ? greys_of_rectangle(softgl_library(), GL_LINEAR, GL_LINEAR, texels) : 0));
+    CHECK(greys_of_rectangle(softgl_library(), GL_LINEAR, GL_NEAREST, texels) ==
+          (magnified ? 0 : greys_of_rectangle(softgl_library(), GL_LINEAR, GL_LINEAR, texels)));
     CHECK(greys_of_rectangle(softgl_library(), GL_LINEAR, GL_LINEAR, texels) > 0);
   }
   CHECK(greys_of_rectangle(osmesa_library(), GL_NEAREST, GL_LINEAR, 4) == 0); // as if minified

@@ -52,7 +52,11 @@ TEST_CASE("an exception of a worker reaches the caller and the pool goes on", "[
   Workers restore;
   for (int workers : {1, 3}) {
     ThreadPool::instance().set_workers(workers);
-    CHECK_THROWS_AS(ThreadPool::instance().run(100, [](size_t i, int) { if (i == 57) throw std::runtime_error("57"); }), std::runtime_error);
+    CHECK_THROWS_AS(ThreadPool::instance().run(100,
+                                               [](size_t i, int) {
+                                                 if (i == 57) throw std::runtime_error("57");
+                                               }),
+                    std::runtime_error);
     CHECK(runs_all(100));
   }
 }
@@ -61,7 +65,10 @@ TEST_CASE("two threads may run at the same time", "[thread_pool]") {
   Workers restore;
   ThreadPool::instance().set_workers(3);
   std::atomic<bool> good{true};
-  auto work = [&] { for (int i = 0; i < 200; ++i) if (!runs_all(50)) good = false; };
+  auto work = [&] {
+    for (int i = 0; i < 200; ++i)
+      if (!runs_all(50)) good = false;
+  };
   std::thread other(work);
   work();
   other.join();

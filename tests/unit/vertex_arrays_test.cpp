@@ -1,5 +1,5 @@
-// Vertex arrays and buffer objects (GL 1.5, 2.8 and 2.9): that they give the vertices of immediate mode, whatever the
-// layout, and their errors.
+// Vertex arrays and buffer objects (GL 1.5, 2.8 and 2.9): that they give the vertices of immediate mode,
+// whatever the layout, and their errors.
 #include <catch2/catch.hpp>
 
 #include <cstring>
@@ -39,19 +39,24 @@ std::vector<Vertex> some_vertices(int count) {
   return v;
 }
 void set_pointers(Context& c, const Vertex* v) {
-  const auto at = [&](size_t offset) { return reinterpret_cast<const void*>(reinterpret_cast<uintptr_t>(v) + offset); };
+  const auto at = [&](size_t offset) {
+    return reinterpret_cast<const void*>(reinterpret_cast<uintptr_t>(v) + offset);
+  };
   gl::VertexPointer(c, 3, GL_FLOAT, sizeof(Vertex), at(offsetof(Vertex, position)));
   gl::NormalPointer(c, GL_FLOAT, sizeof(Vertex), at(offsetof(Vertex, normal)));
   gl::ColorPointer(c, 4, GL_UNSIGNED_BYTE, sizeof(Vertex), at(offsetof(Vertex, color)));
   gl::TexCoordPointer(c, 2, GL_FLOAT, sizeof(Vertex), at(offsetof(Vertex, texcoord)));
-  for (GLenum array : {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY}) gl::EnableClientState(c, array);
+  for (GLenum array : {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY})
+    gl::EnableClientState(c, array);
 }
-std::vector<ExpandedPrimitive> immediate(GLenum mode, const std::vector<Vertex>& v, const std::vector<GLuint>& indices) {
+std::vector<ExpandedPrimitive> immediate(GLenum mode, const std::vector<Vertex>& v,
+                                         const std::vector<GLuint>& indices) {
   auto c = make_recording_context();
   gl::Begin(*c, mode);
   for (GLuint i : indices) {
     set_attribute3(*c, kNormal, v[i].normal[0], v[i].normal[1], v[i].normal[2]);
-    set_attribute4(*c, kColor, v[i].color[0] / 255.f, v[i].color[1] / 255.f, v[i].color[2] / 255.f, v[i].color[3] / 255.f);
+    set_attribute4(*c, kColor, v[i].color[0] / 255.f, v[i].color[1] / 255.f, v[i].color[2] / 255.f,
+                   v[i].color[3] / 255.f);
     set_attribute2(*c, kTexCoord0, v[i].texcoord[0], v[i].texcoord[1]);
     emit_vertex3(*c, v[i].position[0], v[i].position[1], v[i].position[2]);
   }
@@ -59,7 +64,9 @@ std::vector<ExpandedPrimitive> immediate(GLenum mode, const std::vector<Vertex>&
   close(*c);
   return recorded_primitives(*c);
 }
-template <class T> std::vector<T> narrowed(const std::vector<GLuint>& indices) { return {indices.begin(), indices.end()}; }
+template <class T> std::vector<T> narrowed(const std::vector<GLuint>& indices) {
+  return {indices.begin(), indices.end()};
+}
 
 void buffer(Context& c, GLenum target, GLuint name, const void* data, size_t bytes) {
   gl::BindBuffer(c, target, name);
@@ -73,7 +80,8 @@ TEST_CASE("arrays give the vertices of immediate mode", "[vertex][arrays]") {
   for (uint64_t seed = 0; seed < 200; ++seed) {
     Random random(seed);
     const GLenum mode = GLenum(random.integer(0, 9));
-    const bool in_buffer = random.integer(0, 1), indices_in_buffer = random.integer(0, 1), in_list = random.integer(0, 3) == 0;
+    const bool in_buffer = random.integer(0, 1), indices_in_buffer = random.integer(0, 1),
+               in_list = random.integer(0, 3) == 0;
     const int size = random.integer(0, 2), low = random.integer(0, 150), high = low + random.integer(1, 40);
     std::vector<GLuint> indices;
     const int count = random.integer(0, 60);
@@ -86,7 +94,9 @@ TEST_CASE("arrays give the vertices of immediate mode", "[vertex][arrays]") {
     set_pointers(*c, in_buffer ? nullptr : vertices.data());
     auto bytes = narrowed<GLubyte>(indices);
     auto shorts = narrowed<GLushort>(indices);
-    const void* data = size == 0 ? static_cast<const void*>(bytes.data()) : size == 1 ? static_cast<const void*>(shorts.data()) : indices.data();
+    const void* data = size == 0   ? static_cast<const void*>(bytes.data())
+                       : size == 1 ? static_cast<const void*>(shorts.data())
+                                   : indices.data();
     const GLenum type = size == 0 ? GL_UNSIGNED_BYTE : size == 1 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
     if (indices_in_buffer) {
       buffer(*c, GL_ELEMENT_ARRAY_BUFFER, 8, data, size_t(count) << size);
@@ -213,9 +223,10 @@ TEST_CASE("indices and vertices behind the end of a buffer do no harm", "[vertex
 
 TEST_CASE("the fourteen interleaved formats", "[vertex][arrays]") {
   // Offsets in floats of texture coordinates, colour, normal, position (-1: none) and the size, of table 2.5.
-  static constexpr int formats[14][5] = {{-1, -1, -1, 0, 2}, {-1, -1, -1, 0, 3}, {-1, 0, -1, 1, 3},  {-1, 0, -1, 1, 4},   {-1, 0, -1, 3, 6},
-                                         {-1, -1, 0, 3, 6},  {-1, 0, 4, 7, 10},  {0, -1, -1, 2, 5},  {0, -1, -1, 4, 8},   {0, 2, -1, 3, 6},
-                                         {0, 2, -1, 5, 8},   {0, -1, 2, 5, 8},   {0, 2, 6, 9, 12},   {0, 4, 8, 11, 15}};
+  static constexpr int formats[14][5] = {
+      {-1, -1, -1, 0, 2}, {-1, -1, -1, 0, 3}, {-1, 0, -1, 1, 3}, {-1, 0, -1, 1, 4}, {-1, 0, -1, 3, 6},
+      {-1, -1, 0, 3, 6},  {-1, 0, 4, 7, 10},  {0, -1, -1, 2, 5}, {0, -1, -1, 4, 8}, {0, 2, -1, 3, 6},
+      {0, 2, -1, 5, 8},   {0, -1, 2, 5, 8},   {0, 2, 6, 9, 12},  {0, 4, 8, 11, 15}};
   float memory[64] = {};
   auto c = make_recording_context();
   for (GLenum i = 0; i < 14; ++i) {
@@ -378,7 +389,8 @@ TEST_CASE("the range of indices of any type and alignment", "[vertex][arrays]") 
         expected = {std::min(expected.low, v), std::max(expected.high, v)};
       }
       std::vector<unsigned char> copy(count * index_bytes(type));
-      for (const IndexRange r : {index_range(data, type, count), copy_indices(data, type, count, copy.data())}) {
+      for (const IndexRange r :
+           {index_range(data, type, count), copy_indices(data, type, count, copy.data())}) {
         CHECK(r.low == expected.low);
         CHECK(r.high == expected.high);
       }

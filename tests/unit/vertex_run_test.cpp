@@ -52,14 +52,18 @@ void check_lists(const Stream& stream) {
   CHECK(played(stream, GL_COMPILE_AND_EXECUTE, color, 2) == repeated(stream, color, 3));
 }
 
-AttributeValue value_of(const ExpandedPrimitive& p, int corner, int slot) { return p.vertex[size_t(corner)].value[size_t(slot)]; }
+AttributeValue value_of(const ExpandedPrimitive& p, int corner, int slot) {
+  return p.vertex[size_t(corner)].value[size_t(slot)];
+}
 
 void random_stream(Context& c, uint64_t seed) {
   Random random(seed);
   const int primitives = random.integer(1, 12);
   const auto attribute = [&] {
-    static constexpr int slots[] = {kNormal, kColor, kTexCoord0, kTexCoord0 + 3, kFogCoordinate, kSecondaryColor, kEdgeFlag};
-    set_attribute4(c, slots[random.integer(0, 6)], random.real(-1, 1), random.real(0, 1), float(random.integer(0, 1)), 1);
+    static constexpr int slots[] = {kNormal,        kColor,          kTexCoord0, kTexCoord0 + 3,
+                                    kFogCoordinate, kSecondaryColor, kEdgeFlag};
+    set_attribute4(c, slots[random.integer(0, 6)], random.real(-1, 1), random.real(0, 1),
+                   float(random.integer(0, 1)), 1);
   };
   for (int i = 0; i < primitives; ++i) {
     while (random.integer(0, 2) == 0) attribute();
@@ -161,7 +165,8 @@ TEST_CASE("a primitive larger than a chunk is continued with the right vertices"
       state_change(*c);
       INFO("mode " << mode << ", " << count << " vertices");
       CHECK(recorded_draws(*c) > 1);
-      const bool same = recorded_primitives(*c) == played(stream, GL_COMPILE, {0, 0, 0, 1}, 1); // a list is not cut
+      const bool same =
+          recorded_primitives(*c) == played(stream, GL_COMPILE, {0, 0, 0, 1}, 1); // a list is not cut
       CHECK(same);
     }
 }
@@ -321,7 +326,7 @@ TEST_CASE("errors of display lists", "[lists]") {
   gl::NewList(*c, 5, GL_COMPILE);
   gl::NewList(*c, 6, GL_COMPILE);
   CHECK(error() == GL_INVALID_OPERATION);
-  gl::Begin(*c, 77); // raised when played
+  gl::Begin(*c, 77);   // raised when played
   gl::CallList(*c, 5); // itself: ends at the nesting limit
   CHECK(error() == GL_NO_ERROR);
   CHECK_FALSE(gl::IsList(*c, 5));
@@ -355,7 +360,8 @@ TEST_CASE("CallLists knows ten types of offsets", "[lists]") {
     return p.size() == before ? 0 : int(value_of(p.back(), 0, kPosition)[0]);
   };
   const GLbyte b = 2;
-  const GLubyte ub = 2, two[] = {300 >> 8, 300 & 255}, three[] = {1, 70000 >> 8 & 255, 70000 & 255}, four[] = {0, 1, 70000 >> 8 & 255, 70000 & 255};
+  const GLubyte ub = 2, two[] = {300 >> 8, 300 & 255}, three[] = {1, 70000 >> 8 & 255, 70000 & 255},
+                four[] = {0, 1, 70000 >> 8 & 255, 70000 & 255};
   const GLshort s = 300;
   const GLushort us = 300;
   const GLint i = 70000;

@@ -12,7 +12,8 @@ Mesh make_shell(int around, int along) {
     for (int i = 0; i <= around; i++) {
       const double longitude = 2 * pi * i / around, latitude = pi * (double(j) / along - 0.5);
       const double wave = 0.06 * std::sin(8 * longitude) * std::cos(6 * latitude) * std::cos(latitude);
-      const double direction[3] = {std::cos(latitude) * std::cos(longitude), std::sin(latitude), std::cos(latitude) * std::sin(longitude)};
+      const double direction[3] = {std::cos(latitude) * std::cos(longitude), std::sin(latitude),
+                                   std::cos(latitude) * std::sin(longitude)};
       MeshVertex v{};
       for (int k = 0; k < 3; k++) {
         v.position[k] = float((1 + wave) * direction[k]);
@@ -35,7 +36,8 @@ std::vector<uint8_t> make_image(int size) {
     for (int x = 0; x < size; x++) {
       uint8_t* p = &rgba[(size_t(y) * size_t(size) + size_t(x)) * 4];
       const int u = x * 256 / size, v = y * 256 / size;
-      p[0] = uint8_t((u ^ v) | 32), p[1] = uint8_t(u), p[2] = uint8_t(((u / 16 + v / 16) & 1) * 160 + 40), p[3] = uint8_t(255 - v / 2);
+      p[0] = uint8_t((u ^ v) | 32), p[1] = uint8_t(u), p[2] = uint8_t(((u / 16 + v / 16) & 1) * 160 + 40),
+      p[3] = uint8_t(255 - v / 2);
     }
   return rgba;
 }

@@ -15,8 +15,8 @@ struct Mesh {
   std::vector<uint32_t> indices; // triangles
 };
 
-/// A closed shell around the origin, about one unit in radius: a sphere with waves, `around` times `along` cells of two
-/// triangles. All triangles are of about one size.
+/// A closed shell around the origin, about one unit in radius: a sphere with waves, `around` times `along`
+/// cells of two triangles. All triangles are of about one size.
 Mesh make_shell(int around, int along);
 
 /// A square image, RGBA8, with structure of every size so that filters and mipmap levels matter.

@@ -1,5 +1,5 @@
-// softgl_frames: milliseconds per picture of programs of several kinds, for any library with OSMesa's functions, and a
-// hash of what they drew beside each time.
+// softgl_frames: milliseconds per picture of programs of several kinds, for any library with OSMesa's
+// functions, and a hash of what they drew beside each time.
 //   softgl_frames --against /usr/lib/x86_64-linux-gnu/libOSMesa.so.8
 #include <algorithm>
 #include <chrono>
@@ -25,8 +25,10 @@ const char kUsage[] =
     "usage: softgl_frames [options] [WORKLOAD...]\n"
     "  --list            names of all workloads, and what they draw\n"
     "  --library FILE    the library to measure (softgl of this build)\n"
-    "  --against FILE    measure this library too, in turn with the other, and print how many times faster the other is\n"
-    "  --runs N          how often each library is measured; the medians are printed (5 with --against, otherwise 1)\n"
+    "  --against FILE    measure this library too, in turn with the other, and print how many times faster "
+    "the other is\n"
+    "  --runs N          how often each library is measured; the medians are printed (5 with --against, "
+    "otherwise 1)\n"
     "  --seconds S       how long a run takes at least (1)\n"
     "  --size N          width and height of the pictures (1024)\n"
     "  --scale S         part of the geometry and of the draws, 0 < S <= 1 (1); the times then say little\n";
@@ -45,7 +47,9 @@ struct Result {
   char unit[24];
 };
 
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 uint64_t hash_of(const std::vector<uint64_t>& words) {
   uint64_t h = 0xcbf29ce484222325u;
@@ -58,8 +62,10 @@ Result measure(const std::string& library, const WorkloadKind& kind, const Optio
   Gl gl = test::load_gl(library, library);
   void* context = gl.OSMesaCreateContextExt(test::kOSMesaRgba, 24, 8, 0, nullptr);
   std::vector<uint64_t> pixels(size_t(o.size) * size_t(o.size) / 2);
-  if (!context || !gl.OSMesaMakeCurrent(context, pixels.data(), GL_UNSIGNED_BYTE, o.size, o.size)) throw std::runtime_error(library + " makes no context");
-  if (kind.phong && !std::strstr(reinterpret_cast<const char*>(gl.GetString(GL_EXTENSIONS)), "GL_WIN_phong_shading")) {
+  if (!context || !gl.OSMesaMakeCurrent(context, pixels.data(), GL_UNSIGNED_BYTE, o.size, o.size))
+    throw std::runtime_error(library + " makes no context");
+  if (kind.phong &&
+      !std::strstr(reinterpret_cast<const char*>(gl.GetString(GL_EXTENSIONS)), "GL_WIN_phong_shading")) {
     gl = test::with_shaders(gl, test::Twins::Phong);
     gl.OSMesaMakeCurrent(context, pixels.data(), GL_UNSIGNED_BYTE, o.size, o.size);
   }
@@ -133,8 +139,11 @@ int run(Options& o) {
       theirs.push_back(b.milliseconds);
       ratio.push_back(b.milliseconds / a.milliseconds);
     }
-    std::printf("%-14s %9.3f ms %9.2f %-11s %016llx", kind->name, median(ours), a.rate, a.unit, static_cast<unsigned long long>(a.hash));
-    if (!o.against.empty()) std::printf("  %9.3f ms %016llx  %6.2f times", median(theirs), static_cast<unsigned long long>(b.hash), median(ratio));
+    std::printf("%-14s %9.3f ms %9.2f %-11s %016llx", kind->name, median(ours), a.rate, a.unit,
+                static_cast<unsigned long long>(a.hash));
+    if (!o.against.empty())
+      std::printf("  %9.3f ms %016llx  %6.2f times", median(theirs), static_cast<unsigned long long>(b.hash),
+                  median(ratio));
     std::printf("\n");
     std::fflush(stdout);
   }
@@ -155,22 +164,30 @@ int main(int argc, char** argv) {
     }
     if (option[0] != '-') {
       const auto& all = workloads();
-      auto kind = std::find_if(all.begin(), all.end(), [&](const WorkloadKind& k) { return option == k.name; });
+      auto kind =
+          std::find_if(all.begin(), all.end(), [&](const WorkloadKind& k) { return option == k.name; });
       if (kind == all.end()) return std::fprintf(stderr, "no workload is called %s\n", option.c_str()), 2;
       o.workloads.push_back(&*kind);
-    } else if (i + 1 == argc) return usage();
-    else if (option == "--library") o.library = argv[++i];
-    else if (option == "--against") o.against = argv[++i];
-    else if (option == "--runs") o.runs = std::atoi(argv[++i]);
-    else if (option == "--seconds") o.seconds = std::atof(argv[++i]);
-    else if (option == "--size") o.size = std::atoi(argv[++i]);
-    else if (option == "--scale") o.scale = std::atof(argv[++i]);
-    else return usage();
+    } else if (i + 1 == argc)
+      return usage();
+    else if (option == "--library")
+      o.library = argv[++i];
+    else if (option == "--against")
+      o.against = argv[++i];
+    else if (option == "--runs")
+      o.runs = std::atoi(argv[++i]);
+    else if (option == "--seconds")
+      o.seconds = std::atof(argv[++i]);
+    else if (option == "--size")
+      o.size = std::atoi(argv[++i]);
+    else if (option == "--scale")
+      o.scale = std::atof(argv[++i]);
+    else
+      return usage();
   }
-  if (o.runs < 0 || o.size < 16 || o.size > 4096 || !(o.scale > 0 && o.scale <= 1) || !(o.seconds >= 0)) return usage();
+  if (o.runs < 0 || o.size < 16 || o.size > 4096 || !(o.scale > 0 && o.scale <= 1) || !(o.seconds >= 0))
+    return usage();
   try {
     return run(o);
-  } catch (const std::exception& e) {
-    return std::fprintf(stderr, "softgl_frames: %s\n", e.what()), 1;
-  }
+  } catch (const std::exception& e) { return std::fprintf(stderr, "softgl_frames: %s\n", e.what()), 1; }
 }

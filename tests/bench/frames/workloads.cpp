@@ -26,13 +26,15 @@ void use_texture(const Gl& gl, bool trilinear) {
   gl.BindTexture(GL_TEXTURE_2D, name);
   int level = 0;
   for (int size = 512; size >= 1; size /= 2)
-    gl.TexImage2D(GL_TEXTURE_2D, level++, GL_RGBA, size, size, 0, GL_RGBA, GL_UNSIGNED_BYTE, make_image(size).data());
+    gl.TexImage2D(GL_TEXTURE_2D, level++, GL_RGBA, size, size, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                  make_image(size).data());
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, trilinear ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, trilinear ? GL_LINEAR : GL_NEAREST);
   gl.Enable(GL_TEXTURE_2D);
 }
 
-// One light is a lamp infinitely far away; of several, all have a place and distance, and every other one is a spot.
+// One light is a lamp infinitely far away; of several, all have a place and distance, and every other one is
+// a spot.
 void use_lights(const Gl& gl, int count) {
   gl.Enable(GL_LIGHTING);
   for (int i = 0; i < count; i++) {
@@ -56,7 +58,8 @@ void use_lights(const Gl& gl, int count) {
     gl.LightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, 1);
     gl.LightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);
   }
-  const float ambient[4] = {0.1f, 0.1f, 0.12f, 1}, diffuse[4] = {0.3f, 0.6f, 0.7f, 1}, specular[4] = {0.5f, 0.5f, 0.5f, 1};
+  const float ambient[4] = {0.1f, 0.1f, 0.12f, 1}, diffuse[4] = {0.3f, 0.6f, 0.7f, 1},
+              specular[4] = {0.5f, 0.5f, 0.5f, 1};
   gl.Materialfv(GL_FRONT_AND_BACK, GL_AMBIENT, ambient);
   gl.Materialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, diffuse);
   gl.Materialfv(GL_FRONT_AND_BACK, GL_SPECULAR, specular);
@@ -66,7 +69,8 @@ void use_lights(const Gl& gl, int count) {
 class MeshWorkload : public Workload {
 public:
   MeshWorkload(const Gl& gl, int size, const MeshPlan& plan, double scale)
-      : Workload(gl, size), plan_(plan), mesh_(make_shell(scaled(plan.around, scale), scaled(plan.along, scale))) {
+      : Workload(gl, size), plan_(plan),
+        mesh_(make_shell(scaled(plan.around, scale), scaled(plan.along, scale))) {
     units = double(mesh_.indices.size()) / (plan.mode == GL_LINES ? 2e6 : 3e6);
     if (plan.mode == GL_LINES) unit = "Mline/s";
     gl.ClearColor(0.1f, 0.1f, 0.1f, 1);
@@ -95,9 +99,13 @@ public:
 
 protected:
   virtual void draw() {
-    if (plan_.source == Source::List) gl.CallList(1);
-    else if (plan_.source == Source::Immediate) immediate();
-    else gl.DrawElements(plan_.mode, GLsizei(mesh_.indices.size()), GL_UNSIGNED_INT, plan_.source == Source::Buffers ? nullptr : mesh_.indices.data());
+    if (plan_.source == Source::List)
+      gl.CallList(1);
+    else if (plan_.source == Source::Immediate)
+      immediate();
+    else
+      gl.DrawElements(plan_.mode, GLsizei(mesh_.indices.size()), GL_UNSIGNED_INT,
+                      plan_.source == Source::Buffers ? nullptr : mesh_.indices.data());
   }
 
   const MeshPlan plan_;
@@ -110,9 +118,11 @@ private:
       GLuint name[2];
       gl.GenBuffers(2, name);
       gl.BindBuffer(GL_ARRAY_BUFFER, name[0]);
-      gl.BufferData(GL_ARRAY_BUFFER, GLsizeiptr(mesh_.vertices.size() * sizeof(MeshVertex)), base, GL_STATIC_DRAW);
+      gl.BufferData(GL_ARRAY_BUFFER, GLsizeiptr(mesh_.vertices.size() * sizeof(MeshVertex)), base,
+                    GL_STATIC_DRAW);
       gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, name[1]);
-      gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(mesh_.indices.size() * 4), mesh_.indices.data(), GL_STATIC_DRAW);
+      gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(mesh_.indices.size() * 4), mesh_.indices.data(),
+                    GL_STATIC_DRAW);
       base = nullptr;
     }
     gl.EnableClientState(GL_VERTEX_ARRAY);
@@ -135,7 +145,8 @@ private:
 /// Many small objects, each with a material and a place of its own.
 class SmallDraws : public MeshWorkload {
 public:
-  SmallDraws(const Gl& gl, int size, double scale) : MeshWorkload(gl, size, {6, 4, 2}, 1), side_(scaled(100, scale)) {
+  SmallDraws(const Gl& gl, int size, double scale)
+      : MeshWorkload(gl, size, {6, 4, 2}, 1), side_(scaled(100, scale)) {
     units = double(side_) * side_ / 1e6;
     unit = "Mdraw/s";
   }
@@ -161,7 +172,8 @@ private:
 enum class Layer { Opaque, Blended, Textured };
 class Layers : public Workload {
 public:
-  Layers(const Gl& gl, int size, Layer kind, double scale) : Workload(gl, size), count_(std::max(2, int(20 * scale))) {
+  Layers(const Gl& gl, int size, Layer kind, double scale)
+      : Workload(gl, size), count_(std::max(2, int(20 * scale))) {
     units = double(count_) * size * size / 1e6;
     unit = "Mpixel/s";
     if (kind == Layer::Opaque) gl.Enable(GL_DEPTH_TEST);
@@ -189,9 +201,11 @@ private:
   const int count_;
 };
 
-template <int Around, int Along, int Lights, Source From, bool Textured = false, GLenum Mode = GL_TRIANGLES, GLenum ShadeModel = GL_SMOOTH>
+template <int Around, int Along, int Lights, Source From, bool Textured = false, GLenum Mode = GL_TRIANGLES,
+          GLenum ShadeModel = GL_SMOOTH>
 std::unique_ptr<Workload> make_mesh(const Gl& gl, int size, double scale) {
-  return std::make_unique<MeshWorkload>(gl, size, MeshPlan{Around, Along, Lights, From, Textured, Mode, ShadeModel}, scale);
+  return std::make_unique<MeshWorkload>(
+      gl, size, MeshPlan{Around, Along, Lights, From, Textured, Mode, ShadeModel}, scale);
 }
 template <Layer Kind> std::unique_ptr<Workload> make_layers(const Gl& gl, int size, double scale) {
   return std::make_unique<Layers>(gl, size, Kind, scale);
@@ -204,19 +218,31 @@ std::unique_ptr<Workload> make_small_draws(const Gl& gl, int size, double scale)
 
 const std::vector<WorkloadKind>& workloads() {
   static const std::vector<WorkloadKind> all = {
-      {"one_shot", "load the library, one picture of 70 thousand triangles", make_mesh<256, 136, 1, Source::Buffers>, true},
-      {"mesh", "a million lit triangles from buffer objects", make_mesh<1024, 512, 1, Source::Buffers>, false},
-      {"mesh_70k", "70 thousand lit triangles from buffer objects", make_mesh<256, 136, 1, Source::Buffers>, false},
-      {"phong_70k", "the same, Phong-shaded: by GL_WIN_phong_shading or, where there is none, by shaders/glsl",
+      {"one_shot", "load the library, one picture of 70 thousand triangles",
+       make_mesh<256, 136, 1, Source::Buffers>, true},
+      {"mesh", "a million lit triangles from buffer objects", make_mesh<1024, 512, 1, Source::Buffers>,
+       false},
+      {"mesh_70k", "70 thousand lit triangles from buffer objects", make_mesh<256, 136, 1, Source::Buffers>,
+       false},
+      {"phong_70k",
+       "the same, Phong-shaded: by GL_WIN_phong_shading or, where there is none, by shaders/glsl",
        make_mesh<256, 136, 1, Source::Buffers, false, GL_TRIANGLES, GL_PHONG_WIN>, false, true},
-      {"client_arrays", "a million lit triangles from the program's memory", make_mesh<1024, 512, 1, Source::ClientArrays>, false},
-      {"lights", "a quarter of a million triangles under eight lights, four of them spots", make_mesh<512, 256, 8, Source::Buffers>, false},
-      {"list", "a quarter of a million triangles from a display list", make_mesh<512, 256, 1, Source::List>, false},
-      {"immediate", "the same with glBegin, glNormal3fv, glVertex3fv", make_mesh<512, 256, 1, Source::Immediate>, false},
-      {"textured_mesh", "70 thousand triangles, two lights, trilinear texture", make_mesh<256, 136, 2, Source::Buffers, true>, false},
-      {"lines", "the edges of 70 thousand triangles as lit lines", make_mesh<256, 136, 1, Source::Buffers, false, GL_LINES>, false},
-      {"small_draws", "ten thousand objects of 48 triangles, each with its own material and matrix", make_small_draws, false},
-      {"fill", "twenty layers over the whole picture, smooth colours, depth test", make_layers<Layer::Opaque>, false},
+      {"client_arrays", "a million lit triangles from the program's memory",
+       make_mesh<1024, 512, 1, Source::ClientArrays>, false},
+      {"lights", "a quarter of a million triangles under eight lights, four of them spots",
+       make_mesh<512, 256, 8, Source::Buffers>, false},
+      {"list", "a quarter of a million triangles from a display list", make_mesh<512, 256, 1, Source::List>,
+       false},
+      {"immediate", "the same with glBegin, glNormal3fv, glVertex3fv",
+       make_mesh<512, 256, 1, Source::Immediate>, false},
+      {"textured_mesh", "70 thousand triangles, two lights, trilinear texture",
+       make_mesh<256, 136, 2, Source::Buffers, true>, false},
+      {"lines", "the edges of 70 thousand triangles as lit lines",
+       make_mesh<256, 136, 1, Source::Buffers, false, GL_LINES>, false},
+      {"small_draws", "ten thousand objects of 48 triangles, each with its own material and matrix",
+       make_small_draws, false},
+      {"fill", "twenty layers over the whole picture, smooth colours, depth test", make_layers<Layer::Opaque>,
+       false},
       {"blend", "twenty translucent layers", make_layers<Layer::Blended>, false},
       {"texture", "twenty layers with a trilinear texture", make_layers<Layer::Textured>, false},
   };

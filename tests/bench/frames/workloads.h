@@ -21,7 +21,7 @@ public:
   virtual void frame(int turn) = 0;
 
   const Gl& gl;
-  const int size; // of the picture in pixels, square
+  const int size;   // of the picture in pixels, square
   double units = 0; // work of a frame, in millions of what `unit` names
   const char* unit = "Mtriangle/s";
 };

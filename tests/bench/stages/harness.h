@@ -36,10 +36,12 @@ inline void print_hash(benchmark::State& state, uint64_t hash) {
 
 /// Time per piece of work as a counter called `name`.
 inline void count_work(benchmark::State& state, const char* name, double pieces) {
-  state.counters[name] = benchmark::Counter(pieces, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters[name] =
+      benchmark::Counter(pieces, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-/// A current context with a picture of its own, drawn by one thread: stages are measured without their neighbours.
+/// A current context with a picture of its own, drawn by one thread: stages are measured without their
+/// neighbours.
 class Canvas {
 public:
   explicit Canvas(int size) : pixels(size_t(size) * size_t(size)), size(size) {
@@ -95,7 +97,8 @@ struct ShadedMemory {
   }
   uint64_t hash(const DrawRecord& draw) const {
     const size_t count = draw.call.vertex_count;
-    return hash_of(masks.data(), count * 2, hash_of(slots.data(), count * draw.layout.slots * sizeof(ShadedVertices::Slot)));
+    return hash_of(masks.data(), count * 2,
+                   hash_of(slots.data(), count * draw.layout.slots * sizeof(ShadedVertices::Slot)));
   }
 };
 

@@ -1,4 +1,5 @@
-// What comes after drawing: the caller's buffer, glReadPixels, glClear; and reading a model from a file's text.
+// What comes after drawing: the caller's buffer, glReadPixels, glClear; and reading a model from a file's
+// text.
 #include "cli/obj_reader.h"
 #include "framebuffer/read_surface.h"
 #include "harness.h"
@@ -53,21 +54,25 @@ std::string obj_text(const Mesh& mesh, bool slashes) {
   std::string text;
   char line[160];
   for (const MeshVertex& v : mesh.vertices) {
-    std::snprintf(line, sizeof line, "v %.6f %.6f %.6f\nvt %.4f %.4f\nvn %.4f %.4f %.4f\n", double(v.position[0]), double(v.position[1]),
-                  double(v.position[2]), double(v.texcoord[0]), double(v.texcoord[1]), double(v.normal[0]), double(v.normal[1]), double(v.normal[2]));
+    std::snprintf(line, sizeof line, "v %.6f %.6f %.6f\nvt %.4f %.4f\nvn %.4f %.4f %.4f\n",
+                  double(v.position[0]), double(v.position[1]), double(v.position[2]), double(v.texcoord[0]),
+                  double(v.texcoord[1]), double(v.normal[0]), double(v.normal[1]), double(v.normal[2]));
     text += line;
   }
   for (size_t i = 0; i < mesh.indices.size(); i += 3) {
     const unsigned a = mesh.indices[i] + 1, b = mesh.indices[i + 1] + 1, c = mesh.indices[i + 2] + 1;
-    if (slashes) std::snprintf(line, sizeof line, "f %u/%u/%u %u/%u/%u %u/%u/%u\n", a, a, a, b, b, b, c, c, c);
-    else std::snprintf(line, sizeof line, "f %u %u %u\n", a, b, c);
+    if (slashes)
+      std::snprintf(line, sizeof line, "f %u/%u/%u %u/%u/%u %u/%u/%u\n", a, a, a, b, b, b, c, c, c);
+    else
+      std::snprintf(line, sizeof line, "f %u %u %u\n", a, b, c);
     text += line;
   }
   return text;
 }
 
 void obj_reading(benchmark::State& state, bool slashes) {
-  const cli::SourceText text = cli::SourceText::from_string(obj_text(make_shell(256, 128), slashes), "shell.obj");
+  const cli::SourceText text =
+      cli::SourceText::from_string(obj_text(make_shell(256, 128), slashes), "shell.obj");
   uint64_t hash = 0;
   for (auto _ : state) {
     cli::RemarkList remarks;

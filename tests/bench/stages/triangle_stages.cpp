@@ -23,7 +23,9 @@ public:
 /// Takes triangles and drops them.
 class Drop final : public PrimitiveSink {
 public:
-  void triangles(const DrawRecord&, const AssembledTriangles& batch) override { count += uint64_t(batch.count); }
+  void triangles(const DrawRecord&, const AssembledTriangles& batch) override {
+    count += uint64_t(batch.count);
+  }
   void lines(const DrawRecord&, const AssembledLines&) override {}
   void points(const DrawRecord&, const AssembledPoints&) override {}
   uint64_t count = 0;
@@ -55,7 +57,9 @@ struct ShadedMesh {
     range = draw->call.primitives;
     steps = assembly_steps(*range);
   }
-  void assemble_into(PrimitiveSink& sink) { assemble(*draw, memory->vertices, *range, 0, steps, arena, sink); }
+  void assemble_into(PrimitiveSink& sink) {
+    assemble(*draw, memory->vertices, *range, 0, steps, arena, sink);
+  }
 };
 
 void assembly(benchmark::State& state, float near) {

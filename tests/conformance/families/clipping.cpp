@@ -22,7 +22,9 @@ static void draw_clip(Stage& s) {
     }
     gl.ShadeModel(s.random.chance(60) ? GL_SMOOTH : GL_FLAT);
     PrimitiveOptions options;
-    options.mode = s.random.chance(25) ? GLenum(s.random.pick({GL_POINTS, GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP})) : random_filled_mode(s);
+    options.mode = s.random.chance(25)
+                       ? GLenum(s.random.pick({GL_POINTS, GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP}))
+                       : random_filled_mode(s);
     options.spread = s.random.pick({Spread::View, Spread::Beyond, Spread::Beyond, Spread::Any});
     options.secondary_colors = s.random.chance(20);
     if (options.secondary_colors) gl.Enable(GL_COLOR_SUM);
@@ -48,7 +50,9 @@ static void draw_near(Stage& s) {
     random_culling(s);
     gl.ShadeModel(s.random.chance(60) ? GL_SMOOTH : GL_FLAT);
     PrimitiveOptions options;
-    options.mode = s.random.chance(25) ? GLenum(s.random.pick({GL_POINTS, GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP})) : random_filled_mode(s);
+    options.mode = s.random.chance(25)
+                       ? GLenum(s.random.pick({GL_POINTS, GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP}))
+                       : random_filled_mode(s);
     options.spread = s.random.pick({Spread::Beyond, Spread::Beyond, Spread::Huge});
     gl.PointSize(9);
     gl.LineWidth(s.random.chance(50) ? 1.0f : 5.0f);

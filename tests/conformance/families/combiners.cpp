@@ -1,5 +1,5 @@
-// Chains of texture environments with colour sum and fog behind them, drawn to floats: OSMesa's compiler decides over the
-// whole chain in which order it adds, and of that 8 bits show next to nothing.
+// Chains of texture environments with colour sum and fog behind them, drawn to floats: OSMesa's compiler
+// decides over the whole chain in which order it adds, and of that 8 bits show next to nothing.
 #include "conformance/families/common.h"
 #include "conformance/families/environments.h"
 
@@ -10,17 +10,26 @@ void random_environment(Stage& s, int units, bool all_on) {
   Random& r = s.random;
   const Float4 c = r.color();
   gl.TexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, c.data());
-  gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, r.pick({GL_MODULATE, GL_MODULATE, GL_REPLACE, GL_DECAL, GL_BLEND, GL_ADD, GL_COMBINE, GL_COMBINE}));
-  gl.TexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, r.pick({GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_INTERPOLATE, GL_SUBTRACT, GL_DOT3_RGB, GL_DOT3_RGBA}));
-  gl.TexEnvi(GL_TEXTURE_ENV, GL_COMBINE_ALPHA, r.pick({GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_INTERPOLATE, GL_SUBTRACT}));
-  auto source = [&]() -> GLint { return units > 1 && r.chance(25) ? GLint(GL_TEXTURE0) + r.integer(0, units - 1) : r.pick({GL_TEXTURE, GL_CONSTANT, GL_PRIMARY_COLOR, GL_PREVIOUS}); };
+  gl.TexEnvi(
+      GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE,
+      r.pick({GL_MODULATE, GL_MODULATE, GL_REPLACE, GL_DECAL, GL_BLEND, GL_ADD, GL_COMBINE, GL_COMBINE}));
+  gl.TexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB,
+             r.pick({GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_INTERPOLATE, GL_SUBTRACT, GL_DOT3_RGB,
+                     GL_DOT3_RGBA}));
+  gl.TexEnvi(GL_TEXTURE_ENV, GL_COMBINE_ALPHA,
+             r.pick({GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_INTERPOLATE, GL_SUBTRACT}));
+  auto source = [&]() -> GLint {
+    return units > 1 && r.chance(25) ? GLint(GL_TEXTURE0) + r.integer(0, units - 1)
+                                     : r.pick({GL_TEXTURE, GL_CONSTANT, GL_PRIMARY_COLOR, GL_PREVIOUS});
+  };
   for (int i = 0; i < 3; i++) {
     const GLint rgb = source();
     gl.TexEnvi(GL_TEXTURE_ENV, GL_SOURCE0_RGB + GLenum(i), rgb);
     gl.TexEnvi(GL_TEXTURE_ENV, GL_SOURCE0_ALPHA + GLenum(i), source());
     GLint operand = r.pick({GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA});
     // 1 minus the colour of a unit that is off: reference/DEVIATIONS.md.
-    if (!all_on && rgb >= GL_TEXTURE0 && rgb <= GL_TEXTURE7 && operand == GL_ONE_MINUS_SRC_COLOR) operand = GL_SRC_COLOR;
+    if (!all_on && rgb >= GL_TEXTURE0 && rgb <= GL_TEXTURE7 && operand == GL_ONE_MINUS_SRC_COLOR)
+      operand = GL_SRC_COLOR;
     gl.TexEnvi(GL_TEXTURE_ENV, GL_OPERAND0_RGB + GLenum(i), operand);
     gl.TexEnvi(GL_TEXTURE_ENV, GL_OPERAND0_ALPHA + GLenum(i), r.pick({GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA}));
   }
@@ -39,7 +48,8 @@ void some_texture(Stage& s) {
   s.gl.BindTexture(GL_TEXTURE_2D, name);
   std::vector<uint8_t> texels(8 * 8 * 4);
   for (uint8_t& t : texels) t = uint8_t(r.bits() >> 40);
-  const GLint format = r.pick({GL_RGBA8, GL_RGBA8, GL_RGB8, GL_LUMINANCE8, GL_LUMINANCE8_ALPHA8, GL_ALPHA8, GL_INTENSITY8});
+  const GLint format =
+      r.pick({GL_RGBA8, GL_RGBA8, GL_RGB8, GL_LUMINANCE8, GL_LUMINANCE8_ALPHA8, GL_ALPHA8, GL_INTENSITY8});
   s.gl.TexImage2D(GL_TEXTURE_2D, 0, format, 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
   s.gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
 }
@@ -51,8 +61,10 @@ void chain(Stage& s) {
   const bool gaps = r.chance(20);
   for (int u = 0; u < kUnits; ++u) {
     s.gl.ActiveTexture(GLenum(GL_TEXTURE0 + u));
-    if (u < units && !(gaps && r.chance(40))) s.gl.Enable(GL_TEXTURE_2D);
-    else s.gl.Disable(GL_TEXTURE_2D);
+    if (u < units && !(gaps && r.chance(40)))
+      s.gl.Enable(GL_TEXTURE_2D);
+    else
+      s.gl.Disable(GL_TEXTURE_2D);
     random_environment(s, units, !gaps);
     for (GLenum scale : {GL_RGB_SCALE, GL_ALPHA_SCALE})
       if (r.chance(60)) s.gl.TexEnvf(GL_TEXTURE_ENV, scale, 1);
@@ -80,10 +92,14 @@ void draw_combiners(Stage& s) {
   }
   for (int cell = 0; cell < 6; ++cell) {
     chain(s);
-    if (s.random.chance(40)) s.gl.Enable(GL_COLOR_SUM);
-    else s.gl.Disable(GL_COLOR_SUM);
-    if (s.random.chance(30)) random_fog(s);
-    else s.gl.Disable(GL_FOG);
+    if (s.random.chance(40))
+      s.gl.Enable(GL_COLOR_SUM);
+    else
+      s.gl.Disable(GL_COLOR_SUM);
+    if (s.random.chance(30))
+      random_fog(s);
+    else
+      s.gl.Disable(GL_FOG);
     const float x = float(cell % 3) * 0.66f - 1, y = float(cell / 3) - 1;
     s.gl.Begin(GL_TRIANGLE_STRIP);
     for (int i = 0; i < 4; ++i) corner(s, x + (i & 1 ? 0.6f : 0), y + (i & 2 ? 0.9f : 0));

@@ -27,24 +27,32 @@ bool random_projection(Stage& s) {
   switch (s.random.integer(0, 5)) {
   case 0: break;
   case 1: {
-    const float l = s.random.real(-1.5f, -0.5f), r = s.random.real(0.5f, 1.5f), b = s.random.real(-1.5f, -0.5f), t = s.random.real(0.5f, 1.5f);
+    const float l = s.random.real(-1.5f, -0.5f), r = s.random.real(0.5f, 1.5f),
+                b = s.random.real(-1.5f, -0.5f), t = s.random.real(0.5f, 1.5f);
     gl.Ortho(l, r, b, t, -4, 4);
     break;
   }
-  case 2: case 3: {
-    const float n = s.random.pick({0.5f, 1.0f, 2.0f}), w = s.random.real(0.3f, 0.8f) * n, h = s.random.real(0.3f, 0.8f) * n;
+  case 2:
+  case 3: {
+    const float n = s.random.pick({0.5f, 1.0f, 2.0f}), w = s.random.real(0.3f, 0.8f) * n,
+                h = s.random.real(0.3f, 0.8f) * n;
     gl.Frustum(-w, w, -h, h, n, s.random.pick({6.0f, 10.0f, 100.0f}));
     perspective = true;
     break;
   }
   case 4: {
-    const float n = s.random.real(0.1f, 1.0f), l = s.random.real(-0.8f, -0.1f) * n, r = s.random.real(0.2f, 0.8f) * n;
+    const float n = s.random.real(0.1f, 1.0f), l = s.random.real(-0.8f, -0.1f) * n,
+                r = s.random.real(0.2f, 0.8f) * n;
     const float b = s.random.real(-0.8f, -0.1f) * n, t = s.random.real(0.2f, 0.8f) * n;
     gl.Frustum(l, r, b, t, n, 20);
     perspective = true;
     break;
   }
-  default: gl.Ortho(0, s.width, 0, s.height, -100, 100); gl.Scalef(s.width * 0.4f, s.height * 0.4f, 1); gl.Translatef(1.25f, 1.25f, 0); break;
+  default:
+    gl.Ortho(0, s.width, 0, s.height, -100, 100);
+    gl.Scalef(s.width * 0.4f, s.height * 0.4f, 1);
+    gl.Translatef(1.25f, 1.25f, 0);
+    break;
   }
   if (perspective) gl.Translatef(0, 0, s.random.real(-4, -2));
   gl.MatrixMode(GL_MODELVIEW);
@@ -59,7 +67,8 @@ void rigid_modelview(Stage& s) {
     gl.Translatef(t[0], t[1], t[2]);
   }
   for (int i = s.random.integer(0, 2); i > 0; i--) {
-    const Float3 axis = s.random.chance(50) ? Float3{s.random.pick({0.0f, 1.0f}), 0, 1} : s.random.direction();
+    const Float3 axis =
+        s.random.chance(50) ? Float3{s.random.pick({0.0f, 1.0f}), 0, 1} : s.random.direction();
     gl.Rotatef(s.random.real(-180, 180), axis[0], axis[1], axis[2]);
   }
 }
@@ -128,11 +137,13 @@ void random_scissor(Stage& s, int percent) {
 void random_blending(Stage& s) {
   const Gl& gl = s.gl;
   auto factor = [&](bool source) {
-    return source ? s.random.pick({GL_ZERO, GL_ONE, GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR, GL_DST_COLOR, GL_ONE_MINUS_DST_COLOR, GL_SRC_ALPHA,
-                                   GL_ONE_MINUS_SRC_ALPHA, GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA, GL_CONSTANT_COLOR, GL_ONE_MINUS_CONSTANT_COLOR,
+    return source ? s.random.pick({GL_ZERO, GL_ONE, GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR, GL_DST_COLOR,
+                                   GL_ONE_MINUS_DST_COLOR, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_DST_ALPHA,
+                                   GL_ONE_MINUS_DST_ALPHA, GL_CONSTANT_COLOR, GL_ONE_MINUS_CONSTANT_COLOR,
                                    GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA, GL_SRC_ALPHA_SATURATE})
-                  : s.random.pick({GL_ZERO, GL_ONE, GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR, GL_DST_COLOR, GL_ONE_MINUS_DST_COLOR, GL_SRC_ALPHA,
-                                   GL_ONE_MINUS_SRC_ALPHA, GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA, GL_CONSTANT_COLOR, GL_ONE_MINUS_CONSTANT_COLOR,
+                  : s.random.pick({GL_ZERO, GL_ONE, GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR, GL_DST_COLOR,
+                                   GL_ONE_MINUS_DST_COLOR, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_DST_ALPHA,
+                                   GL_ONE_MINUS_DST_ALPHA, GL_CONSTANT_COLOR, GL_ONE_MINUS_CONSTANT_COLOR,
                                    GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA});
   };
   if (s.random.chance(12)) {
@@ -150,14 +161,17 @@ void random_blending(Stage& s) {
       const GLenum source_alpha = factor(true), destination_alpha = factor(false);
       gl.BlendFuncSeparate(source, destination, source_alpha, destination_alpha);
     }
-    gl.BlendEquation(s.random.chance(50) ? GLenum(GL_FUNC_ADD) : GLenum(s.random.pick({GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX})));
+    gl.BlendEquation(s.random.chance(50) ? GLenum(GL_FUNC_ADD)
+                                         : GLenum(s.random.pick({GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT,
+                                                                 GL_MIN, GL_MAX})));
     const Float4 c = s.random.color();
     gl.BlendColor(c[0], c[1], c[2], c[3]);
   } else {
     gl.Disable(GL_BLEND);
   }
   if (s.random.chance(20)) {
-    const bool r = s.random.chance(60), g = s.random.chance(60), b = s.random.chance(60), a = s.random.chance(60);
+    const bool r = s.random.chance(60), g = s.random.chance(60), b = s.random.chance(60),
+               a = s.random.chance(60);
     gl.ColorMask(r, g, b, a);
   }
 }
@@ -196,7 +210,9 @@ int vertices_of(GLenum mode, int n) {
   case GL_LINE_STRIP: return n + 1;
   case GL_LINE_LOOP: return n + 1;
   case GL_TRIANGLES: return 3 * n;
-  case GL_TRIANGLE_STRIP: case GL_TRIANGLE_FAN: case GL_POLYGON: return n + 2;
+  case GL_TRIANGLE_STRIP:
+  case GL_TRIANGLE_FAN:
+  case GL_POLYGON: return n + 2;
   case GL_QUADS: return 4 * n;
   case GL_QUAD_STRIP: return 2 * n + 2;
   default: return 0;
@@ -204,31 +220,44 @@ int vertices_of(GLenum mode, int n) {
 }
 
 GLenum random_filled_mode(Stage& s) {
-  return GLenum(s.random.pick({GL_TRIANGLES, GL_TRIANGLES, GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS, GL_QUAD_STRIP, GL_POLYGON}));
+  return GLenum(s.random.pick({GL_TRIANGLES, GL_TRIANGLES, GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN,
+                               GL_QUADS, GL_QUAD_STRIP, GL_POLYGON}));
 }
 
 std::vector<Float4> random_positions(Stage& s, GLenum mode, int count, Spread spread, bool planar) {
   Random& r = s.random;
   std::vector<Float4> p(static_cast<size_t>(count));
   if (spread == Spread::Any)
-    spread = r.pick({Spread::View, Spread::View, Spread::View, Spread::Tiny, Spread::Sliver, Spread::Grid, Spread::Beyond, Spread::Beyond, Spread::Huge});
+    spread = r.pick({Spread::View, Spread::View, Spread::View, Spread::Tiny, Spread::Sliver, Spread::Grid,
+                     Spread::Beyond, Spread::Beyond, Spread::Huge});
   const bool homogeneous = !planar && r.chance(15);
   Float3 center{r.real(-0.8f, 0.8f), r.real(-0.8f, 0.8f), r.real(-0.5f, 0.5f)}, along = r.direction();
-  const int group = mode == GL_TRIANGLES ? 3 : mode == GL_QUADS ? 4 : mode == GL_LINES ? 2 : mode == GL_POINTS ? 1 : count;
+  const int group = mode == GL_TRIANGLES ? 3
+                    : mode == GL_QUADS   ? 4
+                    : mode == GL_LINES   ? 2
+                    : mode == GL_POINTS  ? 1
+                                         : count;
   // Convex polygons: points of an ellipse in order. Everything else may fold.
-  const float rx = r.real(0.2f, 1.1f), ry = r.real(0.2f, 1.1f), turn = r.real(0, 6.3f), tilt = r.real(-0.6f, 0.6f);
+  const float rx = r.real(0.2f, 1.1f), ry = r.real(0.2f, 1.1f), turn = r.real(0, 6.3f),
+              tilt = r.real(-0.6f, 0.6f);
   for (int i = 0; i < count; i++) {
     Float4& v = p[size_t(i)];
-    if (i % group == 0 && spread != Spread::View) center = {r.real(-1, 1), r.real(-1, 1), r.real(-0.7f, 0.7f)};
+    if (i % group == 0 && spread != Spread::View)
+      center = {r.real(-1, 1), r.real(-1, 1), r.real(-0.7f, 0.7f)};
     switch (spread) {
-    case Spread::Tiny: v = {center[0] + r.real(-0.03f, 0.03f), center[1] + r.real(-0.03f, 0.03f), center[2] + r.real(-0.03f, 0.03f), 1}; break;
+    case Spread::Tiny:
+      v = {center[0] + r.real(-0.03f, 0.03f), center[1] + r.real(-0.03f, 0.03f),
+           center[2] + r.real(-0.03f, 0.03f), 1};
+      break;
     case Spread::Sliver: {
       const float t = r.real(-1.2f, 1.2f);
-      v = {center[0] + t * along[0] + r.real(-0.004f, 0.004f), center[1] + t * along[1] + r.real(-0.004f, 0.004f), center[2] + t * along[2], 1};
+      v = {center[0] + t * along[0] + r.real(-0.004f, 0.004f),
+           center[1] + t * along[1] + r.real(-0.004f, 0.004f), center[2] + t * along[2], 1};
       break;
     }
     case Spread::Grid: // Half pixels and pixels: ties
-      v = {float(r.integer(-s.width, s.width)) / float(s.width), float(r.integer(-s.height, s.height)) / float(s.height), float(r.integer(-4, 4)) * 0.125f, 1};
+      v = {float(r.integer(-s.width, s.width)) / float(s.width),
+           float(r.integer(-s.height, s.height)) / float(s.height), float(r.integer(-4, 4)) * 0.125f, 1};
       break;
     case Spread::Beyond: v = {r.real(-2.5f, 2.5f), r.real(-2.5f, 2.5f), r.real(-2.5f, 2.5f), 1}; break;
     case Spread::Huge: {
@@ -240,10 +269,14 @@ std::vector<Float4> random_positions(Stage& s, GLenum mode, int count, Spread sp
     }
     const int of = mode == GL_POLYGON || mode == GL_QUADS ? (mode == GL_QUADS ? 4 : count) : 0;
     if (of && spread != Spread::Sliver && spread != Spread::Grid) {
-      float size = spread == Spread::Tiny ? 0.05f : spread == Spread::Huge ? 50.0f : spread == Spread::Beyond ? 2.0f : 1.0f;
+      float size = spread == Spread::Tiny     ? 0.05f
+                   : spread == Spread::Huge   ? 50.0f
+                   : spread == Spread::Beyond ? 2.0f
+                                              : 1.0f;
       if (mode == GL_QUADS) size *= 0.7f;
       const float a = turn + 6.2831853f * float(i % of) / float(of) + r.real(-0.2f, 0.2f) / float(of);
-      v = {center[0] + size * rx * std::cos(a), center[1] + size * ry * std::sin(a), center[2] + size * tilt * std::cos(a), 1};
+      v = {center[0] + size * rx * std::cos(a), center[1] + size * ry * std::sin(a),
+           center[2] + size * tilt * std::cos(a), 1};
     }
     if (planar) v[2] = 0;
     if (homogeneous) {
@@ -254,8 +287,9 @@ std::vector<Float4> random_positions(Stage& s, GLenum mode, int count, Spread sp
   return p;
 }
 
-// All colours of a primitive have three components, or all have four: reference/DEVIATIONS.md. To OSMesa glColor3d and the
-// integers of glColor3 have four, and a strip of quadrilaterals is cut in two where they come behind others.
+// All colours of a primitive have three components, or all have four: reference/DEVIATIONS.md. To OSMesa
+// glColor3d and the integers of glColor3 have four, and a strip of quadrilaterals is cut in two where they
+// come behind others.
 static void emit_color(Stage& s, bool alpha, GLenum mode) {
   const Gl& gl = s.gl;
   const Float4 c = s.random.color();
@@ -264,16 +298,23 @@ static void emit_color(Stage& s, bool alpha, GLenum mode) {
   if (alpha) {
     switch (form) {
     case 0: gl.Color4d(c[0], c[1], c[2], c[3]); break;
-    case 1: gl.Color4ub(GLubyte(c[0] * 255), GLubyte(c[1] * 255), GLubyte(c[2] * 255), GLubyte(c[3] * 255)); break;
+    case 1:
+      gl.Color4ub(GLubyte(c[0] * 255), GLubyte(c[1] * 255), GLubyte(c[2] * 255), GLubyte(c[3] * 255));
+      break;
     case 2: gl.Color4f(c[0] * 2 - 0.5f, c[1] * 2 - 0.5f, c[2] * 2 - 0.5f, c[3]); break;
-    case 3: gl.Color4b(GLbyte(c[0] * 255 - 128), GLbyte(c[1] * 255 - 128), GLbyte(c[2] * 255 - 128), GLbyte(c[3] * 127)); break;
+    case 3:
+      gl.Color4b(GLbyte(c[0] * 255 - 128), GLbyte(c[1] * 255 - 128), GLbyte(c[2] * 255 - 128),
+                 GLbyte(c[3] * 127));
+      break;
     default: gl.Color4fv(c.data()); break;
     }
   } else {
     switch (form) {
     case 0: gl.Color3d(c[0], c[1], c[2]); break;
     case 1: gl.Color3us(GLushort(c[0] * 65535), GLushort(c[1] * 65535), GLushort(c[2] * 65535)); break;
-    case 2: gl.Color3i(GLint(c[0] * 2147483000.0), GLint(c[1] * -2147483000.0), GLint(c[2] * 2147483000.0)); break;
+    case 2:
+      gl.Color3i(GLint(c[0] * 2147483000.0), GLint(c[1] * -2147483000.0), GLint(c[2] * 2147483000.0));
+      break;
     case 3: gl.Color3ub(GLubyte(c[0] * 255), GLubyte(c[1] * 255), GLubyte(c[2] * 255)); break;
     default: gl.Color3fv(c.data()); break;
     }
@@ -292,7 +333,8 @@ static void emit_texture_coordinates(Stage& s, const PrimitiveOptions& o) {
 }
 
 static void emit_material(Stage& s, bool front_only) {
-  const GLenum face = front_only ? GLenum(GL_FRONT) : GLenum(s.random.pick({GL_FRONT, GL_BACK, GL_FRONT_AND_BACK}));
+  const GLenum face =
+      front_only ? GLenum(GL_FRONT) : GLenum(s.random.pick({GL_FRONT, GL_BACK, GL_FRONT_AND_BACK}));
   const Float4 c = s.random.color();
   switch (s.random.integer(0, 5)) {
   case 0: s.gl.Materialfv(face, GL_AMBIENT, c.data()); break;
@@ -306,15 +348,18 @@ static void emit_material(Stage& s, bool front_only) {
 
 void random_primitive(Stage& s, const PrimitiveOptions& o) {
   const Gl& gl = s.gl;
-  // Smooth quads have a family of their own: where OSMesa cuts them depends on clipping, lists and indices. OSMesa cuts
-  // flat ones like them where a texture replaces the colour (reference/DEVIATIONS.md): textured quads become strips.
+  // Smooth quads have a family of their own: where OSMesa cuts them depends on clipping, lists and indices.
+  // OSMesa cuts flat ones like them where a texture replaces the colour (reference/DEVIATIONS.md): textured
+  // quads become strips.
   const GLenum mode = o.mode == GL_QUADS && o.texture_coordinates ? GL_QUAD_STRIP : o.mode;
   GLint shade_model = GL_FLAT;
   if (mode == GL_QUADS) {
     gl.GetIntegerv(GL_SHADE_MODEL, &shade_model);
     gl.ShadeModel(GL_FLAT);
   }
-  const int primitives = o.primitives ? o.primitives : s.random.chance(70) ? s.random.integer(1, 6) : s.random.integer(7, 60);
+  const int primitives = o.primitives          ? o.primitives
+                         : s.random.chance(70) ? s.random.integer(1, 6)
+                                               : s.random.integer(7, 60);
   const int count = vertices_of(mode, primitives) + (s.random.chance(10) ? s.random.integer(0, 2) : 0);
   const std::vector<Float4> p = random_positions(s, mode, count, o.spread, o.planar);
   const int color_every = s.random.pick({1, 1, 1, 3});
@@ -328,16 +373,20 @@ void random_primitive(Stage& s, const PrimitiveOptions& o) {
       gl.Normal3fv(n.data());
     }
     // A strip of quadrilaterals takes no parameter late: reference/DEVIATIONS.md.
-    if (o.materials && (i == 0 || mode != GL_QUAD_STRIP) && s.random.chance(40)) emit_material(s, o.front_materials);
+    if (o.materials && (i == 0 || mode != GL_QUAD_STRIP) && s.random.chance(40))
+      emit_material(s, o.front_materials);
     if (o.secondary_colors) {
       const Float4 c = s.random.color();
       gl.SecondaryColor3fv(c.data());
     }
     if (o.fog_coordinates) gl.FogCoordf(s.random.real(-1, 4));
     if (o.texture_coordinates) emit_texture_coordinates(s, o);
-    if (v[3] != 1) gl.Vertex4fv(v.data());
-    else if (o.planar) gl.Vertex2fv(v.data());
-    else gl.Vertex3fv(v.data());
+    if (v[3] != 1)
+      gl.Vertex4fv(v.data());
+    else if (o.planar)
+      gl.Vertex2fv(v.data());
+    else
+      gl.Vertex3fv(v.data());
   }
   gl.End();
   if (shade_model != GL_FLAT) gl.ShadeModel(GLenum(shade_model));
@@ -366,7 +415,8 @@ void sphere(Stage& s, int slices, int stacks, float radius, bool texture_coordin
       for (int k = 1; k >= 0; k--) {
         const float v = kPi * float(j + k) / float(stacks), u = 2 * kPi * float(i % slices) / float(slices);
         const Float3 n{std::sin(v) * std::cos(u), std::sin(v) * std::sin(u), std::cos(v)};
-        if (texture_coordinates) s.gl.TexCoord2f(float(i) / float(slices) * 3, float(j + k) / float(stacks) * 2);
+        if (texture_coordinates)
+          s.gl.TexCoord2f(float(i) / float(slices) * 3, float(j + k) / float(stacks) * 2);
         s.gl.Normal3fv(n.data());
         s.gl.Vertex3f(n[0] * radius, n[1] * radius, n[2] * radius);
       }
@@ -376,8 +426,9 @@ void sphere(Stage& s, int slices, int stacks, float radius, bool texture_coordin
 
 void reset_state(Stage& s) {
   const Gl& gl = s.gl;
-  for (GLenum capability : {GL_BLEND, GL_COLOR_LOGIC_OP, GL_ALPHA_TEST, GL_FOG, GL_CULL_FACE, GL_DEPTH_TEST, GL_LIGHTING, GL_TEXTURE_2D,
-                            GL_SCISSOR_TEST, GL_COLOR_MATERIAL, GL_NORMALIZE, GL_RESCALE_NORMAL, GL_POLYGON_OFFSET_FILL, GL_COLOR_SUM})
+  for (GLenum capability : {GL_BLEND, GL_COLOR_LOGIC_OP, GL_ALPHA_TEST, GL_FOG, GL_CULL_FACE, GL_DEPTH_TEST,
+                            GL_LIGHTING, GL_TEXTURE_2D, GL_SCISSOR_TEST, GL_COLOR_MATERIAL, GL_NORMALIZE,
+                            GL_RESCALE_NORMAL, GL_POLYGON_OFFSET_FILL, GL_COLOR_SUM})
     gl.Disable(capability);
   for (int i = 0; i < 6; i++) gl.Disable(GL_CLIP_PLANE0 + GLenum(i));
   gl.ColorMask(1, 1, 1, 1);

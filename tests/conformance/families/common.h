@@ -33,13 +33,13 @@ enum class Spread { Any, View, Tiny, Sliver, Grid, Huge, Beyond };
 
 struct PrimitiveOptions {
   GLenum mode = GL_TRIANGLES;
-  int primitives = 0;          // 0: random
+  int primitives = 0; // 0: random
   Spread spread = Spread::Any;
   bool colors = true, normals = false, secondary_colors = false, fog_coordinates = false;
   int texture_coordinates = 0; // 0 none, 1 .. 4 components
   float texture_scale = 2;
-  bool planar = false;         // z = 0
-  bool materials = false;      // glMaterial between Begin and End
+  bool planar = false;          // z = 0
+  bool materials = false;       // glMaterial between Begin and End
   bool front_materials = false; // ... of the front face only
 };
 

@@ -1,4 +1,5 @@
-// What becomes of texture coordinates and point sizes at the vertex: generation, texture matrix, distance attenuation.
+// What becomes of texture coordinates and point sizes at the vertex: generation, texture matrix, distance
+// attenuation.
 #include "conformance/families/common.h"
 
 namespace softgl::test {
@@ -21,19 +22,25 @@ Float4 random_plane(Stage& s) {
 
 void random_generation(Stage& s) {
   static constexpr GLenum kCoordinate[4] = {GL_S, GL_T, GL_R, GL_Q};
-  static constexpr GLenum kEnable[4] = {GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_GEN_R, GL_TEXTURE_GEN_Q};
-  const GLint common = s.random.pick({GL_OBJECT_LINEAR, GL_EYE_LINEAR, GL_SPHERE_MAP, GL_REFLECTION_MAP, GL_NORMAL_MAP});
+  static constexpr GLenum kEnable[4] = {GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_GEN_R,
+                                        GL_TEXTURE_GEN_Q};
+  const GLint common =
+      s.random.pick({GL_OBJECT_LINEAR, GL_EYE_LINEAR, GL_SPHERE_MAP, GL_REFLECTION_MAP, GL_NORMAL_MAP});
   const bool mixed = s.random.chance(30);
   for (int i = 0; i < 4; i++) {
-    GLint mode = mixed ? s.random.pick({GL_OBJECT_LINEAR, GL_EYE_LINEAR, GL_SPHERE_MAP, GL_REFLECTION_MAP, GL_NORMAL_MAP}) : common;
+    GLint mode = mixed ? s.random.pick({GL_OBJECT_LINEAR, GL_EYE_LINEAR, GL_SPHERE_MAP, GL_REFLECTION_MAP,
+                                        GL_NORMAL_MAP})
+                       : common;
     if (mode == GL_SPHERE_MAP && i >= 2) mode = GL_OBJECT_LINEAR;
     if (i == 3 && (mode == GL_REFLECTION_MAP || mode == GL_NORMAL_MAP)) mode = GL_EYE_LINEAR;
     s.gl.TexGeni(kCoordinate[i], GL_TEXTURE_GEN_MODE, mode);
     const Float4 object = random_plane(s), eye = random_plane(s);
     s.gl.TexGenfv(kCoordinate[i], GL_OBJECT_PLANE, object.data());
     s.gl.TexGenfv(kCoordinate[i], GL_EYE_PLANE, eye.data());
-    if (s.random.chance(i < 2 ? 80 : 20)) s.gl.Enable(kEnable[i]);
-    else s.gl.Disable(kEnable[i]);
+    if (s.random.chance(i < 2 ? 80 : 20))
+      s.gl.Enable(kEnable[i]);
+    else
+      s.gl.Disable(kEnable[i]);
   }
 }
 
@@ -67,8 +74,10 @@ void draw_coordinates(Stage& s) {
     random_modelview(s);
     random_generation(s);
     random_texture_matrix(s);
-    if (s.random.chance(50)) s.gl.Enable(GL_NORMALIZE);
-    else s.gl.Disable(GL_NORMALIZE);
+    if (s.random.chance(50))
+      s.gl.Enable(GL_NORMALIZE);
+    else
+      s.gl.Disable(GL_NORMALIZE);
     perhaps_lit(s);
     if (s.random.chance(30)) random_fog(s);
     if (s.random.chance(40)) {
@@ -79,7 +88,8 @@ void draw_coordinates(Stage& s) {
     }
     PrimitiveOptions options;
     options.mode = random_filled_mode(s);
-    if (options.mode == GL_QUADS) options.mode = GL_POLYGON; // a diagonal of OSMesa's own, see random_primitive
+    if (options.mode == GL_QUADS)
+      options.mode = GL_POLYGON; // a diagonal of OSMesa's own, see random_primitive
     options.normals = true;
     options.texture_coordinates = s.random.integer(1, 4);
     options.spread = Spread::View;
@@ -113,14 +123,18 @@ void draw_constant_coordinates(Stage& s) {
     for (int u = 0; u < units; u++) {
       s.gl.ActiveTexture(GLenum(GL_TEXTURE0 + u));
       some_texture(s);
-      for (GLenum g : {GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_GEN_R, GL_TEXTURE_GEN_Q}) s.gl.Disable(g);
+      for (GLenum g : {GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_GEN_R, GL_TEXTURE_GEN_Q})
+        s.gl.Disable(g);
       s.gl.MatrixMode(GL_TEXTURE);
       s.gl.LoadIdentity();
       s.gl.MatrixMode(GL_MODELVIEW);
       if (s.random.chance(20)) random_generation(s);
       if (s.random.chance(20)) random_texture_matrix(s);
-      const auto coordinate = [&] { return s.random.chance(50) ? float(s.random.integer(-128, 128)) / 128 : s.random.real(-2, 2); };
-      const Float4 c = {coordinate(), coordinate(), coordinate(), s.random.chance(50) ? 1 : s.random.real(0.2f, 3)};
+      const auto coordinate = [&] {
+        return s.random.chance(50) ? float(s.random.integer(-128, 128)) / 128 : s.random.real(-2, 2);
+      };
+      const Float4 c = {coordinate(), coordinate(), coordinate(),
+                        s.random.chance(50) ? 1 : s.random.real(0.2f, 3)};
       s.gl.MultiTexCoord4fv(GLenum(GL_TEXTURE0 + u), c.data());
     }
     s.gl.ActiveTexture(GL_TEXTURE0);
@@ -130,11 +144,14 @@ void draw_constant_coordinates(Stage& s) {
     if (s.random.chance(20)) random_fog(s);
     s.gl.PointSize(s.random.real(1, 20));
     s.gl.LineWidth(s.random.real(1, 5));
-    if (s.random.chance(20)) s.gl.Enable(GL_POINT_SPRITE);
-    else s.gl.Disable(GL_POINT_SPRITE);
+    if (s.random.chance(20))
+      s.gl.Enable(GL_POINT_SPRITE);
+    else
+      s.gl.Disable(GL_POINT_SPRITE);
     PrimitiveOptions options;
     options.mode = s.random.chance(30) ? GLenum(s.random.pick({GL_POINTS, GL_LINES})) : random_filled_mode(s);
-    if (options.mode == GL_QUADS) options.mode = GL_POLYGON; // a diagonal of OSMesa's own, see random_primitive
+    if (options.mode == GL_QUADS)
+      options.mode = GL_POLYGON; // a diagonal of OSMesa's own, see random_primitive
     options.normals = true;
     options.spread = s.random.chance(70) ? Spread::View : Spread::Any;
     options.texture_coordinates = units == 2 && s.random.chance(30) ? 2 : 0; // of unit 0 alone
@@ -142,8 +159,8 @@ void draw_constant_coordinates(Stage& s) {
   }
 }
 
-/// Generated coordinates of several units, so large that their last bits choose the texel: what OSMesa's compiler makes of
-/// them depends on what else is generated.
+/// Generated coordinates of several units, so large that their last bits choose the texel: what OSMesa's
+/// compiler makes of them depends on what else is generated.
 void draw_generated_coordinates(Stage& s) {
   random_canvas(s);
   for (int batch = s.random.integer(1, 2); batch > 0; batch--) {
@@ -159,7 +176,8 @@ void draw_generated_coordinates(Stage& s) {
       random_generation(s);
       s.gl.MatrixMode(GL_TEXTURE);
       s.gl.LoadIdentity();
-      if (const int bits = s.random.integer(0, 14); bits > 4) s.gl.Scalef(float(1 << bits), float(1 << bits), 1);
+      if (const int bits = s.random.integer(0, 14); bits > 4)
+        s.gl.Scalef(float(1 << bits), float(1 << bits), 1);
       s.gl.MatrixMode(GL_MODELVIEW);
     }
     s.gl.ActiveTexture(GL_TEXTURE0);
@@ -178,7 +196,8 @@ void draw_generated_coordinates(Stage& s) {
   }
 }
 
-SceneRegistration coordinates{{"coordinates", draw_coordinates, true}}, attenuated{{"attenuated", draw_attenuated, true}};
+SceneRegistration coordinates{{"coordinates", draw_coordinates, true}},
+    attenuated{{"attenuated", draw_attenuated, true}};
 SceneRegistration constant_coordinates{{"constant_coordinates", draw_constant_coordinates, true}};
 SceneRegistration generated_coordinates{{"generated_coordinates", draw_generated_coordinates, true}};
 

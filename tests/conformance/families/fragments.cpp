@@ -1,4 +1,5 @@
-// What happens to a fragment: fog, blending, logic operations, alpha test, depth test, masks, scissor, polygon offset.
+// What happens to a fragment: fog, blending, logic operations, alpha test, depth test, masks, scissor,
+// polygon offset.
 #include "conformance/families/common.h"
 
 namespace softgl::test {
@@ -15,8 +16,10 @@ static void draw_fog(Stage& s) {
     options.fog_coordinates = s.random.chance(35);
     s.gl.Fogi(GL_FOG_COORDINATE_SOURCE, options.fog_coordinates ? GL_FOG_COORDINATE : GL_FRAGMENT_DEPTH);
     options.secondary_colors = s.random.chance(30);
-    if (options.secondary_colors) s.gl.Enable(GL_COLOR_SUM);
-    else s.gl.Disable(GL_COLOR_SUM);
+    if (options.secondary_colors)
+      s.gl.Enable(GL_COLOR_SUM);
+    else
+      s.gl.Disable(GL_COLOR_SUM);
     s.gl.ShadeModel(s.random.chance(70) ? GL_SMOOTH : GL_FLAT);
     s.gl.PointSize(5);
     s.gl.LineWidth(3);
@@ -32,8 +35,10 @@ static void draw_blend(Stage& s) {
     random_modelview(s);
     random_depth(s, 20);
     random_blending(s);
-    if (s.random.chance(25)) random_alpha_test(s);
-    else s.gl.Disable(GL_ALPHA_TEST);
+    if (s.random.chance(25))
+      random_alpha_test(s);
+    else
+      s.gl.Disable(GL_ALPHA_TEST);
     PrimitiveOptions options;
     options.mode = s.random.chance(15) ? GLenum(s.random.pick({GL_LINES, GL_POINTS})) : random_filled_mode(s);
     s.gl.PointSize(6);
@@ -55,7 +60,8 @@ static void draw_depth(Stage& s) {
       s.gl.Clear(GL_DEPTH_BUFFER_BIT);
     }
     if (s.random.chance(10)) {
-      const bool r = s.random.chance(60), g = s.random.chance(60), b = s.random.chance(60), a = s.random.chance(60);
+      const bool r = s.random.chance(60), g = s.random.chance(60), b = s.random.chance(60),
+                 a = s.random.chance(60);
       s.gl.ColorMask(r, g, b, a);
       if (s.random.chance(50)) s.gl.Clear(GL_COLOR_BUFFER_BIT);
     }
@@ -74,9 +80,12 @@ static void draw_offset(Stage& s) {
   s.gl.DepthFunc(GL_LEQUAL);
   rigid_modelview(s);
   for (int batch = s.random.integer(2, 4); batch > 0; batch--) {
-    if (s.random.chance(75)) s.gl.Enable(GL_POLYGON_OFFSET_FILL);
-    else s.gl.Disable(GL_POLYGON_OFFSET_FILL);
-    const float factor = s.random.real(-3, 3), units = s.random.chance(50) ? float(s.random.integer(-8, 8)) : s.random.real(-10000, 10000);
+    if (s.random.chance(75))
+      s.gl.Enable(GL_POLYGON_OFFSET_FILL);
+    else
+      s.gl.Disable(GL_POLYGON_OFFSET_FILL);
+    const float factor = s.random.real(-3, 3),
+                units = s.random.chance(50) ? float(s.random.integer(-8, 8)) : s.random.real(-10000, 10000);
     s.gl.PolygonOffset(factor, units);
     PrimitiveOptions options;
     options.mode = random_filled_mode(s);
@@ -99,7 +108,8 @@ static void draw_alpha(Stage& s) {
   }
 }
 
-static SceneRegistration fog{{"fog", draw_fog, true}}, blend{{"blend", draw_blend, true}}, depth{{"depth", draw_depth, true}},
-    offset{{"offset", draw_offset, true}}, alpha{{"alpha", draw_alpha, true}};
+static SceneRegistration fog{{"fog", draw_fog, true}}, blend{{"blend", draw_blend, true}},
+    depth{{"depth", draw_depth, true}}, offset{{"offset", draw_offset, true}},
+    alpha{{"alpha", draw_alpha, true}};
 
 } // namespace softgl::test

@@ -12,7 +12,10 @@ static void random_material(Stage& s, GLenum face, bool shininess_may_be_zero) {
     if (s.random.chance(80)) gl.Materialfv(face, parameter, c.data());
   }
   const int kind = s.random.integer(0, 9);
-  const float shininess = kind == 0 && shininess_may_be_zero ? 0.0f : kind == 1 ? 128.0f : kind < 5 ? float(s.random.integer(1, 128)) : s.random.real(0.5f, 128);
+  const float shininess = kind == 0 && shininess_may_be_zero ? 0.0f
+                          : kind == 1                        ? 128.0f
+                          : kind < 5                         ? float(s.random.integer(1, 128))
+                                                             : s.random.real(0.5f, 128);
   gl.Materialf(face, GL_SHININESS, shininess);
 }
 
@@ -29,7 +32,8 @@ static bool random_light(Stage& s, GLenum light) {
   const Float3 d = s.random.direction();
   const bool positional = s.random.chance(50);
   const float distance = s.random.real(0.5f, 5);
-  Float4 position{d[0] * distance, d[1] * distance, d[2] * distance, positional ? s.random.chance(70) ? 1.0f : s.random.real(0.3f, 2) : 0.0f};
+  Float4 position{d[0] * distance, d[1] * distance, d[2] * distance,
+                  positional ? s.random.chance(70) ? 1.0f : s.random.real(0.3f, 2) : 0.0f};
   if (s.random.chance(60) && position[2] < 0) position[2] = -position[2];
   const bool moved = s.random.chance(30);
   if (moved) {
@@ -78,7 +82,8 @@ static void lit_batch(Stage& s, const LightingOptions& o) {
   gl.LightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, s.random.chance(40));
   const bool two_sided = s.random.chance(40);
   gl.LightModeli(GL_LIGHT_MODEL_TWO_SIDE, two_sided);
-  gl.LightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, o.secondary && s.random.chance(35) ? GL_SEPARATE_SPECULAR_COLOR : GL_SINGLE_COLOR);
+  gl.LightModeli(GL_LIGHT_MODEL_COLOR_CONTROL,
+                 o.secondary && s.random.chance(35) ? GL_SEPARATE_SPECULAR_COLOR : GL_SINGLE_COLOR);
   if (s.random.chance(50)) {
     random_material(s, GL_FRONT_AND_BACK, !special);
   } else {
@@ -88,24 +93,32 @@ static void lit_batch(Stage& s, const LightingOptions& o) {
   const bool color_material = o.color_material && s.random.chance(35);
   if (color_material) {
     // A back material that varies under two-sided lighting: reference/DEVIATIONS.md.
-    const GLenum face = two_sided ? GLenum(GL_FRONT) : GLenum(s.random.pick({GL_FRONT, GL_BACK, GL_FRONT_AND_BACK}));
-    gl.ColorMaterial(face, GLenum(s.random.pick({GL_EMISSION, GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_AMBIENT_AND_DIFFUSE})));
+    const GLenum face =
+        two_sided ? GLenum(GL_FRONT) : GLenum(s.random.pick({GL_FRONT, GL_BACK, GL_FRONT_AND_BACK}));
+    gl.ColorMaterial(face, GLenum(s.random.pick(
+                               {GL_EMISSION, GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_AMBIENT_AND_DIFFUSE})));
     gl.Enable(GL_COLOR_MATERIAL);
   } else {
     gl.Disable(GL_COLOR_MATERIAL);
   }
-  if (o.modelview_any) random_modelview(s);
-  else rigid_modelview(s);
+  if (o.modelview_any)
+    random_modelview(s);
+  else
+    rigid_modelview(s);
   gl.Disable(GL_NORMALIZE);
   gl.Disable(GL_RESCALE_NORMAL);
   switch (s.random.integer(0, 3)) {
-  case 0: case 1: gl.Enable(GL_NORMALIZE); break;
+  case 0:
+  case 1: gl.Enable(GL_NORMALIZE); break;
   case 2: gl.Enable(GL_RESCALE_NORMAL); break;
   default: break;
   }
   if (o.illumination) {
-    gl.LightModeli(GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL, s.random.chance(50) ? GL_REFLECTION_VECTOR_SOFTGL : GL_HALF_VECTOR_SOFTGL);
-    gl.LightModeli(GL_LIGHT_MODEL_TERMS_SOFTGL, s.random.chance(70) ? GL_ALL_TERM_BITS_SOFTGL : s.random.integer(0, GL_ALL_TERM_BITS_SOFTGL));
+    gl.LightModeli(GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL,
+                   s.random.chance(50) ? GL_REFLECTION_VECTOR_SOFTGL : GL_HALF_VECTOR_SOFTGL);
+    gl.LightModeli(GL_LIGHT_MODEL_TERMS_SOFTGL, s.random.chance(70)
+                                                    ? GL_ALL_TERM_BITS_SOFTGL
+                                                    : s.random.integer(0, GL_ALL_TERM_BITS_SOFTGL));
   }
   gl.ShadeModel(s.random.chance(75) ? o.shade_model : GL_FLAT);
   if (s.random.chance(40)) {
@@ -117,9 +130,12 @@ static void lit_batch(Stage& s, const LightingOptions& o) {
     sphere(s, slices, stacks, s.random.real(0.5f, 1.1f), o.texture);
   } else {
     PrimitiveOptions options;
-    options.mode = s.random.chance(10) ? GLenum(s.random.pick({GL_POINTS, GL_LINES, GL_LINE_STRIP})) : random_filled_mode(s);
-    // Vertex by vertex, not in the pairs in which OSMesa cuts strips of quads, now so and now so, where they are folded.
-    if (o.texture && (options.mode == GL_QUADS || options.mode == GL_QUAD_STRIP)) options.mode = GL_TRIANGLE_STRIP;
+    options.mode = s.random.chance(10) ? GLenum(s.random.pick({GL_POINTS, GL_LINES, GL_LINE_STRIP}))
+                                       : random_filled_mode(s);
+    // Vertex by vertex, not in the pairs in which OSMesa cuts strips of quads, now so and now so, where they
+    // are folded.
+    if (o.texture && (options.mode == GL_QUADS || options.mode == GL_QUAD_STRIP))
+      options.mode = GL_TRIANGLE_STRIP;
     options.normals = true;
     options.colors = color_material || s.random.chance(20);
     options.materials = o.materials_inside && s.random.chance(30);
@@ -180,7 +196,8 @@ static void draw_phong(Stage& s) {
   if (o.texture) random_texture(s);
   if (s.random.chance(30)) {
     random_fog(s);
-    const Float2 range{s.random.real(-1, 2), s.random.real(2.5f, 6)}; // never empty: what that means is not specified
+    const Float2 range{s.random.real(-1, 2),
+                       s.random.real(2.5f, 6)}; // never empty: what that means is not specified
     s.gl.Fogf(GL_FOG_START, range[0]);
     s.gl.Fogf(GL_FOG_END, range[1]);
   }
@@ -188,8 +205,10 @@ static void draw_phong(Stage& s) {
   for (int batch = s.random.integer(1, 3); batch > 0; batch--) lit_batch(s, o);
 }
 
-static SceneRegistration lit{{"lit", draw_lit, true}}, materials{{"materials", draw_materials, true}}, normals{{"normals", draw_normals, true}};
-static SceneRegistration illumination{{.name = "illumination", .draw = draw_illumination, .random = true, .extension = true}};
+static SceneRegistration lit{{"lit", draw_lit, true}}, materials{{"materials", draw_materials, true}},
+    normals{{"normals", draw_normals, true}};
+static SceneRegistration illumination{
+    {.name = "illumination", .draw = draw_illumination, .random = true, .extension = true}};
 static SceneRegistration phong{{.name = "phong", .draw = draw_phong, .random = true, .extension = true}};
 
 } // namespace softgl::test

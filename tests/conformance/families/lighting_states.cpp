@@ -1,6 +1,7 @@
-// Ten lighting states a scene, each in a cell of its own: every parameter of lights, light model, materials, colour
-// material and normal transformation, out to its limits. The states of one scene share what makes OSMesa compile a
-// program (which lights there are, and of what kind) and differ in all numbers, so that ten thousand are soon drawn.
+// Ten lighting states a scene, each in a cell of its own: every parameter of lights, light model, materials,
+// colour material and normal transformation, out to its limits. The states of one scene share what makes
+// OSMesa compile a program (which lights there are, and of what kind) and differ in all numbers, so that ten
+// thousand are soon drawn.
 #include "conformance/families/lighting_states.h"
 #include "conformance/families/common.h"
 
@@ -21,7 +22,8 @@ void set_material(Stage& s, Random& shape, GLenum face, bool exponent_zero) {
       for (float& x : c) x *= s.random.pick({0.0f, 0.1f, 0.3f});
     if (shape.chance(90)) gl.Materialfv(face, parameter, c.data());
   }
-  const float shininess = s.random.pick({1.0f, 128.0f, float(s.random.integer(1, 127)), s.random.real(0.01f, 2), s.random.real(1, 128)});
+  const float shininess = s.random.pick(
+      {1.0f, 128.0f, float(s.random.integer(1, 127)), s.random.real(0.01f, 2), s.random.real(1, 128)});
   gl.Materialf(face, GL_SHININESS, exponent_zero && shape.chance(15) ? 0.0f : shininess);
 }
 
@@ -50,14 +52,17 @@ void set_light(Stage& s, Random& shape, GLenum light, const LightingStateOptions
   const Float3 inwards{-d[0], -d[1], -towards_us};
   const bool spot = shape.chance(40);
   gl.Lightfv(light, GL_SPOT_DIRECTION, s.random.chance(70) ? inwards.data() : anywhere.data());
-  float cutoff = s.random.pick({90.0f, 0.0f, 89.99f, 0.5f, s.random.real(1, 90), s.random.real(20, 90), s.random.real(20, 90)});
+  float cutoff = s.random.pick(
+      {90.0f, 0.0f, 89.99f, 0.5f, s.random.real(1, 90), s.random.real(20, 90), s.random.real(20, 90)});
   if (options.well_conditioned) cutoff = std::max(cutoff, 5.0f);
   gl.Lightf(light, GL_SPOT_CUTOFF, spot ? cutoff : 180.0f);
-  gl.Lightf(light, GL_SPOT_EXPONENT, s.random.pick({0.0f, 1.0f, 128.0f, s.random.real(0, 2), s.random.real(0, 128)}));
+  gl.Lightf(light, GL_SPOT_EXPONENT,
+            s.random.pick({0.0f, 1.0f, 128.0f, s.random.real(0, 2), s.random.real(0, 128)}));
   if (moved) gl.PopMatrix();
   const bool attenuated = shape.chance(45);
   float constant = s.random.pick({1.0f, 0.25f, 0.0f, s.random.real(0.1f, 2)});
-  const float linear = s.random.pick({0.0f, s.random.real(0, 1)}), quadratic = s.random.pick({0.0f, s.random.real(0, 1), 0.01f});
+  const float linear = s.random.pick({0.0f, s.random.real(0, 1)}),
+              quadratic = s.random.pick({0.0f, s.random.real(0, 1), 0.01f});
   if (options.well_conditioned && linear == 0 && quadratic == 0) constant = 1; // not infinitely bright
   gl.Lightf(light, GL_CONSTANT_ATTENUATION, attenuated ? constant : 1.0f);
   gl.Lightf(light, GL_LINEAR_ATTENUATION, attenuated ? linear : 0.0f);
@@ -72,7 +77,8 @@ void sheet(Stage& s, int n) {
   for (int j = 0; j <= n; j++)
     for (int i = 0; i <= n; i++) {
       const float x = 2 * float(i) / float(n) - 1, y = 2 * float(j) / float(n) - 1;
-      vertices.insert(vertices.end(), {-a * height * std::cos(a * x), -b * height * std::cos(b * y), 1, x, y, height * (std::sin(a * x) + std::sin(b * y))});
+      vertices.insert(vertices.end(), {-a * height * std::cos(a * x), -b * height * std::cos(b * y), 1, x, y,
+                                       height * (std::sin(a * x) + std::sin(b * y))});
     }
   for (int j = 0; j < n; j++)
     for (int i = 0; i < n; i++) {
@@ -143,7 +149,8 @@ void draw_state(Stage& s, Random shape, const LightingStateOptions& options) {
   gl.LightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, shape.chance(50));
   const bool two_sided = shape.chance(50);
   gl.LightModeli(GL_LIGHT_MODEL_TWO_SIDE, two_sided);
-  gl.LightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, shape.chance(40) ? GL_SEPARATE_SPECULAR_COLOR : GL_SINGLE_COLOR);
+  gl.LightModeli(GL_LIGHT_MODEL_COLOR_CONTROL,
+                 shape.chance(40) ? GL_SEPARATE_SPECULAR_COLOR : GL_SINGLE_COLOR);
   gl.FrontFace(s.random.chance(50) ? GL_CCW : GL_CW);
   gl.Disable(GL_COLOR_MATERIAL);
   set_material(s, shape, GL_FRONT, options.exponent_zero);
@@ -151,8 +158,11 @@ void draw_state(Stage& s, Random shape, const LightingStateOptions& options) {
   const bool color_material = shape.chance(40);
   if (color_material) {
     // A back material that varies under two-sided lighting: reference/DEVIATIONS.md.
-    const GLenum face = two_sided && !options.back_colors ? GLenum(GL_FRONT) : GLenum(shape.pick({GL_FRONT, GL_BACK, GL_FRONT_AND_BACK}));
-    gl.ColorMaterial(face, GLenum(shape.pick({GL_EMISSION, GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_AMBIENT_AND_DIFFUSE})));
+    const GLenum face = two_sided && !options.back_colors
+                            ? GLenum(GL_FRONT)
+                            : GLenum(shape.pick({GL_FRONT, GL_BACK, GL_FRONT_AND_BACK}));
+    gl.ColorMaterial(
+        face, GLenum(shape.pick({GL_EMISSION, GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_AMBIENT_AND_DIFFUSE})));
     gl.Enable(GL_COLOR_MATERIAL);
   }
   random_modelview(s);
@@ -160,7 +170,8 @@ void draw_state(Stage& s, Random shape, const LightingStateOptions& options) {
   gl.Disable(GL_NORMALIZE);
   gl.Disable(GL_RESCALE_NORMAL);
   switch (shape.integer(0, 4)) {
-  case 0: case 1: gl.Enable(GL_NORMALIZE); break;
+  case 0:
+  case 1: gl.Enable(GL_NORMALIZE); break;
   case 2: gl.Enable(GL_RESCALE_NORMAL); break;
   case 3: gl.Enable(GL_RESCALE_NORMAL), gl.Enable(GL_NORMALIZE); break;
   default: break;
@@ -168,15 +179,33 @@ void draw_state(Stage& s, Random shape, const LightingStateOptions& options) {
   const GLenum shading = shape.chance(85) ? GL_SMOOTH : GL_FLAT;
   gl.ShadeModel(options.phong ? GLenum(GL_PHONG_WIN) : shading);
   if (options.illumination) {
-    gl.LightModeli(GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL, shape.chance(50) ? GL_REFLECTION_VECTOR_SOFTGL : GL_HALF_VECTOR_SOFTGL);
-    gl.LightModeli(GL_LIGHT_MODEL_TERMS_SOFTGL, shape.chance(67) ? GL_ALL_TERM_BITS_SOFTGL : s.random.integer(0, GL_ALL_TERM_BITS_SOFTGL));
+    gl.LightModeli(GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL,
+                   shape.chance(50) ? GL_REFLECTION_VECTOR_SOFTGL : GL_HALF_VECTOR_SOFTGL);
+    gl.LightModeli(GL_LIGHT_MODEL_TERMS_SOFTGL,
+                   shape.chance(67) ? GL_ALL_TERM_BITS_SOFTGL : s.random.integer(0, GL_ALL_TERM_BITS_SOFTGL));
   }
   draw_surface(s, shape, color_material);
 }
 
-SceneRegistration lighting{{.name = "lighting", .draw = [](Stage& s) { draw_lighting_states(s, {}); }, .random = true}};
-SceneRegistration gouraud{{.name = "gouraud_twin", .draw = [](Stage& s) { draw_lighting_states(s, {.exponent_zero = false, .illumination = true, .well_conditioned = true}); }, .random = true, .extension = true}};
-SceneRegistration phong{{.name = "phong_twin", .draw = [](Stage& s) { draw_lighting_states(s, {.phong = true, .illumination = true, .well_conditioned = true, .back_colors = true}); }, .random = true, .extension = true}};
+SceneRegistration lighting{
+    {.name = "lighting", .draw = [](Stage& s) { draw_lighting_states(s, {}); }, .random = true}};
+SceneRegistration gouraud{
+    {.name = "gouraud_twin",
+     .draw =
+         [](Stage& s) {
+           draw_lighting_states(s, {.exponent_zero = false, .illumination = true, .well_conditioned = true});
+         },
+     .random = true,
+     .extension = true}};
+SceneRegistration phong{
+    {.name = "phong_twin",
+     .draw =
+         [](Stage& s) {
+           draw_lighting_states(
+               s, {.phong = true, .illumination = true, .well_conditioned = true, .back_colors = true});
+         },
+     .random = true,
+     .extension = true}};
 
 } // namespace
 
@@ -187,7 +216,8 @@ void draw_lighting_states(Stage& s, const LightingStateOptions& options) {
   s.gl.Enable(GL_DEPTH_TEST);
   const Random shape(s.random.bits());
   for (int i = 0; i < kColumns * kRows; i++) {
-    s.gl.Viewport(s.width * (i % kColumns) / kColumns, s.height * (i / kColumns) / kRows, s.width / kColumns, s.height / kRows);
+    s.gl.Viewport(s.width * (i % kColumns) / kColumns, s.height * (i / kColumns) / kRows, s.width / kColumns,
+                  s.height / kRows);
     draw_state(s, shape, options);
   }
 }

@@ -30,7 +30,9 @@ void list_content(Stage& s, GLuint call_below, bool partial_attributes, bool exe
     }
     case 3:
       if (call_below) {
-        const GLubyte names[3] = {GLubyte(r.integer(1, int(call_below))), GLubyte(r.integer(1, int(call_below))), GLubyte(r.integer(1, int(call_below)))};
+        const GLubyte names[3] = {GLubyte(r.integer(1, int(call_below))),
+                                  GLubyte(r.integer(1, int(call_below))),
+                                  GLubyte(r.integer(1, int(call_below)))};
         gl.CallLists(r.integer(0, 3), GL_UNSIGNED_BYTE, names);
       }
       break;
@@ -45,20 +47,26 @@ void list_content(Stage& s, GLuint call_below, bool partial_attributes, bool exe
       break;
     }
     default: {
-      const GLenum mode = r.chance(20) ? GLenum(r.pick({GL_LINES, GL_LINE_LOOP, GL_POINTS}))
-                                       : GLenum(r.pick({GL_TRIANGLES, GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS, GL_QUAD_STRIP, GL_POLYGON}));
+      const GLenum mode = r.chance(20)
+                              ? GLenum(r.pick({GL_LINES, GL_LINE_LOOP, GL_POINTS}))
+                              : GLenum(r.pick({GL_TRIANGLES, GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN,
+                                               GL_QUADS, GL_QUAD_STRIP, GL_POLYGON}));
       if (execute && mode == GL_QUADS) break;
-      if (partial_scene && mode == GL_LINE_LOOP) break; // spoils a later primitive whose attributes come late, also of a list that calls this one
+      if (partial_scene && mode == GL_LINE_LOOP)
+        break; // spoils a later primitive whose attributes come late, also of a list that calls this one
       const int count = vertices_of(mode, r.integer(1, 6));
       const std::vector<Float4> p = random_positions(s, mode, count, Spread::View, false);
       // The first vertices take the colour and normal that are current when the list is called.
       int late_color = r.integer(0, count), late_normal = r.integer(0, count);
-      // Behind another primitive OSMesa loses the one triangle that a fan had before an attribute came: reference/DEVIATIONS.md.
+      // Behind another primitive OSMesa loses the one triangle that a fan had before an attribute came:
+      // reference/DEVIATIONS.md.
       const auto one_triangle = [&](int k) { return mode == GL_TRIANGLE_FAN && k == 3; };
       if (one_triangle(late_color)) late_color++;
       if (one_triangle(late_normal)) late_normal++;
-      // In these modes OSMesa loses vertices when an attribute comes late, or changes their order: reference/DEVIATIONS.md.
-      const bool late = partial_attributes && mode != GL_LINE_LOOP && mode != GL_TRIANGLE_STRIP && mode != GL_QUADS && mode != GL_QUAD_STRIP;
+      // In these modes OSMesa loses vertices when an attribute comes late, or changes their order:
+      // reference/DEVIATIONS.md.
+      const bool late = partial_attributes && mode != GL_LINE_LOOP && mode != GL_TRIANGLE_STRIP &&
+                        mode != GL_QUADS && mode != GL_QUAD_STRIP;
       const int color_from = late ? late_color : 0, normal_from = late ? late_normal : 0;
       if (mode == GL_QUADS) gl.ShadeModel(GL_FLAT);
       gl.Begin(mode);

@@ -1,5 +1,6 @@
-// Phong-lit primitives from immediate mode, from a display list and from arrays: three families with one picture a seed
-// (for tests/identity, and not for the GLSL twins: OSMesa cuts smooth quads in its own way, reference/DEVIATIONS.md).
+// Phong-lit primitives from immediate mode, from a display list and from arrays: three families with one
+// picture a seed (for tests/identity, and not for the GLSL twins: OSMesa cuts smooth quads in its own way,
+// reference/DEVIATIONS.md).
 #include "conformance/families/paths.h"
 #include "conformance/families/common.h"
 
@@ -59,8 +60,14 @@ void hand_over(Stage& s, Path path, GLenum mode, const std::vector<Vertex>& v) {
     gl.CallLists(1, GL_UNSIGNED_BYTE, &two);
     break;
   }
-  case Path::Arrays: arrays(client); gl.DrawArrays(mode, 0, count); break;
-  case Path::Elements: arrays(client); gl.DrawElements(mode, count, GL_UNSIGNED_INT, indices.data()); break;
+  case Path::Arrays:
+    arrays(client);
+    gl.DrawArrays(mode, 0, count);
+    break;
+  case Path::Elements:
+    arrays(client);
+    gl.DrawElements(mode, count, GL_UNSIGNED_INT, indices.data());
+    break;
   case Path::ArrayElement:
     arrays(client);
     gl.Begin(mode);
@@ -129,7 +136,8 @@ void light_by_phong(Stage& s) {
   gl.LightModeli(GL_LIGHT_MODEL_TWO_SIDE, r.chance(50));
   gl.LightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, r.chance(50));
   gl.LightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, r.chance(30) ? GL_SEPARATE_SPECULAR_COLOR : GL_SINGLE_COLOR);
-  gl.LightModeli(GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL, r.chance(30) ? GL_REFLECTION_VECTOR_SOFTGL : GL_HALF_VECTOR_SOFTGL);
+  gl.LightModeli(GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL,
+                 r.chance(30) ? GL_REFLECTION_VECTOR_SOFTGL : GL_HALF_VECTOR_SOFTGL);
 }
 
 } // namespace
@@ -142,8 +150,10 @@ void draw_by_path(Stage& s, Path path, bool phong) {
   random_modelview(s);
   random_depth(s, 50);
   random_culling(s);
-  if (phong) light_by_phong(s);
-  else light_somehow(s);
+  if (phong)
+    light_by_phong(s);
+  else
+    light_somehow(s);
   gl.LineWidth(r.real(1, 4));
   gl.PointSize(r.real(1, 8));
   if (r.chance(30)) random_fog(s);
@@ -158,7 +168,8 @@ void draw_by_path(Stage& s, Path path, bool phong) {
   for (int i = r.integer(1, 4); i > 0; i--) {
     const GLenum mode = GLenum(r.integer(GL_POINTS, GL_POLYGON));
     const int count = vertices_of(mode, r.chance(90) ? r.integer(1, 30) : r.integer(1000, 9000));
-    const std::vector<Float4> positions = random_positions(s, mode, count, count > 400 ? Spread::Tiny : Spread::Any, false);
+    const std::vector<Float4> positions =
+        random_positions(s, mode, count, count > 400 ? Spread::Tiny : Spread::Any, false);
     std::vector<Vertex> v(positions.size());
     for (size_t k = 0; k < v.size(); k++) {
       v[k].color = r.color();
@@ -171,8 +182,20 @@ void draw_by_path(Stage& s, Path path, bool phong) {
   }
 }
 
-static SceneRegistration immediate{{.name = "phong_immediate", .draw = [](Stage& s) { draw_by_path(s, Path::Immediate, true); }, .random = true, .extension = true, .numbers = "phong_paths"}};
-static SceneRegistration list{{.name = "phong_list", .draw = [](Stage& s) { draw_by_path(s, Path::List, true); }, .random = true, .extension = true, .numbers = "phong_paths"}};
-static SceneRegistration arrays{{.name = "phong_arrays", .draw = [](Stage& s) { draw_by_path(s, Path::Elements, true); }, .random = true, .extension = true, .numbers = "phong_paths"}};
+static SceneRegistration immediate{{.name = "phong_immediate",
+                                    .draw = [](Stage& s) { draw_by_path(s, Path::Immediate, true); },
+                                    .random = true,
+                                    .extension = true,
+                                    .numbers = "phong_paths"}};
+static SceneRegistration list{{.name = "phong_list",
+                               .draw = [](Stage& s) { draw_by_path(s, Path::List, true); },
+                               .random = true,
+                               .extension = true,
+                               .numbers = "phong_paths"}};
+static SceneRegistration arrays{{.name = "phong_arrays",
+                                 .draw = [](Stage& s) { draw_by_path(s, Path::Elements, true); },
+                                 .random = true,
+                                 .extension = true,
+                                 .numbers = "phong_paths"}};
 
 } // namespace softgl::test

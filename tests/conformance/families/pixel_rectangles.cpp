@@ -1,4 +1,5 @@
-// Images drawn into the window: glDrawPixels, glCopyPixels and glBitmap, with zoom and with all that fragments go through.
+// Images drawn into the window: glDrawPixels, glCopyPixels and glBitmap, with zoom and with all that
+// fragments go through.
 #include <cmath>
 
 #include "conformance/families/common.h"
@@ -15,9 +16,12 @@ static void random_raster_position(Stage& s) {
   const Gl& gl = s.gl;
   const Float4 color = s.random.color();
   gl.Color4fv(color.data());
-  const float x = s.random.real(-10, float(s.width)), y = s.random.real(-10, float(s.height)), z = s.random.real(-0.1f, 1.1f);
-  if (s.random.chance(50)) gl.WindowPos3f(x, y, z);
-  else gl.WindowPos3f(std::floor(x), std::floor(y), z);
+  const float x = s.random.real(-10, float(s.width)), y = s.random.real(-10, float(s.height)),
+              z = s.random.real(-0.1f, 1.1f);
+  if (s.random.chance(50))
+    gl.WindowPos3f(x, y, z);
+  else
+    gl.WindowPos3f(std::floor(x), std::floor(y), z);
 }
 
 /// Tests and blending that the fragments of rectangles go through as all others do.
@@ -32,13 +36,16 @@ static void random_fragment_operations(Stage& s) {
     s.gl.Enable(GL_STENCIL_TEST);
     s.gl.StencilFunc(random_compare(s), s.random.integer(0, 3), 0xff);
     // Not all GL_KEEP: then OSMesa copies whatever the test says (DEVIATIONS.md).
-    s.gl.StencilOp(s.random.pick({GL_KEEP, GL_INCR, GL_REPLACE}), GL_KEEP, s.random.pick({GL_INCR, GL_INVERT}));
+    s.gl.StencilOp(s.random.pick({GL_KEEP, GL_INCR, GL_REPLACE}), GL_KEEP,
+                   s.random.pick({GL_INCR, GL_INVERT}));
   }
 }
 
 // None that puts centres of pixels between two elements, where OSMesa takes either (DEVIATIONS.md).
 static void random_zoom(Stage& s) {
-  auto factor = [&] { return s.random.chance(60) ? 1.0f : s.random.pick({-1.0f, 2.0f, 3.0f, -2.0f, 0.7371f, -1.3172f, 4.8173f}); };
+  auto factor = [&] {
+    return s.random.chance(60) ? 1.0f : s.random.pick({-1.0f, 2.0f, 3.0f, -2.0f, 0.7371f, -1.3172f, 4.8173f});
+  };
   const float x = factor(), y = factor();
   s.gl.PixelZoom(x, y);
 }
@@ -54,8 +61,10 @@ static void draw_bitmaps(Stage& s) {
       random_unpacking(s);
       const std::vector<GLubyte> bits = random_bytes(s, 4096);
       const float x = s.random.real(-9, 9), y = s.random.chance(50) ? 0 : s.random.real(-9, 9);
-      const float move_x = s.random.chance(50) ? float(width) : s.random.real(-9, 30), move_y = s.random.real(-4, 4);
-      gl.Flush(); // OSMesa draws waiting bitmaps with later state, and where they overlap once (DEVIATIONS.md)
+      const float move_x = s.random.chance(50) ? float(width) : s.random.real(-9, 30),
+                  move_y = s.random.real(-4, 4);
+      gl.Flush(); // OSMesa draws waiting bitmaps with later state, and where they overlap once
+                  // (DEVIATIONS.md)
       gl.Bitmap(width, height, x, y, move_x, move_y, bits.data());
       if (s.random.chance(30)) {
         const Float4 color = s.random.color(); // of later raster positions
@@ -75,13 +84,15 @@ static void draw_images(Stage& s) {
     random_unpacking(s);
     const std::vector<GLubyte> pixels = random_bytes(s, 48 * 48 * 4);
     const int width = s.random.integer(1, 36), height = s.random.integer(1, 30);
-    const GLenum format = s.random.pick({GL_RGBA, GL_RGBA, GL_RGB, GL_BGRA, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA, GL_BGR});
+    const GLenum format = s.random.pick({GL_RGBA, GL_RGBA, GL_RGB, GL_BGRA, GL_LUMINANCE, GL_LUMINANCE_ALPHA,
+                                         GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA, GL_BGR});
     gl.DrawPixels(width, height, format, GL_UNSIGNED_BYTE, pixels.data());
   }
 }
 
 static void random_copy(Stage& s, GLenum type) {
-  const int width = std::min(s.random.integer(1, 40), s.width), height = std::min(s.random.integer(1, 40), s.height);
+  const int width = std::min(s.random.integer(1, 40), s.width),
+            height = std::min(s.random.integer(1, 40), s.height);
   const int x = s.random.integer(0, s.width - width), y = s.random.integer(0, s.height - height);
   s.gl.CopyPixels(x, y, width, height, type);
 }
@@ -101,8 +112,8 @@ static void draw_copies(Stage& s) {
   }
 }
 
-// Stencil values, drawn and copied. OSMesa neither shifts nor maps them, and depths lose bits on their way through its
-// textures (DEVIATIONS.md).
+// Stencil values, drawn and copied. OSMesa neither shifts nor maps them, and depths lose bits on their way
+// through its textures (DEVIATIONS.md).
 static void draw_stencil_images(Stage& s) {
   const Gl& gl = s.gl;
   random_canvas(s);
@@ -123,12 +134,14 @@ static void draw_stencil_images(Stage& s) {
     } else {
       const int width = s.random.integer(1, 30), height = s.random.integer(1, 30);
       const std::vector<GLubyte> pixels = random_bytes(s, 48 * 48 * 4);
-      gl.DrawPixels(width, height, GL_STENCIL_INDEX, s.random.pick({GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_UNSIGNED_INT}), pixels.data());
+      gl.DrawPixels(width, height, GL_STENCIL_INDEX,
+                    s.random.pick({GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_UNSIGNED_INT}), pixels.data());
     }
   }
 }
 
 static SceneRegistration stencils{{"stencil_images", draw_stencil_images, true}};
-static SceneRegistration bitmaps{{"bitmaps", draw_bitmaps, true}}, images{{"images", draw_images, true}}, copies{{"copies", draw_copies, true}};
+static SceneRegistration bitmaps{{"bitmaps", draw_bitmaps, true}}, images{{"images", draw_images, true}},
+    copies{{"copies", draw_copies, true}};
 
 } // namespace softgl::test

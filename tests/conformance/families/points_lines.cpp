@@ -19,7 +19,8 @@ static void strip_in_view(Stage& s, GLenum mode) {
 }
 
 // A few primitives, each with a size that is often 1, often a multiple of a half, rarely as large as `most`.
-static void draw_batches(Stage& s, std::initializer_list<int> modes, SetSize set_size, int often, float usual, float most, bool stippled) {
+static void draw_batches(Stage& s, std::initializer_list<int> modes, SetSize set_size, int often, float usual,
+                         float most, bool stippled) {
   random_canvas(s);
   for (int batch = s.random.integer(1, 4); batch > 0; batch--) {
     random_projection(s);
@@ -27,7 +28,9 @@ static void draw_batches(Stage& s, std::initializer_list<int> modes, SetSize set
     random_depth(s, 30);
     random_scissor(s, 10);
     s.gl.ShadeModel(s.random.chance(70) ? GL_SMOOTH : GL_FLAT);
-    (s.gl.*set_size)(s.random.chance(often) ? 1.0f : s.random.chance(20) ? float(s.random.integer(1, 20)) * 0.5f : s.random.real(0.1f, s.random.chance(10) ? most : usual));
+    (s.gl.*set_size)(s.random.chance(often) ? 1.0f
+                     : s.random.chance(20)  ? float(s.random.integer(1, 20)) * 0.5f
+                                            : s.random.real(0.1f, s.random.chance(10) ? most : usual));
     if (stippled) {
       s.gl.Enable(GL_LINE_STIPPLE);
       const GLint factor = s.random.chance(50) ? 1 : s.random.integer(0, 9);
@@ -35,15 +38,22 @@ static void draw_batches(Stage& s, std::initializer_list<int> modes, SetSize set
     }
     PrimitiveOptions options;
     options.mode = GLenum(s.random.pick(modes));
-    if (stippled && options.mode != GL_LINES) strip_in_view(s, options.mode);
-    else random_primitive(s, options);
+    if (stippled && options.mode != GL_LINES)
+      strip_in_view(s, options.mode);
+    else
+      random_primitive(s, options);
   }
 }
 
 static void draw_points(Stage& s) { draw_batches(s, {GL_POINTS}, &Gl::PointSize, 20, 12, 80, false); }
-static void draw_lines(Stage& s) { draw_batches(s, {GL_LINES, GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP}, &Gl::LineWidth, 50, 10, 60, false); }
-static void draw_stippled(Stage& s) { draw_batches(s, {GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP}, &Gl::LineWidth, 50, 10, 60, true); }
+static void draw_lines(Stage& s) {
+  draw_batches(s, {GL_LINES, GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP}, &Gl::LineWidth, 50, 10, 60, false);
+}
+static void draw_stippled(Stage& s) {
+  draw_batches(s, {GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP}, &Gl::LineWidth, 50, 10, 60, true);
+}
 
-static SceneRegistration points{{"points", draw_points, true}}, lines{{"lines", draw_lines, true}}, stippled{{"stippled", draw_stippled, true}};
+static SceneRegistration points{{"points", draw_points, true}}, lines{{"lines", draw_lines, true}},
+    stippled{{"stippled", draw_stippled, true}};
 
 } // namespace softgl::test

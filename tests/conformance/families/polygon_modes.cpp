@@ -1,11 +1,12 @@
-// Polygons that are changed before they are rasterized: drawn as lines and points, with all that is different then (culling,
-// colours of two sides, offset, edge flags, stipple, clipping), and filled ones.
+// Polygons that are changed before they are rasterized: drawn as lines and points, with all that is different
+// then (culling, colours of two sides, offset, edge flags, stipple, clipping), and filled ones.
 #include "conformance/families/common.h"
 
 namespace softgl::test {
 
 static void random_modes(Stage& s) {
-  const GLenum front = s.random.pick({GL_LINE, GL_LINE, GL_POINT, GL_FILL}), back = s.random.pick({GL_LINE, GL_POINT, GL_FILL});
+  const GLenum front = s.random.pick({GL_LINE, GL_LINE, GL_POINT, GL_FILL}),
+               back = s.random.pick({GL_LINE, GL_POINT, GL_FILL});
   s.gl.PolygonMode(GL_FRONT, front);
   s.gl.PolygonMode(GL_BACK, s.random.chance(50) ? front : back);
   s.gl.LineWidth(s.random.chance(60) ? 1.0f : s.random.real(0.1f, 6));
@@ -14,9 +15,11 @@ static void random_modes(Stage& s) {
 
 // All enabled or none: where the faces have modes of their own OSMesa asks for the first polygon's.
 static void random_offset(Stage& s) {
-  for (GLenum mode : {GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_POINT}) s.gl.Disable(mode);
+  for (GLenum mode : {GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_POINT})
+    s.gl.Disable(mode);
   if (!s.random.chance(40)) return;
-  for (GLenum mode : {GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_POINT}) s.gl.Enable(mode);
+  for (GLenum mode : {GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_POINT})
+    s.gl.Enable(mode);
   s.gl.PolygonOffset(s.random.real(-3, 3), s.random.pick({0.0f, 1.0f, -1.0f, 100.0f, -5000.0f, 1e6f}));
 }
 
@@ -33,8 +36,8 @@ static void random_two_sided_light(Stage& s) {
   }
 }
 
-// A polygon whose vertices all have the same attributes: where one comes later OSMesa cuts the polygon in two and draws the
-// edge between the parts (reference/DEVIATIONS.md).
+// A polygon whose vertices all have the same attributes: where one comes later OSMesa cuts the polygon in two
+// and draws the edge between the parts (reference/DEVIATIONS.md).
 static void polygon(Stage& s) {
   const int count = s.random.integer(3, 12);
   const std::vector<Float4> p = random_positions(s, GL_POLYGON, count, Spread::Any, false);
@@ -61,13 +64,16 @@ static void draw_polygon_modes(Stage& s) {
     random_two_sided_light(s);
     s.gl.ShadeModel(s.random.chance(60) ? GL_SMOOTH : GL_FLAT);
     PrimitiveOptions options;
-    options.mode = s.random.pick({GL_TRIANGLES, GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS, GL_QUAD_STRIP, GL_POLYGON});
+    options.mode = s.random.pick({GL_TRIANGLES, GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS,
+                                  GL_QUAD_STRIP, GL_POLYGON});
     options.normals = true;
     options.secondary_colors = s.random.chance(20);
     if (options.secondary_colors) s.gl.Enable(GL_COLOR_SUM);
     if (s.random.chance(20)) random_fog(s);
-    if (options.mode == GL_POLYGON) polygon(s);
-    else random_primitive(s, options);
+    if (options.mode == GL_POLYGON)
+      polygon(s);
+    else
+      random_primitive(s, options);
     s.gl.Disable(GL_COLOR_SUM);
     s.gl.Disable(GL_FOG);
   }
@@ -99,7 +105,8 @@ static void draw_edge_flags(Stage& s) {
     gl.ShadeModel(s.random.chance(60) ? GL_SMOOTH : GL_FLAT);
     const GLenum mode = s.random.pick({GL_TRIANGLES, GL_QUADS, GL_POLYGON});
     const int count = vertices_of(mode, s.random.integer(1, 8));
-    const std::vector<Float4> p = random_positions(s, mode, count, s.random.pick({Spread::View, Spread::Any}), false);
+    const std::vector<Float4> p =
+        random_positions(s, mode, count, s.random.pick({Spread::View, Spread::Any}), false);
     gl.Begin(mode);
     for (int i = 0; i < count; i++) {
       const Float4 color = s.random.color();
@@ -111,8 +118,9 @@ static void draw_edge_flags(Stage& s) {
   }
 }
 
-// Filled polygons, which OSMesa colours and offsets at their vertices wherever it could have smooth or stippled points or
-// lines. Where it could have smooth ones the state is set once: OSMesa draws with the old one after that (DEVIATIONS.md).
+// Filled polygons, which OSMesa colours and offsets at their vertices wherever it could have smooth or
+// stippled points or lines. Where it could have smooth ones the state is set once: OSMesa draws with the old
+// one after that (DEVIATIONS.md).
 static void draw_staged_polygons(Stage& s) {
   const Gl& gl = s.gl;
   random_canvas(s);
@@ -128,7 +136,8 @@ static void draw_staged_polygons(Stage& s) {
     random_depth(s, 80);
     random_offset(s);
     random_two_sided_light(s);
-    for (GLenum what : {GL_LINE_STIPPLE, GL_POLYGON_STIPPLE}) s.random.chance(50) ? gl.Enable(what) : gl.Disable(what);
+    for (GLenum what : {GL_LINE_STIPPLE, GL_POLYGON_STIPPLE})
+      s.random.chance(50) ? gl.Enable(what) : gl.Disable(what);
     gl.LineStipple(1, s.random.chance(50) ? 0xffff : 0x0f0f);
     gl.ShadeModel(s.random.chance(60) ? GL_SMOOTH : GL_FLAT);
     PrimitiveOptions options;
@@ -136,7 +145,8 @@ static void draw_staged_polygons(Stage& s) {
     options.secondary_colors = s.random.chance(20);
     if (options.secondary_colors) gl.Enable(GL_COLOR_SUM);
     if (s.random.chance(20)) random_fog(s);
-    options.mode = s.random.pick({GL_TRIANGLES, GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS, GL_QUAD_STRIP, GL_POLYGON});
+    options.mode = s.random.pick({GL_TRIANGLES, GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS,
+                                  GL_QUAD_STRIP, GL_POLYGON});
     random_primitive(s, options);
     gl.Disable(GL_COLOR_SUM);
     gl.Disable(GL_FOG);
@@ -144,6 +154,7 @@ static void draw_staged_polygons(Stage& s) {
 }
 
 static SceneRegistration staged{{"staged_polygons", draw_staged_polygons, true}};
-static SceneRegistration modes{{"polygon_modes", draw_polygon_modes, true}}, flags{{"edge_flags", draw_edge_flags, true}};
+static SceneRegistration modes{{"polygon_modes", draw_polygon_modes, true}},
+    flags{{"edge_flags", draw_edge_flags, true}};
 
 } // namespace softgl::test

@@ -1,5 +1,5 @@
-// Stippled polygons: patterns as the pixel storage modes read them, with all that fragments go through, among lines and points
-// that are not stippled.
+// Stippled polygons: patterns as the pixel storage modes read them, with all that fragments go through, among
+// lines and points that are not stippled.
 #include "conformance/families/common.h"
 
 namespace softgl::test {
@@ -8,9 +8,11 @@ static void random_pattern(Stage& s) {
   const Gl& gl = s.gl;
   std::vector<GLubyte> pattern(4096);
   const int period = s.random.pick({1, 4, 16, 4096}); // short ones show rows and columns
-  for (size_t i = 0; i < pattern.size(); i++) pattern[i] = i < size_t(period) ? GLubyte(s.random.bits()) : pattern[i - size_t(period)];
+  for (size_t i = 0; i < pattern.size(); i++)
+    pattern[i] = i < size_t(period) ? GLubyte(s.random.bits()) : pattern[i - size_t(period)];
   random_unpacking(s);
-  // OSMesa 22.3.6 writes a byte behind its stipple where this is no multiple of 8 (tests/spec/polygon_stipple_test.cpp).
+  // OSMesa 22.3.6 writes a byte behind its stipple where this is no multiple of 8
+  // (tests/spec/polygon_stipple_test.cpp).
   gl.PixelStorei(GL_UNPACK_SKIP_PIXELS, s.random.pick({0, 0, 8, 16}));
   gl.PolygonStipple(pattern.data());
 }
@@ -32,7 +34,8 @@ static void draw_polygon_stipples(Stage& s) {
     if (s.random.chance(15)) random_fog(s);
     gl.ShadeModel(s.random.chance(60) ? GL_SMOOTH : GL_FLAT);
     PrimitiveOptions options;
-    options.mode = s.random.chance(85) ? random_filled_mode(s) : GLenum(s.random.pick({GL_LINES, GL_LINE_LOOP, GL_POINTS}));
+    options.mode = s.random.chance(85) ? random_filled_mode(s)
+                                       : GLenum(s.random.pick({GL_LINES, GL_LINE_LOOP, GL_POINTS}));
     if (s.random.chance(15) && stippled) { // edges and corners are not stippled
       gl.PolygonMode(GL_FRONT_AND_BACK, s.random.pick({GL_LINE, GL_POINT}));
       options.mode = GL_TRIANGLES;

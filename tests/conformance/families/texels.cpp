@@ -1,4 +1,5 @@
-// Textures on plain geometry: two large triangles, so that nothing but sampling and environments decides the picture.
+// Textures on plain geometry: two large triangles, so that nothing but sampling and environments decides the
+// picture.
 #include <algorithm>
 #include <cstring>
 
@@ -15,15 +16,20 @@ struct TexelOptions {
 
 void image(Stage& s, GLenum target, GLint internal_format, int level, int w, int h, int d) {
   Random& r = s.random;
-  const bool depth = internal_format == GL_DEPTH_COMPONENT || internal_format == GL_DEPTH_COMPONENT16 || internal_format == GL_DEPTH_COMPONENT24;
+  const bool depth = internal_format == GL_DEPTH_COMPONENT || internal_format == GL_DEPTH_COMPONENT16 ||
+                     internal_format == GL_DEPTH_COMPONENT24;
   std::vector<uint8_t> pixels(size_t(w) * size_t(h) * size_t(d) * 4 + 16);
   const bool smooth = r.chance(30);
-  for (size_t i = 0; i < pixels.size(); ++i) pixels[i] = smooth ? uint8_t(i * 3 + (i & 3) * 70) : uint8_t(r.bits() >> 24);
+  for (size_t i = 0; i < pixels.size(); ++i)
+    pixels[i] = smooth ? uint8_t(i * 3 + (i & 3) * 70) : uint8_t(r.bits() >> 24);
   const GLenum format = depth ? GL_DEPTH_COMPONENT : GL_RGBA;
   const GLenum type = depth ? GL_UNSIGNED_SHORT : GL_UNSIGNED_BYTE;
-  if (target == GL_TEXTURE_1D) s.gl.TexImage1D(target, level, internal_format, w, 0, format, type, pixels.data());
-  else if (target == GL_TEXTURE_3D) s.gl.TexImage3D(target, level, internal_format, w, h, d, 0, format, type, pixels.data());
-  else s.gl.TexImage2D(target, level, internal_format, w, h, 0, format, type, pixels.data());
+  if (target == GL_TEXTURE_1D)
+    s.gl.TexImage1D(target, level, internal_format, w, 0, format, type, pixels.data());
+  else if (target == GL_TEXTURE_3D)
+    s.gl.TexImage3D(target, level, internal_format, w, h, d, 0, format, type, pixels.data());
+  else
+    s.gl.TexImage2D(target, level, internal_format, w, h, 0, format, type, pixels.data());
 }
 
 void one_texture(Stage& s, GLenum target, const TexelOptions& o) {
@@ -40,21 +46,46 @@ void one_texture(Stage& s, GLenum target, const TexelOptions& o) {
   if (target == GL_TEXTURE_1D) h = 1;
   if (target != GL_TEXTURE_3D) d = 1;
   const GLint format = o.depth ? r.pick({GL_DEPTH_COMPONENT, GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24})
-                               : r.pick({GL_RGBA8, GL_RGBA8, GL_RGBA, GL_RGB, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_ALPHA, GL_INTENSITY, GL_RGB5, GL_RGBA4, GL_RGB5_A1,
-                                         GL_R3_G3_B2, GL_RGB4, GL_LUMINANCE4_ALPHA4, GL_RGB10, GL_RGB10_A2, GL_RGBA16, GL_RGB16, GL_ALPHA16, GL_LUMINANCE16,
-                                         GL_LUMINANCE16_ALPHA16, GL_INTENSITY16});
+                               : r.pick({GL_RGBA8,
+                                         GL_RGBA8,
+                                         GL_RGBA,
+                                         GL_RGB,
+                                         GL_LUMINANCE,
+                                         GL_LUMINANCE_ALPHA,
+                                         GL_ALPHA,
+                                         GL_INTENSITY,
+                                         GL_RGB5,
+                                         GL_RGBA4,
+                                         GL_RGB5_A1,
+                                         GL_R3_G3_B2,
+                                         GL_RGB4,
+                                         GL_LUMINANCE4_ALPHA4,
+                                         GL_RGB10,
+                                         GL_RGB10_A2,
+                                         GL_RGBA16,
+                                         GL_RGB16,
+                                         GL_ALPHA16,
+                                         GL_LUMINANCE16,
+                                         GL_LUMINANCE16_ALPHA16,
+                                         GL_INTENSITY16});
   const bool mipmaps = r.chance(60);
-  gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER, mipmaps ? r.pick({GL_NEAREST_MIPMAP_NEAREST, GL_LINEAR_MIPMAP_NEAREST, GL_NEAREST_MIPMAP_LINEAR, GL_LINEAR_MIPMAP_LINEAR})
-                                                          : r.pick({GL_NEAREST, GL_LINEAR}));
+  gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER,
+                   mipmaps ? r.pick({GL_NEAREST_MIPMAP_NEAREST, GL_LINEAR_MIPMAP_NEAREST,
+                                     GL_NEAREST_MIPMAP_LINEAR, GL_LINEAR_MIPMAP_LINEAR})
+                           : r.pick({GL_NEAREST, GL_LINEAR}));
   gl.TexParameteri(target, GL_TEXTURE_MAG_FILTER, r.pick({GL_NEAREST, GL_LINEAR}));
   for (GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
-    gl.TexParameteri(target, axis, r.pick({GL_REPEAT, GL_REPEAT, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE, GL_CLAMP, GL_CLAMP_TO_BORDER, GL_MIRRORED_REPEAT}));
+    gl.TexParameteri(target, axis,
+                     r.pick({GL_REPEAT, GL_REPEAT, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE, GL_CLAMP,
+                             GL_CLAMP_TO_BORDER, GL_MIRRORED_REPEAT}));
   const Float4 border = r.color();
   gl.TexParameterfv(target, GL_TEXTURE_BORDER_COLOR, border.data());
   if (o.depth) {
     gl.TexParameteri(target, GL_DEPTH_TEXTURE_MODE, r.pick({GL_LUMINANCE, GL_INTENSITY, GL_ALPHA}));
     gl.TexParameteri(target, GL_TEXTURE_COMPARE_MODE, r.pick({GL_NONE, GL_COMPARE_R_TO_TEXTURE}));
-    gl.TexParameteri(target, GL_TEXTURE_COMPARE_FUNC, r.pick({GL_LEQUAL, GL_GEQUAL, GL_LESS, GL_GREATER, GL_EQUAL, GL_NOTEQUAL, GL_ALWAYS, GL_NEVER}));
+    gl.TexParameteri(
+        target, GL_TEXTURE_COMPARE_FUNC,
+        r.pick({GL_LEQUAL, GL_GEQUAL, GL_LESS, GL_GREATER, GL_EQUAL, GL_NOTEQUAL, GL_ALWAYS, GL_NEVER}));
   }
   const bool generate = mipmaps && r.chance(40);
   gl.TexParameteri(target, GL_GENERATE_MIPMAP, generate);
@@ -85,7 +116,12 @@ void draw_with(Stage& s, const TexelOptions& o) {
   const int units = o.several_units ? r.integer(2, 4) : 1;
   for (int u = 0; u < units; ++u) {
     gl.ActiveTexture(GLenum(GL_TEXTURE0 + u));
-    one_texture(s, o.one_dimensional ? GL_TEXTURE_1D : o.three_dimensional ? GL_TEXTURE_3D : o.cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D, o);
+    one_texture(s,
+                o.one_dimensional     ? GL_TEXTURE_1D
+                : o.three_dimensional ? GL_TEXTURE_3D
+                : o.cube              ? GL_TEXTURE_CUBE_MAP
+                                      : GL_TEXTURE_2D,
+                o);
     random_environment(s, units, false); // a texture may be incomplete
   }
   gl.ActiveTexture(GL_TEXTURE0);
@@ -94,11 +130,13 @@ void draw_with(Stage& s, const TexelOptions& o) {
   gl.Begin(GL_TRIANGLES);
   for (int triangle = 0; triangle < 2; ++triangle)
     for (int i = 0; i < 3; ++i) {
-      const float x = (i + triangle) % 3 == 1 ? 0.9f : -0.9f, y = (i + triangle) % 3 == 2 ? 0.9f : -0.9f, w = perspective ? r.real(0.5f, 2) : 1.0f;
+      const float x = (i + triangle) % 3 == 1 ? 0.9f : -0.9f, y = (i + triangle) % 3 == 2 ? 0.9f : -0.9f,
+                  w = perspective ? r.real(0.5f, 2) : 1.0f;
       const Float4 c = r.color();
       gl.Color4fv(c.data());
       for (int u = 0; u < units; ++u) {
-        const Float4 t{r.real(-scale, scale), r.real(-scale, scale), r.real(-scale, scale), projective ? r.real(0.5f, 1.5f) : 1.0f};
+        const Float4 t{r.real(-scale, scale), r.real(-scale, scale), r.real(-scale, scale),
+                       projective ? r.real(0.5f, 1.5f) : 1.0f};
         gl.MultiTexCoord4fv(GLenum(GL_TEXTURE0 + u), t.data());
       }
       const float flip = triangle ? -1.0f : 1.0f;
@@ -108,14 +146,36 @@ void draw_with(Stage& s, const TexelOptions& o) {
 }
 
 void draw_texels(Stage& s) { draw_with(s, {}); }
-void draw_texels_1d(Stage& s) { TexelOptions o; o.one_dimensional = true; draw_with(s, o); }
-void draw_texels_3d(Stage& s) { TexelOptions o; o.three_dimensional = true; draw_with(s, o); }
-void draw_texels_cube(Stage& s) { TexelOptions o; o.cube = true; draw_with(s, o); }
-void draw_texels_depth(Stage& s) { TexelOptions o; o.depth = true; draw_with(s, o); }
-void draw_units(Stage& s) { TexelOptions o; o.several_units = true; draw_with(s, o); }
+void draw_texels_1d(Stage& s) {
+  TexelOptions o;
+  o.one_dimensional = true;
+  draw_with(s, o);
+}
+void draw_texels_3d(Stage& s) {
+  TexelOptions o;
+  o.three_dimensional = true;
+  draw_with(s, o);
+}
+void draw_texels_cube(Stage& s) {
+  TexelOptions o;
+  o.cube = true;
+  draw_with(s, o);
+}
+void draw_texels_depth(Stage& s) {
+  TexelOptions o;
+  o.depth = true;
+  draw_with(s, o);
+}
+void draw_units(Stage& s) {
+  TexelOptions o;
+  o.several_units = true;
+  draw_with(s, o);
+}
 
-SceneRegistration texels{{"texels", draw_texels, true}}, one{{"texels_1d", draw_texels_1d, true}}, several{{"texture_units", draw_units, true}};
-SceneRegistration three{{"texels_3d", draw_texels_3d, true}}, cube{{"texels_cube", draw_texels_cube, true}}, depth{{"texels_depth", draw_texels_depth, true}};
+SceneRegistration texels{{"texels", draw_texels, true}}, one{{"texels_1d", draw_texels_1d, true}},
+    several{{"texture_units", draw_units, true}};
+SceneRegistration three{{"texels_3d", draw_texels_3d, true}}, cube{{"texels_cube", draw_texels_cube, true}},
+    depth{{"texels_depth", draw_texels_depth, true}};
 
 } // namespace
 

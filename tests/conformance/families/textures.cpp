@@ -13,11 +13,15 @@ struct TextureOptions {
 static void upload(Stage& s, GLenum target, GLint internal_format, int level, int w, int h) {
   const Gl& gl = s.gl;
   Random& r = s.random;
-  static constexpr GLenum kFormats[] = {GL_RGBA, GL_RGBA, GL_RGBA, GL_RGB, GL_BGRA, GL_BGR, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_ALPHA, GL_RED};
+  static constexpr GLenum kFormats[] = {
+      GL_RGBA, GL_RGBA, GL_RGBA, GL_RGB, GL_BGRA, GL_BGR, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_ALPHA, GL_RED};
   const GLenum format = kFormats[r.integer(0, 9)];
-  static constexpr GLenum kTypes[] = {GL_UNSIGNED_BYTE, GL_UNSIGNED_BYTE, GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_FLOAT, GL_UNSIGNED_INT, GL_BYTE, GL_SHORT};
+  static constexpr GLenum kTypes[] = {GL_UNSIGNED_BYTE, GL_UNSIGNED_BYTE, GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT,
+                                      GL_FLOAT,         GL_UNSIGNED_INT,  GL_BYTE,          GL_SHORT};
   const GLenum type = kTypes[r.integer(0, 7)];
-  const int bytes = type == GL_UNSIGNED_BYTE || type == GL_BYTE ? 1 : type == GL_UNSIGNED_SHORT || type == GL_SHORT ? 2 : 4;
+  const int bytes = type == GL_UNSIGNED_BYTE || type == GL_BYTE     ? 1
+                    : type == GL_UNSIGNED_SHORT || type == GL_SHORT ? 2
+                                                                    : 4;
   const int alignment = r.pick({1, 2, 4, 8}), extra = r.chance(20) ? r.integer(0, 5) : 0;
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, alignment);
   gl.PixelStorei(GL_UNPACK_ROW_LENGTH, extra ? w + extra : 0);
@@ -35,7 +39,8 @@ static void upload(Stage& s, GLenum target, GLint internal_format, int level, in
   }
   gl.TexImage2D(target, level, internal_format, w, h, 0, format, type, pixels.data());
   if (r.chance(20) && w > 2 && h > 2) {
-    const int x = r.integer(0, w - 2), y = r.integer(0, h - 2), sw = r.integer(1, w - x), sh = r.integer(1, h - y);
+    const int x = r.integer(0, w - 2), y = r.integer(0, h - 2), sw = r.integer(1, w - x),
+              sh = r.integer(1, h - y);
     gl.TexSubImage2D(target, level, x, y, sw, sh, format, type, pixels.data());
   }
   gl.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
@@ -43,11 +48,48 @@ static void upload(Stage& s, GLenum target, GLint internal_format, int level, in
 }
 
 static GLint random_internal_format(Stage& s) {
-  return s.random.pick({GL_RGBA8, GL_RGBA, GL_RGB, GL_RGB8, GL_LUMINANCE, GL_LUMINANCE8, GL_LUMINANCE_ALPHA, GL_LUMINANCE8_ALPHA8, GL_ALPHA, GL_ALPHA8,
-                        GL_INTENSITY, GL_INTENSITY8, GL_RGB5, GL_RGB4, GL_R3_G3_B2, GL_RGBA4, GL_RGB5_A1, GL_RGBA2, GL_LUMINANCE4, GL_ALPHA4, GL_INTENSITY4,
-                        GL_LUMINANCE4_ALPHA4, GL_LUMINANCE6_ALPHA2, GL_RGB10, GL_RGB12, GL_RGB16, GL_RGBA12, GL_RGBA16, GL_RGB10_A2, GL_LUMINANCE12,
-                        GL_LUMINANCE16, GL_ALPHA12, GL_ALPHA16, GL_INTENSITY12, GL_INTENSITY16, GL_LUMINANCE12_ALPHA12, GL_LUMINANCE16_ALPHA16,
-                        GL_LUMINANCE12_ALPHA4, 1, 2, 3, 4});
+  return s.random.pick({GL_RGBA8,
+                        GL_RGBA,
+                        GL_RGB,
+                        GL_RGB8,
+                        GL_LUMINANCE,
+                        GL_LUMINANCE8,
+                        GL_LUMINANCE_ALPHA,
+                        GL_LUMINANCE8_ALPHA8,
+                        GL_ALPHA,
+                        GL_ALPHA8,
+                        GL_INTENSITY,
+                        GL_INTENSITY8,
+                        GL_RGB5,
+                        GL_RGB4,
+                        GL_R3_G3_B2,
+                        GL_RGBA4,
+                        GL_RGB5_A1,
+                        GL_RGBA2,
+                        GL_LUMINANCE4,
+                        GL_ALPHA4,
+                        GL_INTENSITY4,
+                        GL_LUMINANCE4_ALPHA4,
+                        GL_LUMINANCE6_ALPHA2,
+                        GL_RGB10,
+                        GL_RGB12,
+                        GL_RGB16,
+                        GL_RGBA12,
+                        GL_RGBA16,
+                        GL_RGB10_A2,
+                        GL_LUMINANCE12,
+                        GL_LUMINANCE16,
+                        GL_ALPHA12,
+                        GL_ALPHA16,
+                        GL_INTENSITY12,
+                        GL_INTENSITY16,
+                        GL_LUMINANCE12_ALPHA12,
+                        GL_LUMINANCE16_ALPHA16,
+                        GL_LUMINANCE12_ALPHA4,
+                        1,
+                        2,
+                        3,
+                        4});
 }
 
 static void random_texture(Stage& s, const TextureOptions& o) {
@@ -61,14 +103,19 @@ static void random_texture(Stage& s, const TextureOptions& o) {
   const GLint format = o.any_format ? random_internal_format(s) : r.pick({GL_RGBA8, GL_RGB8});
   GLint minify = r.pick({GL_NEAREST, GL_LINEAR}), magnify = r.pick({GL_NEAREST, GL_LINEAR});
   const bool mipmaps = o.mipmaps && r.chance(60);
-  if (mipmaps) minify = r.pick({GL_NEAREST_MIPMAP_NEAREST, GL_LINEAR_MIPMAP_NEAREST, GL_NEAREST_MIPMAP_LINEAR, GL_LINEAR_MIPMAP_LINEAR});
+  if (mipmaps)
+    minify = r.pick({GL_NEAREST_MIPMAP_NEAREST, GL_LINEAR_MIPMAP_NEAREST, GL_NEAREST_MIPMAP_LINEAR,
+                     GL_LINEAR_MIPMAP_LINEAR});
   const bool rectangle = o.target == GL_TEXTURE_RECTANGLE;
   if (rectangle) minify = magnify; // how large it is drawn: reference/DEVIATIONS.md
   // GL_CLAMP with one linear and one nearest filter: see reference/DEVIATIONS.md.
-  const bool linear = minify == GL_LINEAR || minify == GL_LINEAR_MIPMAP_NEAREST || minify == GL_LINEAR_MIPMAP_LINEAR;
+  const bool linear =
+      minify == GL_LINEAR || minify == GL_LINEAR_MIPMAP_NEAREST || minify == GL_LINEAR_MIPMAP_LINEAR;
   const bool mixed = linear != (magnify == GL_LINEAR);
   for (GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
-    GLint wrap = o.any_wrap ? r.pick({GL_REPEAT, GL_REPEAT, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE, GL_CLAMP, GL_CLAMP_TO_BORDER, GL_MIRRORED_REPEAT}) : r.pick({GL_REPEAT, GL_CLAMP_TO_EDGE});
+    GLint wrap = o.any_wrap ? r.pick({GL_REPEAT, GL_REPEAT, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE, GL_CLAMP,
+                                      GL_CLAMP_TO_BORDER, GL_MIRRORED_REPEAT})
+                            : r.pick({GL_REPEAT, GL_CLAMP_TO_EDGE});
     if (wrap == GL_CLAMP && mixed) wrap = GL_REPEAT;
     if (rectangle && (wrap == GL_REPEAT || wrap == GL_MIRRORED_REPEAT)) wrap = GL_CLAMP_TO_EDGE;
     gl.TexParameteri(o.target, axis, wrap);
@@ -99,16 +146,23 @@ static void random_environment(Stage& s, bool combine) {
   const Float4 c = r.color();
   gl.TexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, c.data());
   if (!combine) {
-    gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, r.pick({GL_MODULATE, GL_MODULATE, GL_REPLACE, GL_DECAL, GL_BLEND, GL_ADD}));
+    gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE,
+               r.pick({GL_MODULATE, GL_MODULATE, GL_REPLACE, GL_DECAL, GL_BLEND, GL_ADD}));
     return;
   }
   gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE);
-  gl.TexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, r.pick({GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_INTERPOLATE, GL_SUBTRACT, GL_DOT3_RGB, GL_DOT3_RGBA}));
-  gl.TexEnvi(GL_TEXTURE_ENV, GL_COMBINE_ALPHA, r.pick({GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_INTERPOLATE, GL_SUBTRACT}));
+  gl.TexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB,
+             r.pick({GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_INTERPOLATE, GL_SUBTRACT, GL_DOT3_RGB,
+                     GL_DOT3_RGBA}));
+  gl.TexEnvi(GL_TEXTURE_ENV, GL_COMBINE_ALPHA,
+             r.pick({GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_INTERPOLATE, GL_SUBTRACT}));
   for (int i = 0; i < 3; i++) {
-    gl.TexEnvi(GL_TEXTURE_ENV, GL_SOURCE0_RGB + GLenum(i), r.pick({GL_TEXTURE, GL_CONSTANT, GL_PRIMARY_COLOR, GL_PREVIOUS}));
-    gl.TexEnvi(GL_TEXTURE_ENV, GL_SOURCE0_ALPHA + GLenum(i), r.pick({GL_TEXTURE, GL_CONSTANT, GL_PRIMARY_COLOR, GL_PREVIOUS}));
-    gl.TexEnvi(GL_TEXTURE_ENV, GL_OPERAND0_RGB + GLenum(i), r.pick({GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA}));
+    gl.TexEnvi(GL_TEXTURE_ENV, GL_SOURCE0_RGB + GLenum(i),
+               r.pick({GL_TEXTURE, GL_CONSTANT, GL_PRIMARY_COLOR, GL_PREVIOUS}));
+    gl.TexEnvi(GL_TEXTURE_ENV, GL_SOURCE0_ALPHA + GLenum(i),
+               r.pick({GL_TEXTURE, GL_CONSTANT, GL_PRIMARY_COLOR, GL_PREVIOUS}));
+    gl.TexEnvi(GL_TEXTURE_ENV, GL_OPERAND0_RGB + GLenum(i),
+               r.pick({GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA}));
     gl.TexEnvi(GL_TEXTURE_ENV, GL_OPERAND0_ALPHA + GLenum(i), r.pick({GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA}));
   }
   gl.TexEnvf(GL_TEXTURE_ENV, GL_RGB_SCALE, r.pick({1.0f, 2.0f, 4.0f}));
@@ -186,8 +240,8 @@ static void draw_combine(Stage& s) {
   }
 }
 
-static SceneRegistration texture{{"texture", draw_texture, true}}, wraps{{"wraps", draw_wraps, true}}, mipmaps{{"mipmaps", draw_mipmaps, true}},
-    formats{{"formats", draw_formats, true}}, combine{{"combine", draw_combine, true}},
-    rectangles{{"rectangles", draw_rectangles, true}};
+static SceneRegistration texture{{"texture", draw_texture, true}}, wraps{{"wraps", draw_wraps, true}},
+    mipmaps{{"mipmaps", draw_mipmaps, true}}, formats{{"formats", draw_formats, true}},
+    combine{{"combine", draw_combine, true}}, rectangles{{"rectangles", draw_rectangles, true}};
 
 } // namespace softgl::test

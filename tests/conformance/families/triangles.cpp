@@ -14,7 +14,8 @@ static void draw_triangles(Stage& s) {
     random_depth(s, 30);
     s.gl.ShadeModel(s.random.chance(50) ? GL_SMOOTH : GL_FLAT);
     PrimitiveOptions options;
-    options.mode = s.random.pick({GL_TRIANGLES, GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS, GL_QUAD_STRIP, GL_POLYGON});
+    options.mode = s.random.pick({GL_TRIANGLES, GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS,
+                                  GL_QUAD_STRIP, GL_POLYGON});
     random_primitive(s, options);
   }
 }
@@ -31,11 +32,14 @@ static void draw_quads(Stage& s) {
     std::vector<float> positions, colors;
     const bool twisted = s.random.chance(30);
     for (int i = 0; i < count; i += 4) {
-      const float x = s.random.real(-0.5f, 0.5f), y = s.random.real(-0.5f, 0.5f), size = s.random.pick({0.45f, 0.45f, 0.2f, 0.01f});
+      const float x = s.random.real(-0.5f, 0.5f), y = s.random.real(-0.5f, 0.5f),
+                  size = s.random.pick({0.45f, 0.45f, 0.2f, 0.01f});
       for (int k = 0; k < 4; k++) {
-        const float dx = k == 1 || k == 2 ? size : -size, dy = k >= 2 ? size : -size, bend = size * (twisted ? 0.9f : 0.3f);
+        const float dx = k == 1 || k == 2 ? size : -size, dy = k >= 2 ? size : -size,
+                    bend = size * (twisted ? 0.9f : 0.3f);
         // 0.7 keeps the farthest corner (1.36) inside the view volume.
-        const Float3 p{0.7f * (x + dx + s.random.real(-bend, bend)), 0.7f * (y + dy + s.random.real(-bend, bend)), s.random.real(-0.9f, 0.9f)};
+        const Float3 p{0.7f * (x + dx + s.random.real(-bend, bend)),
+                       0.7f * (y + dy + s.random.real(-bend, bend)), s.random.real(-0.9f, 0.9f)};
         positions.insert(positions.end(), p.begin(), p.end());
         const Float4 c = s.random.color();
         colors.insert(colors.end(), c.begin(), c.end());

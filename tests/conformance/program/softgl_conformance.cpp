@@ -45,7 +45,9 @@ struct Options {
 
 // libsoftgl.so beside the drop-in library picks its instruction set by the same rule.
 bool computes_with(const std::string& isa) {
-  void* library = dlopen((std::filesystem::path(SOFTGL_TEST_LIBRARY).parent_path().parent_path() / "libsoftgl.so.0").c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* library = dlopen(
+      (std::filesystem::path(SOFTGL_TEST_LIBRARY).parent_path().parent_path() / "libsoftgl.so.0").c_str(),
+      RTLD_NOW | RTLD_LOCAL);
   auto name = library ? reinterpret_cast<const char* (*)()>(dlsym(library, "softgl_isa")) : nullptr;
   if (name && name() == isa) return true;
   std::fprintf(stderr, "softgl computes with %s, not %s\n", name ? name() : "(no softgl_isa)", isa.c_str());
@@ -73,7 +75,8 @@ struct Sheet {
     const int rows = (count + kColumns - 1) / kColumns, width = kColumns * kCell;
     std::vector<uint8_t> flipped(rgba.size());
     for (int y = 0; y < rows * kCell; y++)
-      std::memcpy(&flipped[size_t(y) * width * 4], &rgba[size_t(rows * kCell - 1 - y) * width * 4], size_t(width) * 4);
+      std::memcpy(&flipped[size_t(y) * width * 4], &rgba[size_t(rows * kCell - 1 - y) * width * 4],
+                  size_t(width) * 4);
     write_png(std::filesystem::absolute(path).string(), width, rows * kCell, flipped);
   }
 };
@@ -97,7 +100,10 @@ int run(const Options& o) {
   for (Scene& scene : scenes) scene.floats |= o.floats;
   const bool alone = o.library != "compare";
   const Gl& gl = o.library == "osmesa" ? osmesa_library() : softgl_library();
-  const Gl shaders = alone || o.hash ? Gl{} : shader_library(Twins::PhongAndGouraud); // OSMesa, which one library alone must not need
+  const Gl shaders =
+      alone || o.hash
+          ? Gl{}
+          : shader_library(Twins::PhongAndGouraud); // OSMesa, which one library alone must not need
   Sheet sheet;
   bool failed = false;
   for (const Scene& scene : scenes) {
@@ -125,9 +131,13 @@ int run(const Options& o) {
         // One library: the same bytes twice, and no error that was not meant.
         const Picture second = draw(gl, scene, seed);
         const Difference d = compare(first, second);
-        if (d.any()) std::printf("%s %llu is not repeatable: %s\n", scene.name.c_str(), static_cast<unsigned long long>(seed), d.text.c_str()), failures++;
+        if (d.any())
+          std::printf("%s %llu is not repeatable: %s\n", scene.name.c_str(),
+                      static_cast<unsigned long long>(seed), d.text.c_str()),
+              failures++;
         if (!first.errors.empty()) {
-          std::printf("%s %llu raises GL error %04x\n", scene.name.c_str(), static_cast<unsigned long long>(seed), first.errors[0]);
+          std::printf("%s %llu raises GL error %04x\n", scene.name.c_str(),
+                      static_cast<unsigned long long>(seed), first.errors[0]);
           failures++;
         }
       } else {
@@ -136,11 +146,13 @@ int run(const Options& o) {
         const Difference d = compare(first, theirs);
         if (scene.extension ? (d.depth_values && !scene.clipped) || d.max_color > 1 : d.any()) {
           failures++;
-          std::printf("%s %llu: %s\n", scene.name.c_str(), static_cast<unsigned long long>(seed), d.text.c_str());
+          std::printf("%s %llu: %s\n", scene.name.c_str(), static_cast<unsigned long long>(seed),
+                      d.text.c_str());
           if (o.minimize) {
             print_calls(gl, scene, seed, minimize(gl, oracle, scene, seed, scene.extension ? 1 : 0));
           }
-          write_difference(std::string(SOFTGL_TEST_OUTPUT) + "/" + scene.name + "-" + std::to_string(seed), first, theirs);
+          write_difference(std::string(SOFTGL_TEST_OUTPUT) + "/" + scene.name + "-" + std::to_string(seed),
+                           first, theirs);
         }
       }
       std::fflush(stdout);
@@ -149,8 +161,9 @@ int run(const Options& o) {
     failed |= failures > 0;
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     if (!o.hash)
-      std::printf("%-24s %llu scenes, %d failures, %llu of one colour, %.1f s\n", scene.name.c_str(), static_cast<unsigned long long>(done),
-                  failures, static_cast<unsigned long long>(black), seconds);
+      std::printf("%-24s %llu scenes, %d failures, %llu of one colour, %.1f s\n", scene.name.c_str(),
+                  static_cast<unsigned long long>(done), failures, static_cast<unsigned long long>(black),
+                  seconds);
     std::fflush(stdout);
   }
   if (!o.sheet.empty()) sheet.write(o.sheet);
@@ -170,20 +183,32 @@ int main(int argc, char** argv) {
       for (const Scene& s : named_scenes()) std::printf("%s\n", s.name.c_str());
       for (const Scene& s : extension_scenes()) std::printf("%s (softgl only)\n", s.name.c_str());
       return 0;
-    } else if (option == "--hash") o.hash = true;
-    else if (option == "--minimize") o.minimize = true;
-    else if (option == "--trace") o.trace = true;
-    else if (option == "--floats") o.floats = true;
-    else if (!value) return usage();
-    else if (option == "--family") o.families.push_back(argv[++i]);
-    else if (option == "--seed") o.seed = std::strtoull(argv[++i], nullptr, 10);
-    else if (option == "--count") o.count = std::strtoull(argv[++i], nullptr, 10);
-    else if (option == "--library") o.library = argv[++i];
-    else if (option == "--sheet") o.sheet = argv[++i];
+    } else if (option == "--hash")
+      o.hash = true;
+    else if (option == "--minimize")
+      o.minimize = true;
+    else if (option == "--trace")
+      o.trace = true;
+    else if (option == "--floats")
+      o.floats = true;
+    else if (!value)
+      return usage();
+    else if (option == "--family")
+      o.families.push_back(argv[++i]);
+    else if (option == "--seed")
+      o.seed = std::strtoull(argv[++i], nullptr, 10);
+    else if (option == "--count")
+      o.count = std::strtoull(argv[++i], nullptr, 10);
+    else if (option == "--library")
+      o.library = argv[++i];
+    else if (option == "--sheet")
+      o.sheet = argv[++i];
     else if (option == "--expect-isa") {
       if (!computes_with(argv[++i])) return 4;
-    } else if (option == "--stop") o.stop = std::atoi(argv[++i]);
-    else return usage();
+    } else if (option == "--stop")
+      o.stop = std::atoi(argv[++i]);
+    else
+      return usage();
   }
   if (o.library != "compare" && o.library != "softgl" && o.library != "osmesa") return usage();
   try {
