@@ -4,10 +4,10 @@
 
 #include <stdint.h>
 
-#include "fragment_block.h"
-#include "shaded_vertex.h"
-#include "surface.h"
-#include "vertex_program.h"
+#include "shaders/common/shaded_vertex.h"
+#include "shaders/common/surface.h"
+#include "shaders/fragment/fragment_block.h"
+#include "shaders/vertex/vertex_program.h"
 
 namespace softgl {
 

@@ -1,10 +1,10 @@
 // The table of the raster and fragment kernels of one instruction set.
-#include "fragment_image.inl"
-#include "fragment_light.inl"
-#include "isa.h"
-#include "kernels.h"
-#include "raster_tile.inl"
-#include "raster_tiny.inl"
+#include "shaders/common/isa.h"
+#include "shaders/fragment/fragment_image.inl"
+#include "shaders/fragment/fragment_light.inl"
+#include "shaders/kernels.h"
+#include "shaders/raster/raster_tile.inl"
+#include "shaders/raster/raster_tiny.inl"
 
 namespace softgl {
 namespace SOFTGL_ISA {

@@ -1,9 +1,9 @@
 // The table of the texture kernels of one instruction set.
-#include "isa.h"
-#include "kernels.h"
-#include "texture_environment.inl"
-#include "texture_fixed.inl"
-#include "texture_float.inl"
+#include "shaders/common/isa.h"
+#include "shaders/kernels.h"
+#include "shaders/texture/texture_environment.inl"
+#include "shaders/texture/texture_fixed.inl"
+#include "shaders/texture/texture_float.inl"
 
 namespace softgl {
 namespace SOFTGL_ISA {

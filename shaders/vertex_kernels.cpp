@@ -1,7 +1,7 @@
 // The table of the vertex kernels of one instruction set.
-#include "isa.h"
-#include "kernels.h"
-#include "vertex_shade.inl"
+#include "shaders/common/isa.h"
+#include "shaders/kernels.h"
+#include "shaders/vertex/vertex_shade.inl"
 
 namespace softgl {
 namespace SOFTGL_ISA {

@@ -1,6 +1,6 @@
 #include "api/door.h"
 
-#include "lists/list_compiler.h"
+#include "commands/vertices/list_compilation.h"
 
 namespace softgl {
 

@@ -1,9 +1,9 @@
 // What the generated doors do before they call a canonical command.
 #pragma once
 
-#include "api/list_interface.h"
 #include "api/unbuilt_command.h"
-#include "state/context.h"
+#include "commands/vertices/list_compilation.h"
+#include "context/context.h"
 
 namespace softgl {
 

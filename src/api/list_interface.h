@@ -1,5 +1,5 @@
 // What the doors use of the vertex builder and the list compiler.
 #pragma once
 
-#include "lists/list_compiler.h"
-#include "state/context.h"
+#include "commands/vertices/list_compilation.h"
+#include "context/context.h"

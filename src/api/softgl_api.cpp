@@ -1,9 +1,10 @@
 // softgl/softgl.h.
 #include <softgl/softgl.h>
 
-#include "api/current_context.h"
 #include "base/cpu_features.h"
-#include "frame/thread_pool.h"
+#include "commands/framebuffer/flush.h"
+#include "context/current_context.h"
+#include "frame/parallel.h"
 
 using namespace softgl;
 
@@ -19,8 +20,8 @@ uint64_t mixed(uint64_t hash, uint64_t word) {
 extern "C" {
 
 SOFTGL_EXPORT const char* softgl_version() { return SOFTGL_VERSION_TEXT; }
-SOFTGL_EXPORT void softgl_set_threads(int count) { ThreadPool::instance().set_workers(count); }
-SOFTGL_EXPORT int softgl_threads() { return ThreadPool::instance().workers(); }
+SOFTGL_EXPORT void softgl_set_threads(int count) { set_drawing_threads(count); }
+SOFTGL_EXPORT int softgl_threads() { return drawing_threads(); }
 SOFTGL_EXPORT const char* softgl_isa() { return isa_name(selected_isa()); }
 
 SOFTGL_EXPORT uint64_t softgl_frame_hash() {

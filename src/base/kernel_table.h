@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/cpu_features.h"
-#include "kernels.h"
+#include "shaders/kernels.h"
 
 namespace softgl {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "fragment_key.h"
+#include "shaders/fragment/fragment_key.h"
 
 namespace softgl {
 

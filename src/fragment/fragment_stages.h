@@ -1,7 +1,7 @@
 // The stages behind texturing.
 #pragma once
 
-#include "fragment_program.h"
+#include "shaders/fragment/fragment_program.h"
 
 namespace softgl {
 

@@ -4,12 +4,12 @@
 #include <new>
 
 #include "base/float_environment.h"
-#include "fragment_program.h"
-#include "frame/thread_pool.h"
+#include "base/thread_pool.h"
 #include "frame/tile_worker.h"
 #include "geometry/geometry.h"
 #include "raster/raster_draws.h"
 #include "raster/tile_binner.h"
+#include "shaders/fragment/fragment_program.h"
 
 namespace softgl {
 

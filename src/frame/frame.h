@@ -6,27 +6,12 @@
 
 #include "base/arena.h"
 #include "base/pages.h"
-#include "draw_record.h"
-#include "surface.h"
+#include "draw/clear_record.h"
+#include "draw/draw_record.h"
+#include "shaders/common/surface.h"
+#include "surface/tile_reader.h"
 
 namespace softgl {
-
-/// A glClear in the order of the frame. Values are already the numbers that the surface's format stores
-/// (colours: 0-255, 0-65535, 5-6-5 bits or the floats themselves).
-struct ClearRecord {
-  bool color, depth, stencil;
-  bool color_mask[4];
-  float color_value[4];
-  uint32_t depth_value, stencil_value, stencil_write_mask;
-  int32_t x0, y0, x1, y1; // window, y down, half open: scissor box and surface intersected
-};
-
-/// Is told of every tile of the surface, by the worker that did the last work on it.
-class TileReader {
-public:
-  virtual ~TileReader() = default;
-  virtual void read(uint32_t tile) const = 0;
-};
 
 class Frame {
 public:

@@ -3,7 +3,7 @@
 
 #include "base/kernel_table.h"
 #include "raster/tile_list.h"
-#include "surface.h"
+#include "shaders/common/surface.h"
 
 namespace softgl {
 

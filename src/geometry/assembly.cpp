@@ -1,12 +1,12 @@
 // Primitive assembly (GL 1.5, 2.6.1): vertices become triangles, lines and points in the corner order that
 // OSMesa hands to set-up, because the order decides last bits. GL_QUADS are cut from corner 0 to corner 2,
 // flat-shaded ones from 1 to 3, see reference/DEVIATIONS.md.
-#include "clipping.h"
-#include "geometry.h"
-#include "line_stipple.h"
-#include "polygon_stage.h"
-#include "raster_constants.h"
-#include "vertex_fetch.h"
+#include "geometry/clipping.h"
+#include "geometry/geometry.h"
+#include "geometry/line_stipple.h"
+#include "geometry/polygon_stage.h"
+#include "geometry/vertex_fetch.h"
+#include "shaders/raster/raster_constants.h"
 
 namespace softgl {
 namespace {

@@ -1,14 +1,14 @@
 // Order of planes, order of operations and choice of the end from which a new vertex is interpolated are
 // those of OSMesa 22.3.6 (draw_pipe_clip): the end nearer to the plane, so that neighbours cut their shared
 // edge at the same point.
-#include "clipping.h"
+#include "geometry/clipping.h"
 
 #include <bit>
 #include <cmath>
 #include <cstring>
 
-#include "raster_constants.h"
-#include "vertex_fetch.h"
+#include "geometry/vertex_fetch.h"
+#include "shaders/raster/raster_constants.h"
 
 namespace softgl {
 namespace {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/arena.h"
-#include "frame/draw_record.h"
-#include "vertex_program.h"
+#include "draw/draw_record.h"
+#include "shaders/vertex/vertex_program.h"
 
 namespace softgl {
 

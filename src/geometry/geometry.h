@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "assembled_primitives.h"
 #include "base/arena.h"
-#include "frame/draw_record.h"
+#include "draw/assembled_primitives.h"
+#include "draw/draw_record.h"
 
 namespace softgl {
 

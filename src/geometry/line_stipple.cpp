@@ -1,10 +1,10 @@
-#include "line_stipple.h"
+#include "geometry/line_stipple.h"
 
 #include <cmath>
 #include <cstring>
 
-#include "raster_constants.h"
-#include "vertex_program.h"
+#include "shaders/raster/raster_constants.h"
+#include "shaders/vertex/vertex_program.h"
 
 namespace softgl {
 

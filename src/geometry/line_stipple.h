@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/arena.h"
-#include "frame/draw_record.h"
-#include "shaded_vertex.h"
+#include "draw/draw_record.h"
+#include "shaders/common/shaded_vertex.h"
 
 namespace softgl {
 

@@ -1,11 +1,11 @@
-#include "polygon_stage.h"
+#include "geometry/polygon_stage.h"
 
 #include <cmath>
 #include <cstring>
 
 #include "base/unit_range.h"
-#include "frame/draw_record.h"
-#include "raster_constants.h"
+#include "draw/draw_record.h"
+#include "shaders/raster/raster_constants.h"
 
 namespace softgl {
 namespace {

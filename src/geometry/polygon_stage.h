@@ -2,10 +2,10 @@
 // offset with it.
 #pragma once
 
-#include "assembled_primitives.h"
 #include "base/arena.h"
-#include "line_stipple.h"
-#include "vertex_program.h"
+#include "draw/assembled_primitives.h"
+#include "geometry/line_stipple.h"
+#include "shaders/vertex/vertex_program.h"
 
 namespace softgl {
 

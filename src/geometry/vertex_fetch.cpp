@@ -1,6 +1,6 @@
-#include "vertex_fetch.h"
+#include "geometry/vertex_fetch.h"
 
-#include "component_conversion.h"
+#include "shaders/vertex/component_conversion.h"
 
 namespace softgl {
 

@@ -1,7 +1,7 @@
 // One attribute of one vertex, wherever it lies.
 #pragma once
 
-#include "vertex_attributes.h"
+#include "shaders/common/vertex_attributes.h"
 
 namespace softgl {
 

@@ -1,8 +1,8 @@
 // A draw as the vertex kernels see it.
 #pragma once
 
-#include "frame/draw_record.h"
-#include "vertex_program.h"
+#include "draw/draw_record.h"
+#include "shaders/vertex/vertex_program.h"
 
 namespace softgl {
 

@@ -1,6 +1,6 @@
 #include "base/kernel_table.h"
-#include "geometry.h"
-#include "vertex_job.h"
+#include "geometry/geometry.h"
+#include "geometry/vertex_job.h"
 
 namespace softgl {
 

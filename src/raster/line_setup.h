@@ -1,7 +1,7 @@
 // Set-up of lines of any width.
 #pragma once
 
-#include "raster_draw.h"
+#include "shaders/raster/raster_draw.h"
 
 namespace softgl {
 

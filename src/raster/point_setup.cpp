@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "frame/draw_record.h"
+#include "draw/draw_record.h"
 
 namespace softgl {
 

@@ -1,7 +1,7 @@
 // Set-up of what is a box of pixels: points of any size, point sprites, pixel rectangles.
 #pragma once
 
-#include "raster_draw.h"
+#include "shaders/raster/raster_draw.h"
 
 namespace softgl {
 

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "vertex_program.h"
+#include "shaders/vertex/vertex_program.h"
 
 namespace softgl {
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/arena.h"
-#include "frame/draw_record.h"
-#include "raster_draw.h"
+#include "draw/draw_record.h"
+#include "shaders/raster/raster_draw.h"
 
 namespace softgl {
 

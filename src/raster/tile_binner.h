@@ -2,10 +2,10 @@
 #pragma once
 
 #include "base/kernel_table.h"
-#include "geometry/assembled_primitives.h"
+#include "draw/assembled_primitives.h"
 #include "raster/tile_list.h"
-#include "raster_triangles.h"
-#include "surface.h"
+#include "shaders/common/surface.h"
+#include "shaders/raster/raster_triangles.h"
 
 namespace softgl {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/arena.h"
-#include "raster_draw.h"
+#include "shaders/raster/raster_draw.h"
 
 namespace softgl {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "combiner_program.h"
+#include "shaders/texture/combiner_program.h"
 
 namespace softgl {
 

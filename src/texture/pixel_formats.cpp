@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "state/state.h"
+#include "texture/pixel_state.h"
 
 namespace softgl {
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/unit_range.h"
-#include "state/context.h"
 
 namespace softgl {
 namespace {
@@ -24,8 +23,6 @@ float looked_up(const PixelMaps& maps, GLenum map, uint32_t index) {
 }
 
 } // namespace
-
-PixelTransfer::PixelTransfer(const Context& c) : mode(c.state.pixel_mode), maps(c.state.pixel_maps) {}
 
 const PixelTransfer& PixelTransfer::none() {
   static const PixelModeState mode;

@@ -5,18 +5,15 @@
 #include <cstdint>
 
 #include "base/gl_types.h"
+#include "texture/pixel_state.h"
 
 namespace softgl {
-
-struct Context;
-struct PixelMaps;
-struct PixelModeState;
 
 struct PixelTransfer {
   const PixelModeState& mode;
   const PixelMaps& maps;
 
-  explicit PixelTransfer(const Context& context);
+  PixelTransfer(const PixelModeState& m, const PixelMaps& p) : mode(m), maps(p) {}
   /// Changes nothing.
   static const PixelTransfer& none();
 
@@ -37,9 +34,6 @@ struct PixelTransfer {
   uint32_t stencil(uint32_t value) const;
   /// A colour index, shifted and offset, through GL_PIXEL_MAP_I_TO_R .. A.
   void index_to_color(uint32_t index, float rgba[4]) const;
-
-private:
-  PixelTransfer(const PixelModeState& m, const PixelMaps& p) : mode(m), maps(p) {}
 };
 
 } // namespace softgl

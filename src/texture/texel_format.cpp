@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstring>
 
-#include "state/state.h"
 #include "texture/pixel_formats.h"
 #include "texture/pixel_transfer.h"
 

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
-#include <mutex>
 
-#include "state/context.h"
 #include "texture/pixel_formats.h"
 #include "texture/pixel_transfer.h"
 
@@ -41,26 +39,6 @@ TextureImage& TextureObject::writable(int face, int level) {
   auto& pointer = image[face][level];
   if (pointer.use_count() > 1) pointer = std::make_shared<TextureImage>(*pointer);
   return *pointer;
-}
-
-std::shared_ptr<TextureObject> default_texture(const Context& c, TextureTarget target) {
-  static std::mutex mutex; // contexts of one share group may ask at once
-  std::lock_guard lock(mutex);
-  auto& object = c.shared->default_texture[target];
-  if (!object) object = std::make_shared<TextureObject>(0, target);
-  return object;
-}
-
-std::shared_ptr<TextureObject> proxy_texture(Context& c, TextureTarget target) {
-  auto& object = c.proxy_texture[target];
-  if (!object) object = std::make_shared<TextureObject>(0, target);
-  return object;
-}
-
-std::shared_ptr<TextureObject> bound_texture(const Context& c, int unit, TextureTarget target) {
-  if (const GLuint name = c.state.texture.unit[unit].bound[target])
-    if (auto object = c.shared->textures.find(name); object && object->target == target) return object;
-  return default_texture(c, target);
 }
 
 const TexelFormat& level_format(const TextureObject& object, int face, int level, GLint internal_format,

@@ -4,12 +4,13 @@
 #include <memory>
 #include <vector>
 
-#include "state/state.h"
+#include "base/gl_types.h"
+#include "base/vectors.h"
+#include "shaders/common/limits.h"
 #include "texture/texel_format.h"
+#include "texture/texture_target.h"
 
 namespace softgl {
-
-struct Context;
 
 /// One image of a level (and face). Rows are padded: texel (width, y) repeats (0, y), row `height` repeats
 /// row 0, and 8 spare bytes follow, so that a 2x2 footprint is two 8-byte loads whatever the wrap mode.
@@ -65,13 +66,6 @@ struct TextureObject {
   /// The image for a change: a copy of its own if somebody else holds it.
   TextureImage& writable(int face, int level);
 };
-
-/// The object bound to a target of a unit; never null. A name that no longer exists means the default object.
-std::shared_ptr<TextureObject> bound_texture(const Context& c, int unit, TextureTarget target);
-/// The object that an image or parameter command means: of the active unit, or a proxy's. Null for an unknown
-/// target.
-std::shared_ptr<TextureObject> default_texture(const Context& c, TextureTarget target);
-std::shared_ptr<TextureObject> proxy_texture(Context& c, TextureTarget target);
 
 /// The storage for a new image: that of the level before it if both have one internal format, so that the
 /// levels of a texture fit together whatever form each one's pixels have; else `chosen`, which suits the

@@ -129,7 +129,7 @@ const std::vector<StateRow>& state_rows() {
 #define CAPABILITY(name, initial, ...) {"GL_" #name, GL_##name, {initial}, 'C'},
 #define CAPABILITY_BIT(name, ...) {"GL_" #name, GL_##name, {0}, 'C'},
 #define ARRAY(name, ...) {"GL_" #name, GL_##name, {0}, 'A'},
-#include "../src/state/state_table.inc"
+#include "../src/context/state_table.inc"
   };
   return rows;
 }

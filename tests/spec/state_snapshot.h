@@ -9,7 +9,7 @@
 
 namespace softgl::test {
 
-/// A row of src/state/state_table.inc.
+/// A row of src/context/state_table.inc.
 struct StateRow {
   std::string name;
   GLenum token;

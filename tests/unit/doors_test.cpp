@@ -5,10 +5,10 @@
 #include <string>
 
 #include "api/argument_conversion.h"
-#include "api/generated/list_playback.h"
-#include "api/generated/list_records.h"
-#include "api/list_payload.h"
 #include "api/names.h"
+#include "commands/generated/list_playback.h"
+#include "commands/generated/list_records.h"
+#include "commands/vertices/list_payload.h"
 
 using namespace softgl;
 

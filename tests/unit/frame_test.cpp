@@ -1,8 +1,9 @@
 #include "frame/frame.h"
+#include "frame/surface_work.h"
 
 #include <catch2/catch.hpp>
 
-#include "framebuffer/framebuffer.h"
+#include "surface/framebuffer.h"
 
 using softgl::Frame;
 

@@ -1,4 +1,4 @@
-#include "state/matrix.h"
+#include "context/matrix.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

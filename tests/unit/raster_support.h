@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/float_environment.h"
-#include "frame/draw_record.h"
+#include "draw/draw_record.h"
 #include "frame/tile_worker.h"
 #include "raster/raster_draws.h"
 #include "raster/tile_binner.h"

@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "vertex/index_range.h"
+#include "commands/vertices/index_range.h"
 
 namespace softgl::test {
 namespace {

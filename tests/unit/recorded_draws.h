@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "state/context.h"
+#include "context/context.h"
 
 namespace softgl::test {
 

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "frame/thread_pool.h"
+#include "base/thread_pool.h"
 
 using softgl::ThreadPool;
 

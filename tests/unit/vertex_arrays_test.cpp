@@ -4,12 +4,12 @@
 
 #include <cstring>
 
-#include "api/generated/commands.h"
+#include "commands/generated/commands.h"
+#include "commands/vertices/attribute_doors.h"
+#include "commands/vertices/index_range.h"
+#include "context/buffer_objects.h"
 #include "support/random.h"
 #include "unit/recorded_draws.h"
-#include "vertex/attribute_doors.h"
-#include "vertex/buffer_objects.h"
-#include "vertex/index_range.h"
 
 using namespace softgl;
 using namespace softgl::test;
@@ -21,7 +21,7 @@ struct Error {
   GLenum operator()() const { return std::exchange(c.error, GLenum(GL_NO_ERROR)); }
 };
 void close(Context& c) {
-  if (c.guard & kRunPending) c.builder.close_run(c);
+  if (c.guard & kRunPending) close_run(c);
 }
 
 /// Position xyz, normal, colour as 4 bytes, texture coordinates: 36 bytes.

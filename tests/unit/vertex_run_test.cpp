@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <functional>
 
-#include "api/generated/commands.h"
+#include "commands/generated/commands.h"
+#include "commands/vertices/attribute_doors.h"
 #include "support/random.h"
 #include "unit/recorded_draws.h"
-#include "vertex/attribute_doors.h"
 
 using namespace softgl;
 using namespace softgl::test;
@@ -18,7 +18,7 @@ using Stream = std::function<void(Context&)>;
 
 /// As the generated doors do for a command that changes state.
 void state_change(Context& c) {
-  if (c.guard & kRunPending) c.builder.close_run(c);
+  if (c.guard & kRunPending) close_run(c);
 }
 std::vector<ExpandedPrimitive> immediate(const Stream& stream) {
   auto c = make_recording_context();

@@ -3,7 +3,7 @@
 
 #include "api/argument_conversion.h"
 #include "api/door.h"
-#include "vertex/attribute_doors.h"
+#include "commands/vertices/attribute_doors.h"
 
 using namespace softgl;
 

@@ -2,9 +2,9 @@
 
 #include "api/argument_conversion.h"
 #include "api/door.h"
-#include "api/generated/commands.h"
-#include "api/generated/list_records.h"
-#include "vertex/attribute_doors.h"
+#include "api/generated/compile_commands.h"
+#include "commands/generated/commands.h"
+#include "commands/vertices/attribute_doors.h"
 
 using namespace softgl;
 

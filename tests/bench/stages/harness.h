@@ -15,9 +15,9 @@
 #include <GL/glext.h>
 #include <GL/osmesa.h>
 
-#include "frame/thread_pool.h"
+#include "base/thread_pool.h"
+#include "context/context.h"
 #include "frames/mesh.h"
-#include "state/context.h"
 
 namespace softgl::bench {
 

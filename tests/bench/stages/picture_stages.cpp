@@ -1,8 +1,10 @@
 // What comes after drawing: the caller's buffer, glReadPixels, glClear; and reading a model from a file's
 // text.
 #include "cli/obj_reader.h"
-#include "framebuffer/read_surface.h"
+#include "commands/framebuffer/flush.h"
+#include "frame/surface_work.h"
 #include "harness.h"
+#include "surface/read_surface.h"
 
 namespace softgl::bench {
 namespace {

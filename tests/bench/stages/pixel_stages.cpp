@@ -1,6 +1,7 @@
 // What happens to a pixel: whole draws that cover a picture, by one thread, in nanoseconds per pixel.
 #include <cstring>
 
+#include "commands/framebuffer/flush.h"
 #include "frames/mesh.h"
 #include "harness.h"
 

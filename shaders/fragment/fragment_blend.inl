@@ -1,0 +1,150 @@
+// Blending and logic operations on RGBA8 words, kWidth pixels at a time, in the 8-bit arithmetic of
+// OSMesa 22.3.6. A vector of words is two vectors of 16-bit halves: red and blue, green and alpha.
+#pragma once
+
+#include "shaders/common/simd.h"
+#include "shaders/fragment/fragment_program.h"
+
+namespace softgl {
+namespace SOFTGL_ISA {
+
+struct Halves {
+  ShortV rb, ga;
+};
+
+SOFTGL_INLINE Halves split(IntV words) {
+  return {(ShortV)(words & 0x00ff00ff), (ShortV)((IntV)((UintV)words >> 8) & 0x00ff00ff)};
+}
+SOFTGL_INLINE IntV join(const Halves& h) { return (IntV)h.rb | ((IntV)h.ga << 8); }
+
+/// a * b / 255 as OSMesa rounds it.
+SOFTGL_INLINE ShortV multiply_8(ShortV a, ShortV b) {
+  const ShortV p = a * b;
+  return (p + (p >> 8) + 128) >> 8;
+}
+/// Halves are below 32768, so signed comparison serves.
+SOFTGL_INLINE ShortV lesser(ShortV a, ShortV b) {
+#if defined(__AVX2__) && !defined(__AVX512F__)
+  return (ShortV)_mm256_min_epi16((__m256i)a, (__m256i)b);
+#else
+  const ShortV m = (ShortV)(a < b);
+  return (a & m) | (b & ~m);
+#endif
+}
+SOFTGL_INLINE ShortV greater(ShortV a, ShortV b) {
+#if defined(__AVX2__) && !defined(__AVX512F__)
+  return (ShortV)_mm256_max_epi16((__m256i)a, (__m256i)b);
+#else
+  const ShortV m = (ShortV)(a > b);
+  return (a & m) | (b & ~m);
+#endif
+}
+/// a - b, or 0 when that is negative.
+SOFTGL_INLINE ShortV difference(ShortV a, ShortV b) { return greater(a, b) - b; }
+
+/// The alpha of every word in both halves.
+SOFTGL_INLINE ShortV alpha_of(const Halves& h) {
+  const IntV a = (IntV)((UintV)(IntV)h.ga >> 16);
+  return (ShortV)(a | (a << 16));
+}
+
+SOFTGL_INLINE Halves factor_of(BlendFactor factor, const Halves& s, const Halves& d,
+                               const uint8_t* constant) {
+  const ShortV full = ShortV{} + uint16_t(255);
+  auto both = [](ShortV v) { return Halves{v, v}; };
+  auto inverse = [&](const Halves& h) { return Halves{full - h.rb, full - h.ga}; };
+  const Halves color = {(ShortV)splat(int32_t(constant[0] | constant[2] << 16)),
+                        (ShortV)splat(int32_t(constant[1] | constant[3] << 16))};
+  const ShortV constant_alpha = ShortV{} + uint16_t(constant[3]);
+  switch (factor) {
+  case BlendFactor::Zero: return both(ShortV{});
+  case BlendFactor::One: return both(full);
+  case BlendFactor::SourceColor: return s;
+  case BlendFactor::OneMinusSourceColor: return inverse(s);
+  case BlendFactor::SourceAlpha: return both(alpha_of(s));
+  case BlendFactor::OneMinusSourceAlpha: return both(full - alpha_of(s));
+  case BlendFactor::DestinationAlpha: return both(alpha_of(d));
+  case BlendFactor::OneMinusDestinationAlpha: return both(full - alpha_of(d));
+  case BlendFactor::DestinationColor: return d;
+  case BlendFactor::OneMinusDestinationColor: return inverse(d);
+  case BlendFactor::SourceAlphaSaturate: {
+    const ShortV f = lesser(alpha_of(s), full - alpha_of(d));
+    return {f, (ShortV)(((IntV)f & 0xffff) | (255 << 16))};
+  }
+  case BlendFactor::ConstantColor: return color;
+  case BlendFactor::OneMinusConstantColor: return inverse(color);
+  case BlendFactor::ConstantAlpha: return both(constant_alpha);
+  case BlendFactor::OneMinusConstantAlpha: return both(full - constant_alpha);
+  }
+  return both(ShortV{});
+}
+
+/// The rgb factor's halves with alpha taken from another factor.
+SOFTGL_INLINE Halves with_alpha(const Halves& rgb, const Halves& alpha) {
+  return {rgb.rb, (ShortV)(((IntV)rgb.ga & 0xffff) | ((IntV)alpha.ga & int32_t(0xffff0000)))};
+}
+
+SOFTGL_INLINE ShortV combine(BlendEquation equation, ShortV s, ShortV sf, ShortV d, ShortV df) {
+  switch (equation) {
+  case BlendEquation::Min: return lesser(s, d);
+  case BlendEquation::Max: return greater(s, d);
+  case BlendEquation::Subtract: return difference(multiply_8(s, sf), multiply_8(d, df));
+  case BlendEquation::ReverseSubtract: return difference(multiply_8(d, df), multiply_8(s, sf));
+  case BlendEquation::Add: break;
+  }
+  return lesser(multiply_8(s, sf) + multiply_8(d, df), ShortV{} + uint16_t(255));
+}
+
+/// Blends as the key says.
+static IntV blend_words(const FragmentKey& key, const FragmentConstants& k, IntV source, IntV target) {
+  const Halves s = split(source), d = split(target);
+  Halves sf = factor_of(BlendFactor(key.blend_source_rgb), s, d, k.blend_color_8);
+  Halves df = factor_of(BlendFactor(key.blend_destination_rgb), s, d, k.blend_color_8);
+  if (key.blend_source_alpha != key.blend_source_rgb)
+    sf = with_alpha(sf, factor_of(BlendFactor(key.blend_source_alpha), s, d, k.blend_color_8));
+  if (key.blend_destination_alpha != key.blend_destination_rgb)
+    df = with_alpha(df, factor_of(BlendFactor(key.blend_destination_alpha), s, d, k.blend_color_8));
+  const auto equation = BlendEquation(key.blend_equation);
+  return join({combine(equation, s.rb, sf.rb, d.rb, df.rb), combine(equation, s.ga, sf.ga, d.ga, df.ga)});
+}
+
+/// SRC_ALPHA, ONE_MINUS_SRC_ALPHA with ADD, the blending that is used most.
+SOFTGL_INLINE IntV blend_over(IntV source, IntV target) {
+  const Halves s = split(source), d = split(target);
+  const ShortV a = alpha_of(s), b = (ShortV{} + uint16_t(255)) - a;
+  const ShortV top = ShortV{} + uint16_t(255);
+  return join({lesser(multiply_8(s.rb, a) + multiply_8(d.rb, b), top),
+               lesser(multiply_8(s.ga, a) + multiply_8(d.ga, b), top)});
+}
+SOFTGL_INLINE bool is_over(const FragmentKey& key) {
+  const auto source = uint64_t(BlendFactor::SourceAlpha),
+             destination = uint64_t(BlendFactor::OneMinusSourceAlpha);
+  return key.blend && key.blend_equation == uint64_t(BlendEquation::Add) && key.blend_source_rgb == source &&
+         key.blend_source_alpha == source && key.blend_destination_rgb == destination &&
+         key.blend_destination_alpha == destination;
+}
+
+/// GL 1.5, 4.1.9; `operation` counts from GL_CLEAR.
+SOFTGL_INLINE IntV logic_words(unsigned operation, IntV s, IntV d) {
+  switch (operation) {
+  case 0: return IntV{};
+  case 1: return s & d;
+  case 2: return s & ~d;
+  case 4: return ~s & d;
+  case 5: return d;
+  case 6: return s ^ d;
+  case 7: return s | d;
+  case 8: return ~(s | d);
+  case 9: return ~(s ^ d);
+  case 10: return ~d;
+  case 11: return s | ~d;
+  case 12: return ~s;
+  case 13: return ~s | d;
+  case 14: return ~(s & d);
+  case 15: return splat(-1);
+  default: return s; // GL_COPY
+  }
+}
+
+} // namespace SOFTGL_ISA
+} // namespace softgl

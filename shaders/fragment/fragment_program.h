@@ -1,0 +1,31 @@
+// A fragment program: key, constants and the list of stages that fill a block's final colours.
+#pragma once
+
+#include "shaders/fragment/fragment_block.h"
+#include "shaders/fragment/fragment_constants.h"
+#include "shaders/fragment/fragment_key.h"
+
+namespace softgl {
+
+struct FragmentStep {
+  FragmentStage stage;
+  int32_t unit; // texture unit, or 0
+};
+
+struct FragmentProgram {
+  static constexpr int kMaxSteps = 32;
+  FragmentKey key;
+  const FragmentConstants* constants;
+  int32_t step_count;
+  FragmentStep step[kMaxSteps];
+  uint8_t r_units;   // units whose stages read the r coordinate too (three-dimensional, cube map and compared
+                     // textures)
+  uint8_t lod_units; // units whose stages read differences of coordinates across a 2x2 quad, to find a level
+                     // or a filter
+  bool writes_depth; // a stage sets the depth, which cannot be tested before
+  bool reads_quads;  // a stage looks at the other pixels of its 2x2 quad: blocks must be strips
+
+  void add(FragmentStage stage, int32_t unit = 0) { step[step_count++] = {stage, unit}; }
+};
+
+} // namespace softgl

@@ -1,0 +1,158 @@
+// Facing, culling and boxes of triangles, and the pixels of tiny ones, lane = triangle.
+#pragma once
+
+#include "shaders/raster/raster_snap.inl"
+
+namespace softgl {
+namespace SOFTGL_ISA {
+
+/// Positions and boxes of a batch, for a second look at them.
+struct SnappedBatch {
+  alignas(64) int32_t x[3][kSetupBatch], y[3][kSetupBatch];            // corners
+  alignas(64) int32_t column[kSetupBatch], row[kSetupBatch];           // the box's first pixel
+  alignas(64) int32_t last_column[kSetupBatch], last_row[kSetupBatch]; // counted from there
+};
+
+/// Sorts out the triangles of a batch that can be seen, small and large.
+static void classify_triangles(const RasterDraw& draw, const TriangleInput& in, SnappedBatch& batch,
+                               TriangleOutput& out) {
+  const RasterConstants& r = *draw.raster;
+  out.small = out.large = out.negative = 0;
+  uint64_t beyond = 0; // small ones with more pixels a side than kTinyBox
+  IntV box_pixels = IntV{};
+  for (int base = 0; base < in.count; base += kWidth) {
+    const int lanes = in.count - base < kWidth ? in.count - base : kWidth;
+    IntV x[3], y[3];
+    IntV valid = splat(-1);
+    for (int k = 0; k < 3; ++k) {
+      const ShadedVertices::Slot* const* corner = in.corner[k] + base;
+      FloatV p[4];
+      if (lanes == kWidth)
+        load_transposed(
+            [&](int i) __attribute__((always_inline)) { return corner[i]->v; }, p);
+      else
+        load_transposed(
+            [&](int i) __attribute__((always_inline)) { return corner[i < lanes ? i : 0]->v; }, p);
+      const FloatV sx = snap_scaled(p[0]), sy = snap_scaled(p[1]);
+      valid &= (sx < kMaxSnapped) & (sx > -kMaxSnapped) & (sy < kMaxSnapped) & (sy > -kMaxSnapped);
+      x[k] = round_to_int(sx) & valid,
+      y[k] = round_to_int(sy) & valid; // no sums of lanes that are out of range
+    }
+    const IntV column = max_(first_column(x), splat(r.x0)), row = max_(first_row(y), splat(r.y0));
+    const IntV w = min_(last_column(x), splat(r.x1 - 1)) - column,
+               h = min_(last_row(y), splat(r.y1 - 1)) - row;
+    valid &= (w >= 0) & (h >= 0);
+    uint32_t alive = sign_bits(valid) & ((lanes == 32 ? 0u : 1u << lanes) - 1u);
+    if (alive == 0) continue;
+
+    // 32 bits hold the area, and edge functions relative to the box, of triangles up to 64 pixels wide and
+    // high.
+    const IntV extent_fits = ((greatest(x) - least(x)) < (1 << 14)) & ((greatest(y) - least(y)) < (1 << 14));
+    // Where they are larger it may wrap, which only unsigned numbers may do.
+    const IntV area =
+        (IntV)((UintV)multiply(x[0] - x[1], y[2] - y[0]) - (UintV)multiply(x[2] - x[0], y[0] - y[1]));
+    const IntV negative = area<0, positive = area> 0;
+    const IntV kept = (negative & splat(r.cull & 2 ? 0 : -1)) | (positive & splat(r.cull & 1 ? 0 : -1));
+    const uint32_t wide = alive & ~sign_bits(extent_fits);
+    alive &= sign_bits(kept) | wide;
+    uint32_t negative_bits = sign_bits(negative);
+    if (wide) {
+      alignas(64) int32_t ax[3][kWidth], ay[3][kWidth];
+      for (int k = 0; k < 3; ++k) store(ax[k], x[k]), store(ay[k], y[k]);
+      for (uint32_t bits = wide; bits; bits &= bits - 1) {
+        const int i = __builtin_ctz(bits);
+        const int64_t exact = int64_t(ax[0][i] - ax[1][i]) * (ay[2][i] - ay[0][i]) -
+                              int64_t(ax[2][i] - ax[0][i]) * (ay[0][i] - ay[1][i]);
+        const bool culled = exact == 0 || (exact > 0 ? r.cull & 1 : r.cull & 2);
+        if (culled) alive &= ~(1u << i);
+        negative_bits = (negative_bits & ~(1u << i)) | (exact < 0 ? 1u << i : 0u);
+      }
+    }
+    if (alive == 0) continue;
+    const uint32_t small =
+        draw.small ? alive & sign_bits(extent_fits & (w < kSmallBox) & (h < kSmallBox)) : 0;
+    if (small) {
+      beyond |= uint64_t(small & sign_bits((w >= kTinyBox) | (h >= kTinyBox))) << base;
+      box_pixels += multiply(w + 1, h + 1) & mask_of_bits(small);
+      const IntV last_x = column + w, last_y = row + h;
+      store(out.tile + base, multiply(row >> 6, splat(in.tiles_x)) + (column >> 6));
+      store(out.further + base, (((column ^ last_x) >> 6 != 0) & 1) | (((row ^ last_y) >> 6 != 0) & 2));
+      for (int k = 0; k < 3; ++k) store(batch.x[k] + base, x[k]), store(batch.y[k] + base, y[k]);
+      store(batch.column + base, column), store(batch.row + base, row);
+      store(batch.last_column + base, w), store(batch.last_row + base, h);
+    }
+    out.small |= uint64_t(small) << base, out.large |= uint64_t(alive & ~small) << base,
+        out.negative |= uint64_t(negative_bits) << base;
+  }
+  int32_t sum = 0;
+  for (int i = 0; i < kWidth; ++i) sum += box_pixels[i];
+  out.tiny = !beyond && sum < in.tiny_pixels * __builtin_popcountll(out.small);
+}
+
+/// Unsigned, because in lanes that are not alive the sums may wrap.
+struct EdgeV {
+  UintV c, a, b; // inside iff c - 256 * a * dx + 256 * b * dy >= 0; a and b are kept times 256
+};
+SOFTGL_INLINE EdgeV edge_of(IntV xi, IntV yi, IntV xj, IntV yj) {
+  EdgeV e;
+  const IntV a = yi - yj, b = xi - xj;
+  const IntV included = (a < 0) | ((a == 0) & (b < 0)); // all ones: centres on the edge are inside
+  e.c = (UintV)multiply(a, xi) - (UintV)multiply(b, yi) - 1 - (UintV)included;
+  e.a = (UintV)a << 8, e.b = (UintV)b << 8;
+  return e;
+}
+
+/// The part of a box's pixels (bit 8 * dy + dx) that columns 0 .. w and rows 0 .. h have.
+SOFTGL_INLINE uint64_t box_pixels(int32_t w, int32_t h) {
+  return ((uint64_t(0xff) >> (7 - w)) * 0x0101010101010101u) & (~uint64_t(0) >> (8 * (7 - h)));
+}
+
+/// Finds the pixels of the small triangles of a tiny batch: bit 8 * dy + dx of their boxes. Those without any
+/// are small no more.
+static void cover_tiny(const SnappedBatch& batch, int count, TriangleOutput& out) {
+  const uint64_t small_before = out.small;
+  out.small = 0;
+  for (int base = 0; base < count; base += kWidth) {
+    constexpr uint64_t kAll = (uint64_t(1) << (kWidth - 1) << 1) - 1;
+    const uint32_t small = uint32_t(small_before >> base & kAll);
+    if (!small) continue;
+    const IntV negative = mask_of_bits(uint32_t(out.negative >> base)), mine = mask_of_bits(small),
+               zero = IntV{};
+    const IntV column = load(batch.column + base), row = load(batch.row + base),
+               w = load(batch.last_column + base), h = load(batch.last_row + base);
+    IntV x[3], y[3];
+    for (int k = 0; k < 3; ++k) x[k] = load(batch.x[k] + base), y[k] = load(batch.y[k] + base);
+    // Edges accept nothing outside the box of the triangle, but they know of no scissor box.
+    const IntV clipped = (column + w != last_column(x)) | (row + h != last_row(y));
+    for (int k = 0; k < 3; ++k) x[k] -= column << 8, y[k] -= row << 8;
+    const IntV x0 = choose(negative, x[1], x[0]), y0 = choose(negative, y[1], y[0]),
+               x1 = choose(negative, x[0], x[1]), y1 = choose(negative, y[0], y[1]);
+    EdgeV e0 = edge_of(x0, y0, x1, y1), e1 = edge_of(x1, y1, x[2], y[2]), e2 = edge_of(x[2], y[2], x0, y0);
+    int columns = 1, rows = 1;
+    while (columns < kTinyBox && sign_bits((w >= columns) & mine)) ++columns;
+    while (rows < kTinyBox && sign_bits((h >= rows) & mine)) ++rows;
+    IntV mask[2] = {zero, zero};
+    for (int dy = 0; dy < rows; ++dy) {
+      UintV r0 = e0.c, r1 = e1.c, r2 = e2.c;
+      UintV bits = UintV{}; // bit dx, counted from the top
+      for (int dx = 0; dx < columns; ++dx) {
+        bits = (bits >> 1) | (~(r0 | r1 | r2) & 0x80000000u);
+        r0 -= e0.a, r1 -= e1.a, r2 -= e2.a;
+      }
+      mask[dy >> 2] |= (IntV)((bits >> (32 - columns)) << (8 * (dy & 3)));
+      e0.c += e0.b, e1.c += e1.b, e2.c += e2.b;
+    }
+    store(out.rows0to3 + base, mask[0]), store(out.rows4to7 + base, mask[1]);
+    for (uint32_t bits = small & sign_bits(clipped); bits; bits &= bits - 1) {
+      const int i = __builtin_ctz(bits);
+      const uint64_t box = box_pixels(w[i], h[i]);
+      out.rows0to3[base + i] &= uint32_t(box), out.rows4to7[base + i] &= uint32_t(box >> 32);
+    }
+    const uint32_t none = sign_bits((load(out.rows0to3 + base) | load(out.rows4to7 + base)) == zero);
+    store(out.position + base, (row << 16) + column);
+    out.small |= uint64_t(small & ~none) << base;
+  }
+}
+
+} // namespace SOFTGL_ISA
+} // namespace softgl

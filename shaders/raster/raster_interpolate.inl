@@ -1,0 +1,168 @@
+// Attribute values at pixels: into a FragmentBlock, from the planes of one primitive.
+#pragma once
+
+#include "shaders/raster/raster_setup.inl"
+
+namespace softgl {
+namespace SOFTGL_ISA {
+
+SOFTGL_INLINE FloatV at(const Plane& p, FloatV x, FloatV y) {
+  return splat(p.gy) * y + (splat(p.gx) * x + splat(p.a));
+}
+
+/// Differences across each 2x2 quad of a strip of 8x2 pixels, the same in all four lanes of a quad.
+SOFTGL_INLINE void quad_differences(const float* value, float* dx, float* dy) {
+  if constexpr (kWidth == 16) {
+    const FloatV v = load(value), even = even_lanes(v), x = odd_lanes(v) - even;
+    alignas(64) float corner[16], across[16];
+    store(corner, even), store(across, x);
+    for (int i = 0; i < 8; ++i) {
+      dx[i] = dx[i + 8] = across[i];
+      dy[i] = dy[i + 8] = corner[i + 8] - corner[i];
+    }
+  } else {
+    for (int i = 0; i < 8; i += kWidth) {
+      const FloatV top = load(value + i), bottom = load(value + 8 + i), corner = even_lanes(top);
+      const FloatV x = odd_lanes(top) - corner, y = even_lanes(bottom) - corner;
+      store(dx + i, x), store(dx + 8 + i, x);
+      store(dy + i, y), store(dy + 8 + i, y);
+    }
+  }
+}
+
+/// What is read of a unit's coordinates: s and t, or s, t and r; and their differences across 2x2 quads.
+struct CoordinatesRead {
+  int count;
+  bool differences;
+};
+SOFTGL_INLINE CoordinatesRead coordinates_read(const FragmentProgram& program, int unit) {
+  return {program.r_units >> unit & 1 ? 3 : 2, (program.lod_units >> unit & 1) != 0};
+}
+
+SOFTGL_INLINE float* lanes_of(FragmentBlock& block, const Varying& v, int component) {
+  return reinterpret_cast<float*>(reinterpret_cast<char*>(&block) + v.lanes) + component * kLanes;
+}
+
+template <int n> struct Count {
+  constexpr operator int() const { return n; }
+};
+
+/// Fills the inputs of lanes [0, block.lanes), which are strips of one primitive; block.x and block.y are
+/// set.
+static void interpolate_block(const RasterDraw& draw, const RasterPrimitive& p, FragmentBlock& block) {
+  const FragmentProgram& program = *draw.program;
+  const int lanes = block.lanes;
+  alignas(64) float x[kLanes], y[kLanes], w[kLanes];
+  for (int i = 0; i < lanes; i += kWidth) {
+    const FloatV vx = to_float(load(block.x + i)), vy = to_float(load(block.y + i));
+    store(x + i, vx), store(y + i, vy);
+    store(w + i, p.w_is_one ? splat(1.0f) : splat(1.0f) / at(p.plane[kPlaneW], vx, vy));
+  }
+  auto fill = [&](const Plane* plane, float* out, bool constant, auto components)
+      __attribute__((always_inline)) {
+    PlaneV q[components];
+    for (int k = 0; k < components; ++k) q[k] = {splat(plane[k].a), splat(plane[k].gx), splat(plane[k].gy)};
+    for (int i = 0; i < lanes; i += kWidth) {
+      const FloatV vx = load(x + i), vy = load(y + i), vw = load(w + i);
+      for (int k = 0; k < components; ++k)
+        store(out + k * kLanes + i, constant ? q[k].a : value_at(q[k], vx, vy) * vw);
+    }
+  };
+  for (int i = 0; i < draw.varying_count; ++i) {
+    const Varying& v = draw.varying[i];
+    const Plane* plane = p.plane + v.plane;
+    float* out = lanes_of(block, v, 0);
+    if (v.components == 4)
+      fill(plane, out, v.flat, Count<4>());
+    else if (v.components == 3)
+      fill(plane, out, v.flat, Count<3>());
+    else
+      for (int k = 0; k < v.components; ++k) fill(plane + k, out + k * kLanes, v.flat, Count<1>());
+  }
+  if (draw.facing)
+    for (int i = 0; i < lanes; i += kWidth) store(block.back + i, splat(-int32_t(p.back)));
+  for (int u = 0; u < kBlockTextureUnits; ++u) {
+    if (draw.unit_plane[u] < 0) continue;
+    const Plane* q = p.plane + draw.unit_plane[u];
+    BlockCoordinates& t = block.unit[u];
+    float* value[3] = {t.s, t.t, t.r};
+    float* dx[3] = {t.ds_dx, t.dt_dx, t.dr_dx};
+    float* dy[3] = {t.ds_dy, t.dt_dy, t.dr_dy};
+    const CoordinatesRead read = coordinates_read(program, u);
+    const bool flat = draw.flat_units >> u & 1;
+    for (int i = 0; i < lanes; i += kWidth) {
+      const FloatV vx = load(x + i), vy = load(y + i), vw = flat ? splat(1.0f) : load(w + i);
+      const FloatV rq = splat(1.0f) / (at(q[3], vx, vy) * vw);
+      for (int k = 0; k < read.count; ++k) store(value[k] + i, (at(q[k], vx, vy) * vw) * rq);
+    }
+    if (!read.differences) continue;
+    for (int k = 0; k < read.count; ++k)
+      for (int i = 0; i < lanes; i += kStripLanes) quad_differences(value[k] + i, dx[k] + i, dy[k] + i);
+  }
+}
+
+/// 1/w for the coordinates of a unit: 1 where they are not interpolated.
+SOFTGL_INLINE PlaneV plane_of_w(const RasterDraw& draw, int unit, const PlaneV& w) {
+  return draw.flat_units >> unit & 1 ? PlaneV{splat(1.0f), FloatV{}, FloatV{}} : w;
+}
+
+/// Coordinates of one unit for lanes [lane, lane + kWidth), each with its own planes: at the lane's pixel and
+/// at three corners of its 2x2 quad.
+SOFTGL_INLINE void interpolate_unit(BlockCoordinates& t, int lane, CoordinatesRead read, const PlaneV& w,
+                                    const PlaneV q[4], IntV px, IntV py) {
+  float* value[3] = {t.s, t.t, t.r};
+  float* dx[3] = {t.ds_dx, t.dt_dx, t.dr_dx};
+  float* dy[3] = {t.ds_dy, t.dt_dy, t.dr_dy};
+  const FloatV x = to_float(px), y = to_float(py), one = splat(1.0f);
+  const FloatV w_here = one / value_at(w, x, y), q_here = one / (value_at(q[3], x, y) * w_here);
+  for (int k = 0; k < read.count; ++k) store(value[k] + lane, (value_at(q[k], x, y) * w_here) * q_here);
+  if (!read.differences) return;
+  const FloatV x0 = to_float(px & ~1), y0 = to_float(py & ~1), x1 = x0 + 1.0f, y1 = y0 + 1.0f;
+  const FloatV w00 = one / value_at(w, x0, y0), w10 = one / value_at(w, x1, y0),
+               w01 = one / value_at(w, x0, y1);
+  const FloatV q00 = one / (value_at(q[3], x0, y0) * w00), q10 = one / (value_at(q[3], x1, y0) * w10),
+               q01 = one / (value_at(q[3], x0, y1) * w01);
+  for (int k = 0; k < read.count; ++k) {
+    const FloatV v00 = (value_at(q[k], x0, y0) * w00) * q00;
+    store(dx[k] + lane, (value_at(q[k], x1, y0) * w10) * q10 - v00);
+    store(dy[k] + lane, (value_at(q[k], x0, y1) * w01) * q01 - v00);
+  }
+}
+
+/// Fills the inputs of lanes [0, block.lanes), each of its own primitive.
+static void interpolate_lanes(const RasterDraw& draw, const RasterPrimitive* const* primitive,
+                              FragmentBlock& block) {
+  const FragmentProgram& program = *draw.program;
+  for (int i = 0; i < block.lanes; i += kWidth) {
+    const IntV px = load(block.x + i), py = load(block.y + i);
+    const FloatV x = to_float(px), y = to_float(py);
+    auto plane = [&](int index) {
+      FloatV v[4];
+      load_transposed(
+          [&](int k) __attribute__((always_inline)) { return &primitive[i + k]->plane[index].a; }, v);
+      return PlaneV{v[0], v[1], v[2]};
+    };
+    const PlaneV w = plane(kPlaneW);
+    const FloatV rw = splat(1.0f) / value_at(w, x, y);
+    auto put = [&](int index, float* out, bool constant) {
+      const PlaneV p = plane(index);
+      store(out + i, constant ? p.a : value_at(p, x, y) * rw);
+    };
+    for (int v = 0; v < draw.varying_count; ++v)
+      for (int k = 0; k < draw.varying[v].components; ++k)
+        put(draw.varying[v].plane + k, lanes_of(block, draw.varying[v], k), draw.varying[v].flat);
+    if (draw.facing)
+      for (int k = 0; k < kWidth; ++k) block.back[i + k] = -int32_t(primitive[i + k]->back);
+    for (int u = 0; u < kBlockTextureUnits; ++u) {
+      if (draw.unit_plane[u] < 0) continue;
+      const CoordinatesRead read = coordinates_read(program, u);
+      PlaneV q[4];
+      for (int k = 0; k < read.count; ++k) q[k] = plane(draw.unit_plane[u] + k);
+      q[3] = plane(draw.unit_plane[u] + 3);
+      interpolate_unit(block.unit[u], i, read, plane_of_w(draw, u, w), q, px, py);
+    }
+  }
+}
+
+} // namespace SOFTGL_ISA
+} // namespace softgl

@@ -1,0 +1,271 @@
+// The 13 functions of OSMesa, as OSMesa 22.3.6 answers them.
+#include <GL/osmesa.h>
+
+#include <cstdio>
+#include <cstring>
+#include <new>
+
+#include "api/names.h"
+#include "commands/framebuffer/flush.h"
+#include "context/context.h"
+#include "context/current_context.h"
+
+using namespace softgl;
+
+struct osmesa_context : Context {
+  GLenum format = OSMESA_RGBA;
+  bool ever_current = false;
+};
+
+namespace {
+
+constexpr int kMaxSize = 16384;     // what is promised
+constexpr int kSizeLimit = 1 << 16; // what the rasterizer's fixed-point coordinates can hold
+
+osmesa_context* current() {
+  Context* c = current_context;
+  return c->guard & kNoContext ? nullptr : static_cast<osmesa_context*>(c);
+}
+
+bool known_format(int format) {
+  switch (format) {
+  case OSMESA_COLOR_INDEX:
+  case OSMESA_RGBA:
+  case OSMESA_BGRA:
+  case OSMESA_ARGB:
+  case OSMESA_RGB:
+  case OSMESA_BGR:
+  case OSMESA_RGB_565: return true;
+  default: return false;
+  }
+}
+
+/// How pixels of this format and type are drawn; false when there is no such buffer.
+bool choose_color_format(GLenum format, GLenum type, ColorFormat& chosen) {
+  if (format == OSMESA_RGB_565) {
+    chosen = ColorFormat::Rgb565;
+    return type == GL_UNSIGNED_SHORT_5_6_5;
+  }
+  if (format == OSMESA_COLOR_INDEX || format == OSMESA_BGR) return false;
+  switch (type) {
+  case GL_UNSIGNED_BYTE: chosen = ColorFormat::Rgba8; return true;
+  case GL_UNSIGNED_SHORT: chosen = ColorFormat::Rgba16; return true;
+  case GL_FLOAT: chosen = ColorFormat::RgbaFloat; return true;
+  default: return false;
+  }
+}
+
+struct ContextRequest {
+  GLenum format = OSMESA_RGBA;
+  int depth = 0, stencil = 0, accumulation = 0, major = 1, minor = 0;
+};
+
+/// False for an attribute or value that is not known.
+bool read_attributes(const int* list, ContextRequest& request) {
+  for (; list[0] != 0; list += 2) {
+    const int value = list[1];
+    switch (list[0]) {
+    case OSMESA_FORMAT:
+      if (!known_format(value)) return false;
+      request.format = GLenum(value);
+      break;
+    case OSMESA_DEPTH_BITS: request.depth = value; break;
+    case OSMESA_STENCIL_BITS: request.stencil = value; break;
+    case OSMESA_ACCUM_BITS: request.accumulation = value; break;
+    case OSMESA_PROFILE:
+      // The pipeline of a core profile has no fixed functions: there is none here.
+      if (value != OSMESA_COMPAT_PROFILE) return false;
+      break;
+    case OSMESA_CONTEXT_MAJOR_VERSION: request.major = value; break;
+    case OSMESA_CONTEXT_MINOR_VERSION: request.minor = value; break;
+    default:
+      std::fprintf(stderr, "OSMesaCreateContextAttribs(unknown attribute 0x%x)\n", unsigned(list[0]));
+      return false;
+    }
+  }
+  return request.depth >= 0 && request.stencil >= 0 && request.accumulation >= 0 && request.major >= 1 &&
+         request.minor >= 0;
+}
+
+void leave(Context* c) {
+  if (c && !(c->guard & kNoContext)) finish_and_resolve(*c);
+}
+
+const struct {
+  const char* name;
+  OSMESAproc function;
+} kFunctions[] = {{"OSMesaCreateContext", OSMESAproc(OSMesaCreateContext)},
+                  {"OSMesaCreateContextExt", OSMESAproc(OSMesaCreateContextExt)},
+                  {"OSMesaCreateContextAttribs", OSMESAproc(OSMesaCreateContextAttribs)},
+                  {"OSMesaDestroyContext", OSMESAproc(OSMesaDestroyContext)},
+                  {"OSMesaMakeCurrent", OSMESAproc(OSMesaMakeCurrent)},
+                  {"OSMesaGetCurrentContext", OSMESAproc(OSMesaGetCurrentContext)},
+                  {"OSMesaPixelStore", OSMESAproc(OSMesaPixelStore)},
+                  {"OSMesaGetIntegerv", OSMESAproc(OSMesaGetIntegerv)},
+                  {"OSMesaGetDepthBuffer", OSMESAproc(OSMesaGetDepthBuffer)},
+                  {"OSMesaGetColorBuffer", OSMESAproc(OSMesaGetColorBuffer)},
+                  {"OSMesaGetProcAddress", OSMESAproc(OSMesaGetProcAddress)},
+                  {"OSMesaColorClamp", OSMESAproc(OSMesaColorClamp)},
+                  {"OSMesaPostprocess", OSMESAproc(OSMesaPostprocess)}};
+
+} // namespace
+
+extern "C" {
+
+SOFTGL_EXPORT OSMesaContext OSMesaCreateContext(GLenum format, OSMesaContext sharelist) {
+  return OSMesaCreateContextExt(format, 24, 8, 0, sharelist);
+}
+
+SOFTGL_EXPORT OSMesaContext OSMesaCreateContextExt(GLenum format, GLint depthBits, GLint stencilBits,
+                                                   GLint accumBits, OSMesaContext sharelist) {
+  const int attributes[] = {OSMESA_FORMAT,     int(format),         OSMESA_DEPTH_BITS,
+                            depthBits,         OSMESA_STENCIL_BITS, stencilBits,
+                            OSMESA_ACCUM_BITS, accumBits,           0};
+  return OSMesaCreateContextAttribs(attributes, sharelist);
+}
+
+SOFTGL_EXPORT OSMesaContext OSMesaCreateContextAttribs(const int* attribList, OSMesaContext sharelist) {
+  ContextRequest request;
+  if (attribList && !read_attributes(attribList, request)) return nullptr;
+  // What GL 1.5 can be asked for: OSMesa answers with the newest compatible version, which here is 1.5.
+  if (request.major > 1 || request.minor > 5) return nullptr;
+  try {
+    auto* c = new osmesa_context;
+    c->format = request.format;
+    Framebuffer& f = c->framebuffer;
+    f.has_alpha = request.format != OSMESA_RGB && request.format != OSMESA_RGB_565;
+    f.stencil_bits = request.stencil > 0 ? 8 : 0;
+    f.depth_bits = request.depth <= 0                           ? 0
+                   : request.stencil > 0 || request.depth >= 24 ? 24
+                   : request.depth >= 16                        ? 16
+                                                                : 0;
+    f.accumulation_bits = request.accumulation > 0 ? 16 : 0;
+    f.client.format = request.format;
+    if (sharelist) c->shared = sharelist->shared;
+    return c;
+  } catch (...) { return nullptr; }
+}
+
+SOFTGL_EXPORT void OSMesaDestroyContext(OSMesaContext ctx) {
+  if (!ctx) return;
+  // The buffer is not written: programs free it first and then destroy the context.
+  if (current_context == ctx) current_context = none_context();
+  delete ctx;
+}
+
+SOFTGL_EXPORT GLboolean OSMesaMakeCurrent(OSMesaContext ctx, void* buffer, GLenum type, GLsizei width,
+                                          GLsizei height) {
+  if (!ctx && !buffer) {
+    leave(current_context);
+    current_context = none_context();
+    return GL_TRUE;
+  }
+  if (!ctx || !buffer || width < 1 || height < 1 || width > kSizeLimit || height > kSizeLimit)
+    return GL_FALSE;
+  ColorFormat color_format;
+  if (!choose_color_format(ctx->format, type, color_format)) {
+    std::fprintf(stderr, "OSMesaMakeCurrent(unsupported format/type)\n");
+    return GL_FALSE;
+  }
+  Framebuffer& f = ctx->framebuffer;
+  bool new_planes = false;
+  try {
+    if (current_context != ctx) leave(current_context);
+    if (f.surface.width != width || f.surface.height != height || f.surface.color_format != color_format) {
+      flush_rendering(*ctx);
+      if (!f.allocate(width, height, color_format)) {
+        set_error(*ctx, GL_OUT_OF_MEMORY);
+        return GL_FALSE;
+      }
+      f.unresolved = false;
+      f.depth_copy.clear();
+      new_planes = true;
+    }
+  } catch (...) { return GL_FALSE; }
+  f.client.data = buffer;
+  f.client.type = type;
+  if (new_planes) prepare_first_frame(*ctx);
+  if (!ctx->ever_current) {
+    ctx->ever_current = true;
+    ctx->state.viewport.width = ctx->state.scissor.width = width;
+    ctx->state.viewport.height = ctx->state.scissor.height = height;
+  }
+  ctx->dirty = kDirtyAll;
+  current_context = ctx;
+  return GL_TRUE;
+}
+
+SOFTGL_EXPORT OSMesaContext OSMesaGetCurrentContext() { return current(); }
+
+SOFTGL_EXPORT void OSMesaPixelStore(GLint pname, GLint value) {
+  osmesa_context* c = current();
+  if (!c) return;
+  switch (pname) {
+  case OSMESA_ROW_LENGTH: c->framebuffer.client.row_length = value; return;
+  case OSMESA_Y_UP: c->framebuffer.client.y_up = value != 0; return;
+  default: std::fprintf(stderr, "OSMesaPixelStore(unknown parameter 0x%x)\n", unsigned(pname)); return;
+  }
+}
+
+SOFTGL_EXPORT void OSMesaGetIntegerv(GLint pname, GLint* value) {
+  if (!value) return;
+  const osmesa_context* c = current();
+  switch (pname) {
+  case OSMESA_WIDTH: *value = c ? c->framebuffer.surface.width : 0; return;
+  case OSMESA_HEIGHT: *value = c ? c->framebuffer.surface.height : 0; return;
+  case OSMESA_FORMAT: *value = c ? GLint(c->format) : 0; return;
+  case OSMESA_TYPE: *value = c ? GLint(c->framebuffer.client.type) : 0; return;
+  case OSMESA_ROW_LENGTH: *value = c ? c->framebuffer.client.row_length : 0; return;
+  case OSMESA_Y_UP: *value = c ? c->framebuffer.client.y_up : 0; return;
+  case OSMESA_MAX_WIDTH:
+  case OSMESA_MAX_HEIGHT: *value = kMaxSize; return;
+  default: std::fprintf(stderr, "OSMesaGetIntegerv(unknown parameter 0x%x)\n", unsigned(pname)); return;
+  }
+}
+
+SOFTGL_EXPORT GLboolean OSMesaGetDepthBuffer(OSMesaContext c, GLint* width, GLint* height,
+                                             GLint* bytesPerValue, void** buffer) {
+  GLint w = 0, h = 0, bytes = 0;
+  void* data = nullptr;
+  if (c && c->framebuffer.surface.depth_stencil && depth_copy_bytes(c->framebuffer) > 0) {
+    Framebuffer& f = c->framebuffer;
+    try {
+      if (f.depth_copy.empty()) {
+        flush_rendering(*c);
+        copy_depth(f);
+      }
+      w = f.surface.width;
+      h = f.surface.height;
+      bytes = depth_copy_bytes(f);
+      data = f.depth_copy.data();
+    } catch (...) { f.depth_copy.clear(); }
+  }
+  if (width) *width = w;
+  if (height) *height = h;
+  if (bytesPerValue) *bytesPerValue = bytes;
+  if (buffer) *buffer = data;
+  return data ? GL_TRUE : GL_FALSE;
+}
+
+SOFTGL_EXPORT GLboolean OSMesaGetColorBuffer(OSMesaContext c, GLint* width, GLint* height, GLint* format,
+                                             void** buffer) {
+  const bool there = c && c->framebuffer.surface.color;
+  if (width) *width = there ? c->framebuffer.surface.width : 0;
+  if (height) *height = there ? c->framebuffer.surface.height : 0;
+  if (format) *format = there ? GLint(c->format) : 0;
+  if (buffer) *buffer = there ? c->framebuffer.client.data : nullptr;
+  return there ? GL_TRUE : GL_FALSE;
+}
+
+SOFTGL_EXPORT OSMESAproc OSMesaGetProcAddress(const char* funcName) {
+  if (!funcName) return nullptr;
+  for (const auto& f : kFunctions)
+    if (std::strcmp(f.name, funcName) == 0) return f.function;
+  return find_door(funcName);
+}
+
+SOFTGL_EXPORT void OSMesaColorClamp(GLboolean) {} // fixed-point surfaces always clamp, others never
+
+SOFTGL_EXPORT void OSMesaPostprocess(OSMesaContext, const char*, unsigned) {}
+
+} // extern "C"

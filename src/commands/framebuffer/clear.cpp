@@ -1,0 +1,113 @@
+// glClear and its values (GL 1.5, 4.2.3).
+#include <algorithm>
+#include <cmath>
+
+#include "base/unit_range.h"
+#include "commands/framebuffer/flush.h"
+#include "commands/generated/commands.h"
+#include "context/context.h"
+
+namespace softgl {
+namespace {
+
+/// OSMesa 22.3.6: float to integer rounds to nearest even; where it clears by drawing a rectangle (a part of
+/// the surface or of its components), 5 and 6 bits are cut from the 8-bit value, as everything drawn is.
+void store_color(ColorFormat format, const Vec4& color, bool drawn, float (&value)[4]) {
+  for (int i = 0; i < 4; ++i) {
+    switch (format) {
+    case ColorFormat::Rgba8: value[i] = std::nearbyint(unit_range(color[i]) * 255.0f); break;
+    case ColorFormat::Rgba16: value[i] = std::nearbyint(unit_range(color[i]) * 65535.0f); break;
+    case ColorFormat::Rgb565: {
+      const int byte = int(std::nearbyint(unit_range(color[i]) * 255.0f));
+      if (drawn)
+        value[i] = float(i == 1 ? byte >> 2 : byte >> 3);
+      else
+        value[i] = std::nearbyint(unit_range(color[i]) * (i == 1 ? 63.0f : 31.0f));
+      break;
+    }
+    case ColorFormat::RgbaFloat: value[i] = color[i]; break;
+    }
+  }
+}
+
+/// The depth in the surface's integers. OSMesa 22.3.6 clears a whole buffer in double; a part of it, or one
+/// whose stencil is masked, by drawing a rectangle, whose depth goes through float.
+uint32_t store_depth(DepthFormat format, double depth, bool drawn) {
+  const double one = largest_depth(format);
+  if (!drawn) return uint32_t(std::nearbyint(depth * one));
+  const float z = float(depth * 2.0 - 1.0) * 0.5f + 0.5f;
+  return uint32_t(std::nearbyint(unit_range(z) * float(one)));
+}
+
+} // namespace
+
+namespace gl {
+
+void Clear(Context& c, GLbitfield mask) {
+  if (mask &
+      ~GLbitfield(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT))
+    return set_error(c, GL_INVALID_VALUE);
+  if (c.state.render_mode.mode != GL_RENDER) return;
+  c.framebuffer.unresolved = true; // OSMesa: also when nothing is cleared in the end
+  const Surface& surface = c.framebuffer.surface;
+  const State& s = c.state;
+  ClearRecord record{};
+  record.x1 = surface.width;
+  record.y1 = surface.height;
+  if (s.scissor.enabled) {
+    // Window y goes down in the surface.
+    const int64_t left = s.scissor.x, right = left + s.scissor.width;
+    const int64_t bottom = int64_t(surface.height) - s.scissor.y, top = bottom - s.scissor.height;
+    const auto within = [](int64_t v, int32_t end) { return int32_t(std::clamp<int64_t>(v, 0, end)); };
+    record.x0 = within(left, surface.width);
+    record.x1 = within(right, surface.width);
+    record.y0 = within(top, surface.height);
+    record.y1 = within(bottom, surface.height);
+  }
+  if (record.x0 >= record.x1 || record.y0 >= record.y1) return;
+
+  const bool part = record.x0 > 0 || record.y0 > 0 || record.x1 < surface.width || record.y1 < surface.height;
+  if ((mask & GL_COLOR_BUFFER_BIT) && s.color_buffer.draw_buffer != GL_NONE) {
+    for (int i = 0; i < 4; ++i) {
+      record.color_mask[i] = s.color_buffer.mask[i] && (i < 3 || c.framebuffer.has_alpha);
+      record.color = record.color || record.color_mask[i];
+    }
+    const bool all = record.color_mask[0] && record.color_mask[1] && record.color_mask[2];
+    store_color(surface.color_format, s.color_buffer.clear_color, part || !all, record.color_value);
+  }
+  if ((mask & GL_DEPTH_BUFFER_BIT) && c.framebuffer.depth_bits > 0 && s.depth.mask) {
+    const GLuint stencil_mask = s.stencil.write_mask & 0xff;
+    const bool with_masked_stencil = (mask & GL_STENCIL_BUFFER_BIT) && c.framebuffer.stencil_bits > 0 &&
+                                     stencil_mask != 0 && stencil_mask != 0xff;
+    record.depth = true;
+    record.depth_value = store_depth(surface.depth_format, s.depth.clear, part || with_masked_stencil);
+  }
+  if ((mask & GL_STENCIL_BUFFER_BIT) && c.framebuffer.stencil_bits > 0 &&
+      (s.stencil.write_mask & 0xff) != 0) {
+    record.stencil = true;
+    record.stencil_value = uint32_t(s.stencil.clear) & 0xff;
+    record.stencil_write_mask = s.stencil.write_mask & 0xff;
+  }
+  if (!record.color && !record.depth && !record.stencil) return;
+  ++c.framebuffer.counts.clears;
+  if (c.frame.over_budget()) flush_rendering(c);
+  c.frame.append(c.frame.arena().make<ClearRecord>(record));
+}
+
+void ClearColor(Context& c, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
+  const Vec4 color{red, green, blue, alpha};
+  // A floating-point surface keeps what it is given, as OSMesa's does.
+  const bool fixed_point = c.framebuffer.surface.color_format != ColorFormat::RgbaFloat;
+  c.state.color_buffer.clear_color = fixed_point ? glm::clamp(color, 0.0f, 1.0f) : color;
+}
+
+void ClearIndex(Context& c, GLfloat value) { c.state.color_buffer.clear_index = value; }
+
+void ClearDepth(Context& c, GLdouble depth) {
+  c.state.depth.clear = depth > 0 ? (depth < 1 ? depth : 1.0) : 0.0;
+}
+
+void ClearStencil(Context& c, GLint s) { c.state.stencil.clear = s; }
+
+} // namespace gl
+} // namespace softgl

@@ -1,0 +1,55 @@
+#include "commands/framebuffer/flush.h"
+
+#include "base/early_pages.h"
+#include "commands/generated/commands.h"
+#include "commands/vertices/vertex_stream.h"
+#include "context/context.h"
+#include "frame/parallel.h"
+#include "frame/surface_work.h"
+#include "snapshot/flush.h"
+
+namespace softgl {
+
+void flush_rendering(Context& c) {
+  if (c.guard & kRunPending) close_run(c);
+  flush_frame(c);
+}
+
+void finish_and_resolve(Context& c) {
+  if (c.guard & kRunPending) close_run(c);
+  Framebuffer& f = c.framebuffer;
+  const Resolver resolver(f.surface, f.client);
+  if (!c.frame.empty())
+    execute_frame(c, &resolver);
+  else if (f.unresolved)
+    resolve(f.surface, f.client);
+  else
+    return;
+  f.unresolved = false;
+  if (!f.depth_copy.empty()) {
+    write_tiles(f);
+    copy_depth(f);
+  }
+  ++f.counts.resolves;
+}
+
+void prepare_first_frame(Context& c) {
+  // 4 ms of a first frame of 1024x1024 pixels and 70,000 triangles. Small surfaces see small frames; of very
+  // large ones not all may ever be drawn on.
+  constexpr int64_t kLeast = 256 * 1024, kMost = 8 << 20;
+  const Surface& s = c.framebuffer.surface;
+  const int64_t pixels = int64_t(s.width) * s.height;
+  if (pixels < kLeast || pixels > kMost) return;
+  std::vector<Pages> pages = {open_early_pages()};
+  c.frame.prepare(pages);
+  c.framebuffer.prepare(pages);
+  bring_in(pages);
+}
+
+namespace gl {
+
+void Flush(Context& c) { finish_and_resolve(c); }
+void Finish(Context& c) { finish_and_resolve(c); }
+
+} // namespace gl
+} // namespace softgl

@@ -1,0 +1,208 @@
+// Fog (GL 1.5, 3.10), per-fragment operations (4.1), and the masks and buffers of the framebuffer
+// (4.2, 4.3.2).
+#include "commands/generated/commands.h"
+#include "context/context.h"
+
+namespace softgl::gl {
+namespace {
+
+bool is_comparison(GLenum function) { return function >= GL_NEVER && function <= GL_ALWAYS; }
+
+bool is_stencil_operation(GLenum operation) {
+  switch (operation) {
+  case GL_KEEP:
+  case GL_ZERO:
+  case GL_REPLACE:
+  case GL_INCR:
+  case GL_DECR:
+  case GL_INVERT:
+  case GL_INCR_WRAP:
+  case GL_DECR_WRAP: return true;
+  default: return false;
+  }
+}
+
+bool is_blend_factor(GLenum factor, bool source) {
+  switch (factor) {
+  case GL_ZERO:
+  case GL_ONE:
+  case GL_SRC_COLOR:
+  case GL_ONE_MINUS_SRC_COLOR:
+  case GL_DST_COLOR:
+  case GL_ONE_MINUS_DST_COLOR:
+  case GL_SRC_ALPHA:
+  case GL_ONE_MINUS_SRC_ALPHA:
+  case GL_DST_ALPHA:
+  case GL_ONE_MINUS_DST_ALPHA:
+  case GL_CONSTANT_COLOR:
+  case GL_ONE_MINUS_CONSTANT_COLOR:
+  case GL_CONSTANT_ALPHA:
+  case GL_ONE_MINUS_CONSTANT_ALPHA: return true;
+  case GL_SRC_ALPHA_SATURATE: return source;
+  default: return false;
+  }
+}
+
+// There is one colour buffer: front left. OSMesa lets GL_BACK and GL_BACK_LEFT mean it, too.
+enum class BufferName { Unknown, Absent, Present };
+BufferName classify_buffer(GLenum buffer) {
+  switch (buffer) {
+  case GL_FRONT:
+  case GL_LEFT:
+  case GL_FRONT_LEFT:
+  case GL_BACK:
+  case GL_BACK_LEFT: return BufferName::Present;
+  case GL_RIGHT:
+  case GL_FRONT_RIGHT:
+  case GL_BACK_RIGHT:
+  case GL_AUX0:
+  case GL_AUX1:
+  case GL_AUX2:
+  case GL_AUX3: return BufferName::Absent;
+  default: return BufferName::Unknown;
+  }
+}
+
+} // namespace
+
+void Fog(Context& c, GLenum pname, const GLfloat* params) {
+  FogState& fog = c.state.fog;
+  const float v = params[0];
+  switch (pname) {
+  case GL_FOG_MODE:
+    if (v != float(GL_LINEAR) && v != float(GL_EXP) && v != float(GL_EXP2))
+      return set_error(c, GL_INVALID_ENUM);
+    fog.mode = GLenum(v);
+    break;
+  case GL_FOG_DENSITY:
+    if (v < 0.0f) return set_error(c, GL_INVALID_VALUE);
+    fog.density = v;
+    break;
+  case GL_FOG_START: fog.start = v; break;
+  case GL_FOG_END: fog.end = v; break;
+  case GL_FOG_INDEX: fog.index = v; break;
+  case GL_FOG_COLOR: fog.color = {params[0], params[1], params[2], params[3]}; break;
+  case GL_FOG_COORDINATE_SOURCE:
+    if (v != float(GL_FOG_COORDINATE) && v != float(GL_FRAGMENT_DEPTH)) return set_error(c, GL_INVALID_ENUM);
+    fog.coordinate_source = GLenum(v);
+    break;
+  default: return set_error(c, GL_INVALID_ENUM);
+  }
+  c.dirty |= kDirtyFragment | kDirtyLighting;
+}
+
+void Scissor(Context& c, GLint x, GLint y, GLsizei width, GLsizei height) {
+  if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
+  ScissorState& scissor = c.state.scissor;
+  scissor.x = x, scissor.y = y, scissor.width = width, scissor.height = height;
+  c.dirty |= kDirtyRaster;
+}
+
+void SampleCoverage(Context& c, GLfloat value, GLboolean invert) {
+  c.state.multisample.coverage_value = value > 0.0f ? (value > 1.0f ? 1.0f : value) : 0.0f;
+  c.state.multisample.coverage_invert = invert != 0;
+}
+
+void AlphaFunc(Context& c, GLenum func, GLfloat ref) {
+  if (!is_comparison(func)) return set_error(c, GL_INVALID_ENUM);
+  c.state.color_buffer.alpha_function = func;
+  c.state.color_buffer.alpha_reference = ref;
+  c.dirty |= kDirtyFragment;
+}
+
+void StencilFunc(Context& c, GLenum func, GLint ref, GLuint mask) {
+  if (!is_comparison(func)) return set_error(c, GL_INVALID_ENUM);
+  c.state.stencil.function = func;
+  c.state.stencil.reference = ref;
+  c.state.stencil.value_mask = mask;
+  c.dirty |= kDirtyFragment;
+}
+
+void StencilOp(Context& c, GLenum fail, GLenum zfail, GLenum zpass) {
+  if (!is_stencil_operation(fail) || !is_stencil_operation(zfail) || !is_stencil_operation(zpass))
+    return set_error(c, GL_INVALID_ENUM);
+  c.state.stencil.fail = fail;
+  c.state.stencil.depth_fail = zfail;
+  c.state.stencil.depth_pass = zpass;
+  c.dirty |= kDirtyFragment;
+}
+
+void DepthFunc(Context& c, GLenum func) {
+  if (!is_comparison(func)) return set_error(c, GL_INVALID_ENUM);
+  c.state.depth.function = func;
+  c.dirty |= kDirtyFragment;
+}
+
+void BlendFuncSeparate(Context& c, GLenum source_rgb, GLenum destination_rgb, GLenum source_alpha,
+                       GLenum destination_alpha) {
+  if (!is_blend_factor(source_rgb, true) || !is_blend_factor(source_alpha, true) ||
+      !is_blend_factor(destination_rgb, false) || !is_blend_factor(destination_alpha, false))
+    return set_error(c, GL_INVALID_ENUM);
+  ColorBufferState& color = c.state.color_buffer;
+  color.blend_source_rgb = source_rgb;
+  color.blend_source_alpha = source_alpha;
+  color.blend_destination_rgb = destination_rgb;
+  color.blend_destination_alpha = destination_alpha;
+  c.dirty |= kDirtyFragment;
+}
+void BlendFunc(Context& c, GLenum source, GLenum destination) {
+  BlendFuncSeparate(c, source, destination, source, destination);
+}
+
+void BlendEquation(Context& c, GLenum mode) {
+  if (mode != GL_FUNC_ADD && mode != GL_FUNC_SUBTRACT && mode != GL_FUNC_REVERSE_SUBTRACT && mode != GL_MIN &&
+      mode != GL_MAX)
+    return set_error(c, GL_INVALID_ENUM);
+  c.state.color_buffer.blend_equation = mode;
+  c.dirty |= kDirtyFragment;
+}
+
+void BlendColor(Context& c, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
+  c.state.color_buffer.blend_color = {red, green, blue, alpha};
+  c.dirty |= kDirtyFragment;
+}
+
+void LogicOp(Context& c, GLenum opcode) {
+  if (opcode < GL_CLEAR || opcode > GL_SET) return set_error(c, GL_INVALID_ENUM);
+  c.state.color_buffer.logic_op_mode = opcode;
+  c.dirty |= kDirtyFragment;
+}
+
+void DrawBuffer(Context& c, GLenum buffer) {
+  if (buffer != GL_NONE && buffer != GL_FRONT_AND_BACK) {
+    const BufferName name = classify_buffer(buffer);
+    if (name == BufferName::Unknown) return set_error(c, GL_INVALID_ENUM);
+    if (name == BufferName::Absent) return set_error(c, GL_INVALID_OPERATION);
+  }
+  c.state.color_buffer.draw_buffer = buffer;
+  c.dirty |= kDirtyFragment;
+}
+
+void ReadBuffer(Context& c, GLenum buffer) {
+  const BufferName name = classify_buffer(buffer);
+  if (name == BufferName::Unknown) return set_error(c, GL_INVALID_ENUM);
+  if (name == BufferName::Absent) return set_error(c, GL_INVALID_OPERATION);
+  c.state.pixel_mode.read_buffer = buffer;
+}
+
+void ColorMask(Context& c, GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha) {
+  bool* mask = c.state.color_buffer.mask;
+  mask[0] = red != 0, mask[1] = green != 0, mask[2] = blue != 0, mask[3] = alpha != 0;
+  c.dirty |= kDirtyFragment;
+}
+void IndexMask(Context& c, GLuint mask) { c.state.color_buffer.index_mask = mask; }
+void DepthMask(Context& c, GLboolean flag) {
+  c.state.depth.mask = flag != 0;
+  c.dirty |= kDirtyFragment;
+}
+void StencilMask(Context& c, GLuint mask) {
+  c.state.stencil.write_mask = mask;
+  c.dirty |= kDirtyFragment;
+}
+
+void ClearAccum(Context& c, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
+  const auto clamp = [](float v) { return v > -1.0f ? (v > 1.0f ? 1.0f : v) : -1.0f; };
+  c.state.accumulation.clear = {clamp(red), clamp(green), clamp(blue), clamp(alpha)};
+}
+
+} // namespace softgl::gl

@@ -1,0 +1,308 @@
+// glDrawPixels, glCopyPixels and glBitmap (GL 1.5, 3.6.4, 4.3.3 and 3.7): images on their way into the
+// window.
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <vector>
+
+#include "commands/framebuffer/flush.h"
+#include "commands/generated/commands.h"
+#include "context/context.h"
+#include "context/pixel_transfer.h"
+#include "shaders/fragment/pixel_image.h"
+#include "snapshot/feedback.h"
+#include "snapshot/submit.h"
+#include "surface/read_surface.h"
+#include "texture/pixel_formats.h"
+
+namespace softgl {
+namespace {
+
+/// Elements [first, end) of an image that are in view along one axis, and for each pixel of the window from
+/// `pixel` on which of them it shows.
+struct Axis {
+  int32_t pixel = 0, pixels = 0;
+  int32_t first = 0, end = 0;
+  std::vector<int32_t> element;
+};
+
+/// Pixels whose centres lie between the ends of `count` elements of size `zoom` from `start` on, of the
+/// window's `size` pixels, which are numbered `down` or up. The ends are in 1/256 of a pixel, as those of
+/// polygons are.
+Axis place(double start, int count, double zoom, int size, bool down) {
+  Axis axis;
+  const double stop = start + count * zoom;
+  if (!(std::fabs(start) < 65536 && std::fabs(stop) < 65536) || start == stop) return axis;
+  auto in_window = [&](double v) { return down ? size - v : v; };
+  const double from = in_window(start), to = in_window(stop);
+  auto snap = [](double v) { return int32_t(std::lround((v - 0.5) * 256)); };
+  auto pixel_at = [&](double v) {
+    return down ? (snap(v) >> 8) + 1 : (snap(v) + 255) >> 8;
+  }; // left and lower ends are inside
+  const int32_t begin = std::max(pixel_at(std::min(from, to)), 0),
+                end = std::min(pixel_at(std::max(from, to)), size);
+  if (begin >= end) return axis;
+  axis.pixel = begin;
+  axis.pixels = end - begin;
+  axis.first = count;
+  for (int32_t i = begin; i < end; ++i) {
+    // A centre on the border of two elements belongs to the one on its right or above it.
+    const double at = (in_window(i + 0.5) - start) / zoom,
+                 element = zoom > 0 ? std::floor(at) : std::ceil(at) - 1;
+    const int32_t e = std::clamp(int32_t(element), 0, count - 1);
+    axis.element.push_back(e);
+    axis.first = std::min(axis.first, e), axis.end = std::max(axis.end, e + 1);
+  }
+  for (int32_t& e : axis.element) e -= axis.first;
+  return axis;
+}
+
+/// An image of width x height elements whose lower left corner (or, with a negative zoom, another one) is at
+/// x, y of the window.
+struct Placement {
+  Axis columns, rows;
+
+  Placement(const Surface& surface, float x, float y, int width, int height, float zoom_x, float zoom_y)
+      : columns(place(x, width, zoom_x, surface.width, false)),
+        rows(place(y, height, zoom_y, surface.height, true)) {
+    for (int32_t& e : rows.element) e *= width_in_view();
+  }
+  bool visible() const { return columns.pixels > 0 && rows.pixels > 0; }
+  int width_in_view() const { return columns.end - columns.first; }
+  int height_in_view() const { return rows.end - rows.first; }
+  size_t elements() const { return size_t(width_in_view()) * size_t(height_in_view()); }
+
+  WindowBox box() const {
+    return {columns.pixel, rows.pixel, columns.pixel + columns.pixels, rows.pixel + rows.pixels};
+  }
+  const PixelImage& image(PixelElement kind, const void* element, Arena& arena) const {
+    auto copy = [&](const std::vector<int32_t>& v) {
+      return std::copy(v.begin(), v.end(), arena.allocate_array<int32_t>(v.size())) - v.size();
+    };
+    return *arena.make<PixelImage>(kind, element, columns.pixel, rows.pixel, columns.pixels, rows.pixels,
+                                   copy(columns.element), copy(rows.element));
+  }
+};
+
+/// Placed at the raster position, enlarged as glPixelZoom says.
+Placement place_at_raster_position(Context& c, int width, int height) {
+  const RasterPosition& p = c.state.raster_position;
+  auto pixel = [](float v) { return std::round(v); };
+  return Placement(c.framebuffer.surface, pixel(p.window.x), pixel(p.window.y), width, height,
+                   c.state.pixel_mode.zoom_x, c.state.pixel_mode.zoom_y);
+}
+
+/// The client's image.
+struct ClientImage {
+  const unsigned char* memory;
+  PixelFormat format;
+  ImageLayout layout;
+  bool swap, lsb_first;
+
+  ClientImage(const Context& c, const void* pixels, int width, int height, GLenum f, GLenum type)
+      : memory(static_cast<const unsigned char*>(pixels)), format(describe_pixel_format(f, type)),
+        layout(layout_image(c.client.pixel_store.unpack, 2, width, height, format)),
+        swap(c.client.pixel_store.unpack.swap_bytes), lsb_first(c.client.pixel_store.unpack.lsb_first) {}
+
+  const unsigned char* at(int column, int row) const {
+    return memory + layout.offset + size_t(row) * layout.row_stride + size_t(column) * format.bytes;
+  }
+  void indexes(int column, int row, int count, uint32_t* index) const {
+    const bool bits = format.channel == PixelChannel::Bitmap;
+    unpack_indexes(format, at(column, row), bits ? layout.bit_offset + column : 0, count, swap, lsb_first,
+                   index);
+  }
+};
+
+/// Depths after the pixel transfer, as the surface stores them.
+void store_depths(const Surface& surface, const PixelTransfer& transfer, const float* depth, size_t count,
+                  uint32_t* stored) {
+  const float one = float(largest_depth(surface.depth_format));
+  for (size_t i = 0; i < count; ++i) stored[i] = uint32_t(std::lrint(transfer.depth(depth[i]) * one));
+}
+
+/// Calls fill(row, elements of the row) for the rows in view of an image of T and returns the image.
+template <class T, class Fill> T* fill_rows(Context& c, const Placement& p, Fill fill) {
+  T* element = c.frame.arena().allocate_array<T>(p.elements());
+  for (int r = 0; r < p.height_in_view(); ++r)
+    fill(p.rows.first + r, element + size_t(r) * size_t(p.width_in_view()));
+  return element;
+}
+
+using FloatRow = float (*)[4];
+using ByteRow = uint8_t (*)[4];
+
+/// `element` lies in the frame's arena.
+void submit_image(Context& c, const Placement& p, PixelElement kind, const void* element) {
+  submit_pixels(c, p.image(kind, element, c.frame.arena()), p.box());
+}
+
+/// One rectangle for every value that there is: so stencil values need nothing of their own behind here.
+void submit_stencils(Context& c, const Placement& p, const std::vector<uint8_t>& value) {
+  if ((c.state.stencil.write_mask & 0xff) == 0) return;
+  bool used[256] = {};
+  for (uint8_t v : value) used[v] = true;
+  for (int v = 0; v < 256; ++v) {
+    if (!used[v]) continue;
+    auto* bit = c.frame.arena().allocate_array<uint8_t>(value.size());
+    for (size_t i = 0; i < value.size(); ++i) bit[i] = value[i] == v;
+    submit_stencil(c, p.image(PixelElement::Bit, bit, c.frame.arena()), uint8_t(v), p.box());
+  }
+}
+
+void draw_colors(Context& c, const Placement& p, const ClientImage& image) {
+  const PixelTransfer transfer = pixel_transfer(c);
+  const int count = p.width_in_view();
+  if (image.format.channel == PixelChannel::UnsignedByte && !transfer.changes_color()) {
+    return submit_image(c, p, PixelElement::Bytes, fill_rows<uint32_t>(c, p, [&](int row, uint32_t* element) {
+                          unpack_pixels(image.format, image.at(p.columns.first, row), count, image.swap,
+                                        reinterpret_cast<ByteRow>(element));
+                        }));
+  }
+  submit_image(c, p, PixelElement::Floats, fill_rows<PixelFloats>(c, p, [&](int row, PixelFloats* element) {
+                 auto* rgba = reinterpret_cast<FloatRow>(element);
+                 unpack_pixels(image.format, image.at(p.columns.first, row), count, image.swap, rgba);
+                 if (transfer.changes_color()) transfer.color(rgba, count);
+               }));
+}
+
+void draw_color_indexes(Context& c, const Placement& p, const ClientImage& image) {
+  const PixelTransfer transfer = pixel_transfer(c);
+  std::vector<uint32_t> index(size_t(p.width_in_view()));
+  submit_image(c, p, PixelElement::Floats, fill_rows<PixelFloats>(c, p, [&](int row, PixelFloats* element) {
+                 image.indexes(p.columns.first, row, p.width_in_view(), index.data());
+                 for (size_t i = 0; i < index.size(); ++i) transfer.index_to_color(index[i], element[i].rgba);
+               }));
+}
+
+void draw_depths(Context& c, const Placement& p, const ClientImage& image) {
+  const PixelTransfer transfer = pixel_transfer(c);
+  std::vector<float> depth(size_t(p.width_in_view()));
+  submit_image(c, p, PixelElement::Depth, fill_rows<uint32_t>(c, p, [&](int row, uint32_t* element) {
+                 unpack_depth(image.format, image.at(p.columns.first, row), p.width_in_view(), image.swap,
+                              depth.data());
+                 store_depths(c.framebuffer.surface, transfer, depth.data(), depth.size(), element);
+               }));
+}
+
+void draw_stencils(Context& c, const Placement& p, const ClientImage& image) {
+  const PixelTransfer transfer = pixel_transfer(c);
+  const size_t count = size_t(p.width_in_view());
+  std::vector<uint8_t> value(p.elements());
+  std::vector<uint32_t> index(count);
+  for (int r = 0; r < p.height_in_view(); ++r) {
+    image.indexes(p.columns.first, p.rows.first + r, p.width_in_view(), index.data());
+    for (size_t i = 0; i < count; ++i) value[size_t(r) * count + i] = uint8_t(transfer.stencil(index[i]));
+  }
+  submit_stencils(c, p, value);
+}
+
+/// Copies what is in view of an image whose lower left pixel is x, y of the surface. The frame is empty.
+void copy_pixels(Context& c, const Placement& p, GLint x, GLint y, GLenum type) {
+  const PixelTransfer transfer = pixel_transfer(c);
+  const auto bounded = [](int64_t v) { return int(std::clamp<int64_t>(v, -(1 << 30), 1 << 30)); };
+  const int count = p.width_in_view(), left = bounded(int64_t(x) + p.columns.first),
+            bottom = bounded(int64_t(y) + p.rows.first);
+  if (type == GL_STENCIL) {
+    std::vector<uint8_t> value(p.elements());
+    read_stencil(c.framebuffer.surface, left, bottom, count, p.height_in_view(), value.data());
+    for (uint8_t& v : value) v = uint8_t(transfer.stencil(v));
+    return submit_stencils(c, p, value);
+  }
+  if (type == GL_DEPTH) {
+    std::vector<float> depth(p.elements());
+    read_depth_float(c.framebuffer.surface, left, bottom, count, p.height_in_view(), depth.data());
+    auto* element = c.frame.arena().allocate_array<uint32_t>(depth.size());
+    store_depths(c.framebuffer.surface, transfer, depth.data(), depth.size(), element);
+    return submit_image(c, p, PixelElement::Depth, element);
+  }
+  if (c.framebuffer.surface.color_format == ColorFormat::Rgba8 && !transfer.changes_color()) {
+    auto* element = c.frame.arena().allocate_array<uint32_t>(p.elements());
+    read_rgba8(c.framebuffer.surface, left, bottom, count, p.height_in_view(),
+               reinterpret_cast<ByteRow>(element));
+    return submit_image(c, p, PixelElement::Bytes, element);
+  }
+  auto* element = c.frame.arena().allocate_array<PixelFloats>(p.elements());
+  read_rgba_float(c.framebuffer.surface, left, bottom, count, p.height_in_view(),
+                  reinterpret_cast<FloatRow>(element));
+  if (transfer.changes_color()) transfer.color(reinterpret_cast<FloatRow>(element), int(p.elements()));
+  submit_image(c, p, PixelElement::Floats, element);
+}
+
+bool has_buffer(const Context& c, GLenum format) {
+  if (format == GL_DEPTH_COMPONENT || format == GL_DEPTH) return c.framebuffer.depth_bits > 0;
+  if (format == GL_STENCIL_INDEX || format == GL_STENCIL) return c.framebuffer.stencil_bits > 0;
+  return true;
+}
+
+/// Draws with `draw(placement)` if anything is in view.
+template <class Draw> void draw_in_view(Context& c, const Placement& p, Draw draw) {
+  if (!p.visible()) return;
+  try {
+    draw(p);
+  } catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+}
+
+} // namespace
+
+namespace gl {
+
+void DrawPixels(Context& c, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels) {
+  if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
+  if (const GLenum error = check_pixel_format(format, type)) return set_error(c, error);
+  if (!has_buffer(c, format)) return set_error(c, GL_INVALID_OPERATION);
+  if (!c.state.raster_position.valid) return;
+  if (c.state.render_mode.mode != GL_RENDER) return feed_back_pixels(c, GL_DRAW_PIXEL_TOKEN);
+  if (width == 0 || height == 0 || !pixels) return;
+  const ClientImage image(c, pixels, width, height, format, type);
+  draw_in_view(c, place_at_raster_position(c, width, height), [&](const Placement& p) {
+    switch (format) {
+    case GL_COLOR_INDEX: return draw_color_indexes(c, p, image);
+    case GL_DEPTH_COMPONENT: return draw_depths(c, p, image);
+    case GL_STENCIL_INDEX: return draw_stencils(c, p, image);
+    default: return draw_colors(c, p, image);
+    }
+  });
+}
+
+void CopyPixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type) {
+  if (type != GL_COLOR && type != GL_DEPTH && type != GL_STENCIL) return set_error(c, GL_INVALID_ENUM);
+  if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
+  if (!has_buffer(c, type) || (type == GL_COLOR && c.state.pixel_mode.read_buffer == GL_NONE))
+    return set_error(c, GL_INVALID_OPERATION);
+  if (!c.state.raster_position.valid) return;
+  if (c.state.render_mode.mode != GL_RENDER) return feed_back_pixels(c, GL_COPY_PIXEL_TOKEN);
+  if (width == 0 || height == 0) return;
+  flush_rendering(c); // before anything lies in the frame's arena
+  draw_in_view(c, place_at_raster_position(c, width, height),
+               [&](const Placement& p) { copy_pixels(c, p, x, y, type); });
+}
+
+void Bitmap(Context& c, GLsizei width, GLsizei height, GLfloat xorig, GLfloat yorig, GLfloat xmove,
+            GLfloat ymove, const GLubyte* bitmap) {
+  if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
+  RasterPosition& position = c.state.raster_position;
+  if (!position.valid) return;
+  if (c.state.render_mode.mode != GL_RENDER)
+    feed_back_pixels(c, GL_BITMAP_TOKEN);
+  else if (width > 0 && height > 0 && bitmap) {
+    // Positions that are whole numbers but for a rounding error stay what they are, as in OSMesa.
+    auto pixel = [](float v) { return std::floor(v + 0.0001f); };
+    const ClientImage image(c, bitmap, width, height, GL_COLOR_INDEX, GL_BITMAP);
+    const Placement placement(c.framebuffer.surface, pixel(position.window.x - xorig),
+                              pixel(position.window.y - yorig), width, height, 1, 1);
+    draw_in_view(c, placement, [&](const Placement& p) {
+      std::vector<uint32_t> index(size_t(p.width_in_view()));
+      const auto* bit = fill_rows<uint8_t>(c, p, [&](int row, uint8_t* element) {
+        image.indexes(p.columns.first, row, p.width_in_view(), index.data());
+        for (size_t i = 0; i < index.size(); ++i) element[i] = uint8_t(index[i]);
+      });
+      submit_image(c, p, PixelElement::Bit, bit);
+    });
+  }
+  position.window.x += xmove;
+  position.window.y += ymove;
+}
+
+} // namespace gl
+} // namespace softgl

@@ -1,0 +1,125 @@
+// The current raster position (GL 1.5, 2.13): a vertex that is not drawn.
+#include <cmath>
+#include <cstring>
+
+#include "base/float_environment.h"
+#include "base/unit_range.h"
+#include "commands/generated/commands.h"
+#include "context/context.h"
+#include "geometry/geometry.h"
+#include "shaders/fragment/fragment_key.h"
+#include "snapshot/feedback.h"
+#include "snapshot/vertex_snapshot.h"
+
+namespace softgl {
+namespace {
+
+/// In OSMesa's order of operations: positions at half pixels are rounded later on.
+Vec4 transformed(const Matrix& matrix, const Vec4& v) {
+  const float* m = matrix.data();
+  Vec4 out;
+  for (int i = 0; i < 4; ++i) out[i] = ((m[i] * v.x + m[4 + i] * v.y) + m[8 + i] * v.z) + m[12 + i] * v.w;
+  return out;
+}
+
+bool in_view(const Vec4& clip, const ClipPlaneConstants* planes) {
+  for (int i = 0; i < 3; ++i)
+    if (!(clip[i] <= clip.w && clip[i] >= -clip.w)) return false;
+  for (int i = 0; planes && i < planes->count; ++i) {
+    const float* p = planes->plane[i];
+    if (((clip.x * p[0] + clip.y * p[1]) + clip.z * p[2]) + clip.w * p[3] < 0) return false;
+  }
+  return true;
+}
+
+Vec4 window_position(const ViewportState& v, const Vec4& clip) {
+  const float half_width = 0.5f * float(v.width), half_height = 0.5f * float(v.height);
+  const float scale[3] = {half_width, half_height, float(0.5 * (v.far_depth - v.near_depth))};
+  const float offset[3] = {half_width + float(v.x), half_height + float(v.y),
+                           float(0.5 * (v.near_depth + v.far_depth))};
+  const float inverse = clip.w == 0 ? 1.0f : 1.0f / clip.w;
+  Vec4 window;
+  for (int i = 0; i < 3; ++i) window[i] = clip[i] * inverse * scale[i] + offset[i];
+  window.w = clip.w;
+  return window;
+}
+
+void take_current_attributes(const State& s, RasterPosition& position) {
+  position.color = s.current.slot[kColor];
+  position.secondary_color = s.current.slot[kSecondaryColor];
+  for (int u = 0; u < kMaxTextureUnits; ++u) position.texcoord[u] = s.current.slot[kTexCoord0 + u];
+}
+
+/// What the vertex program makes of the current attributes at `object`: colours if there is lighting, and
+/// coordinates.
+void shade_attributes(Context& c, const Vec4& object, RasterPosition& position) {
+  Arena& arena = c.frame.arena();
+  const State& s = c.state;
+  FragmentKey key{}; // of fragments that need everything
+  key.secondary = 1;
+  key.texture_units = (1u << kMaxTextureUnits) - 1;
+  const OwnSnapshot own = make_own_snapshot(c, key, 0, &s.current.slot[kColor][0], arena);
+
+  Vec4 constant[kMaterial0];
+  std::memcpy(constant, s.current.slot, sizeof constant);
+  constant[kPosition] = object;
+  const VertexSource none;
+  DrawCall call;
+  call.source = &none;
+  call.constant = constant;
+  call.vertex_count = 1;
+  const DrawRecord draw{call, own.layout, &own.program, nullptr, nullptr};
+  const ShadedVertices& out = *allocate_vertices(draw, 0, 1, arena);
+  const FloatEnvironment environment;
+  shade_vertices(draw, 0, 1, out);
+  auto value = [&](int slot) {
+    const float* v = out.slot[slot].v;
+    return Vec4(v[0], v[1], v[2], v[3]);
+  };
+  if (s.lighting.enabled) {
+    position.color = value(own.layout.color);
+    position.secondary_color = Vec4(glm::vec3(value(own.layout.secondary)), 1);
+  }
+  for (int u = 0; u < kMaxTextureUnits; ++u) position.texcoord[u] = value(own.layout.texcoord[u]);
+}
+
+} // namespace
+
+namespace gl {
+
+void RasterPos(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
+  const State& s = c.state;
+  RasterPosition& position = c.state.raster_position;
+  const Vec4 object(x, y, z, w), eye = transformed(c.matrices.modelview.top(), object);
+  const Vec4 clip = transformed(c.matrices.projection.top(), eye);
+  const Arena::Mark mark = c.frame.arena().mark();
+  const ClipPlaneConstants* planes = make_clip_planes(c, c.frame.arena());
+  position.valid = in_view(clip, planes);
+  if (position.valid) {
+    position.window = window_position(s.viewport, clip);
+    position.distance = s.fog.coordinate_source == GL_FOG_COORDINATE
+                            ? s.current.slot[kFogCoordinate].x
+                            : std::sqrt((eye.x * eye.x + eye.y * eye.y) + eye.z * eye.z);
+    take_current_attributes(s, position);
+    shade_attributes(c, object, position);
+    feed_back_raster_position(c);
+  }
+  c.frame.arena().rewind(mark);
+}
+
+void WindowPos(Context& c, GLfloat x, GLfloat y, GLfloat z) {
+  const State& s = c.state;
+  RasterPosition& position = c.state.raster_position;
+  position.window = Vec4(
+      x, y,
+      unit_range(z) * float(s.viewport.far_depth - s.viewport.near_depth) + float(s.viewport.near_depth), 1);
+  position.distance = s.fog.coordinate_source == GL_FOG_COORDINATE ? s.current.slot[kFogCoordinate].x : 0.0f;
+  take_current_attributes(s, position);
+  position.color = glm::clamp(position.color, 0.0f, 1.0f);
+  position.secondary_color = glm::clamp(position.secondary_color, 0.0f, 1.0f);
+  position.valid = true;
+  feed_back_raster_position(c);
+}
+
+} // namespace gl
+} // namespace softgl

@@ -1,0 +1,221 @@
+// glReadPixels (GL 1.5, 4.3.2).
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+#include "base/unit_range.h"
+#include "commands/framebuffer/flush.h"
+#include "commands/generated/commands.h"
+#include "context/context.h"
+#include "context/pixel_transfer.h"
+#include "frame/parallel.h"
+#include "surface/read_surface.h"
+#include "texture/pixel_formats.h"
+
+namespace softgl {
+namespace {
+
+/// The part of the rectangle that lies on the surface, and where it goes.
+struct Target {
+  int x, count;          // columns of the surface
+  int first_row, rows;   // rows of the rectangle, bottom first
+  int bottom;            // y (up) of row 0 of the rectangle
+  unsigned char* memory; // the client's image
+  PixelFormat format;
+  ImageLayout layout;
+  int skipped; // columns of the rectangle left of the surface
+  bool swap;
+  unsigned char* row(int r) const { return memory + layout.offset + size_t(r) * layout.row_stride; }
+  unsigned char* pixels(int r) const { return row(r) + size_t(skipped) * format.bytes; }
+};
+
+/// Whether colours go through floats: pixel transfer, sums of luminance, and what OSMesa converts that way.
+bool needs_floats(const Context& c, const PixelFormat& f) {
+  if (pixel_transfer(c).changes_color() || f.luminance) return true;
+  if (f.channel == PixelChannel::Packed && f.bits[0] > 8) return true;
+  switch (c.framebuffer.surface.color_format) {
+  case ColorFormat::Rgba8:
+  case ColorFormat::Rgba16: return false;
+  case ColorFormat::Rgb565:
+    return f.channel != PixelChannel::UnsignedByte && f.channel != PixelChannel::Packed;
+  default: return true;
+  }
+}
+
+void transfer(const Context& c, float (*rgba)[4], int count, bool clamp, bool luminance) {
+  const PixelTransfer operations = pixel_transfer(c);
+  if (operations.changes_color()) operations.color(rgba, count);
+  for (int i = 0; i < count; ++i) {
+    float* p = rgba[i];
+    if (clamp)
+      for (int k = 0; k < 4; ++k) p[k] = unit_range(p[k]);
+    if (luminance) {
+      p[0] = p[0] + p[1] + p[2];
+      if (clamp) p[0] = unit_range(p[0]);
+    }
+  }
+}
+
+/// The rows first .. end - 1 of the target. Scratch memory is the caller's: 16 bytes per pixel each.
+void read_color_rows(const Context& c, const Target& t, int first, int end, unsigned char* row,
+                     unsigned char* converted) {
+  const Surface& s = c.framebuffer.surface;
+  const auto surface_row = [&](int r, void* to) {
+    copy_color_row(s, t.x, s.height - 1 - (t.bottom + r), t.count, to);
+  };
+  if (needs_floats(c, t.format)) {
+    auto* rgba = reinterpret_cast<float(*)[4]>(converted);
+    // OSMesa 22.3.6: floating-point surfaces are clamped when read; of others a transfer may leave [0,1] when
+    // the result is signed or float, except where luminance is summed.
+    const bool clamp = s.color_format == ColorFormat::RgbaFloat || t.format.luminance;
+    for (int r = first; r < end; ++r) {
+      surface_row(r, row);
+      color_row_to_floats(s.color_format, row, t.count, rgba);
+      transfer(c, rgba, t.count, clamp, t.format.luminance);
+      pack_pixels(t.format, rgba, t.count, t.swap, t.pixels(r));
+    }
+  } else if (s.color_format == ColorFormat::Rgba16) {
+    for (int r = first; r < end; ++r) {
+      surface_row(r, row);
+      pack_pixels(t.format, reinterpret_cast<const uint16_t(*)[4]>(row), t.count, t.swap, t.pixels(r));
+    }
+  } else if (s.color_format == ColorFormat::Rgba8 && t.format.format == GL_RGBA &&
+             t.format.channel == PixelChannel::UnsignedByte) {
+    for (int r = first; r < end; ++r) surface_row(r, t.pixels(r));
+  } else {
+    auto* rgba = reinterpret_cast<uint8_t(*)[4]>(converted);
+    for (int r = first; r < end; ++r) {
+      surface_row(r, row);
+      color_row_to_bytes(s.color_format, row, t.count, rgba);
+      pack_pixels(t.format, rgba, t.count, t.swap, t.pixels(r));
+    }
+  }
+}
+
+void read_colors(const Context& c, const Target& t) {
+  const size_t scratch_bytes = size_t(t.count) * 16;
+  constexpr int kRowsPerTask = 32;
+  // Rows that overlap (a row length below the width) have an order; a small rectangle is read before a thread
+  // wakes.
+  const bool overlapping = t.layout.row_stride < t.layout.row_bytes;
+  const auto read = [&](int first, int end) {
+    const std::unique_ptr<unsigned char[]> scratch(new unsigned char[2 * scratch_bytes]);
+    read_color_rows(c, t, first, end, scratch.get(), scratch.get() + scratch_bytes);
+  };
+  const int end = t.first_row + t.rows;
+  if (overlapping || int64_t(t.count) * t.rows < 128 * 1024) return read(t.first_row, end);
+  in_parallel(size_t((t.rows + kRowsPerTask - 1) / kRowsPerTask), [&](size_t task) {
+    const int first = t.first_row + int(task) * kRowsPerTask;
+    read(first, std::min(first + kRowsPerTask, end));
+  });
+}
+
+void read_depths(const Context& c, const Target& t) {
+  const Surface& s = c.framebuffer.surface;
+  const PixelTransfer operations = pixel_transfer(c);
+  const bool scale = operations.changes_depth();
+  std::vector<uint32_t> row(static_cast<size_t>(t.count));
+  std::vector<float> depth(static_cast<size_t>(t.count));
+  for (int r = t.first_row; r < t.first_row + t.rows; ++r) {
+    copy_depth_stencil_row(s, t.x, s.height - 1 - (t.bottom + r), t.count, row.data());
+    if (t.format.channel == PixelChannel::UnsignedInt && !scale && !t.swap) {
+      // OSMesa: the bits are repeated, which a float could not hold.
+      unsigned char* out = t.pixels(r);
+      for (int i = 0; i < t.count; ++i) {
+        const uint32_t z = row[size_t(i)] & 0xffffff;
+        const uint32_t v =
+            s.depth_format == DepthFormat::Z16 ? (z & 0xffff) << 16 | (z & 0xffff) : z << 8 | z >> 16;
+        std::memcpy(out + 4 * i, &v, 4);
+      }
+      continue;
+    }
+    for (int i = 0; i < t.count; ++i) {
+      float d = depth_to_float(s.depth_format, row[size_t(i)]);
+      if (scale) d = operations.depth(d);
+      depth[size_t(i)] = d;
+    }
+    pack_depth(t.format, depth.data(), t.count, t.swap, t.pixels(r));
+  }
+}
+
+template <class T> void store(unsigned char* to, T v, bool swap) {
+  std::memcpy(to, &v, sizeof v);
+  if (swap) std::reverse(to, to + sizeof v);
+}
+
+void read_stencils(const Context& c, const Target& t) {
+  const Surface& s = c.framebuffer.surface;
+  const PixelTransfer operations = pixel_transfer(c);
+  std::vector<uint32_t> row(static_cast<size_t>(t.count));
+  for (int r = t.first_row; r < t.first_row + t.rows; ++r) {
+    copy_depth_stencil_row(s, t.x, s.height - 1 - (t.bottom + r), t.count, row.data());
+    unsigned char* out = t.pixels(r);
+    for (int i = 0; i < t.count; ++i, out += t.format.bytes) {
+      const uint32_t v = operations.stencil(row[size_t(i)] >> 24);
+      switch (t.format.channel) {
+      case PixelChannel::UnsignedByte: *out = uint8_t(v); break;
+      case PixelChannel::Byte: *out = uint8_t(v & 0x7f); break;
+      case PixelChannel::UnsignedShort:
+      case PixelChannel::Short: store(out, uint16_t(v), t.swap); break;
+      case PixelChannel::UnsignedInt:
+      case PixelChannel::Int: store(out, v, t.swap); break;
+      case PixelChannel::Float: store(out, float(v), t.swap); break;
+      case PixelChannel::Bitmap: {
+        const size_t bit = size_t(t.layout.bit_offset) + size_t(t.skipped) + size_t(i);
+        const uint8_t mask =
+            c.client.pixel_store.pack.lsb_first ? uint8_t(1u << (bit & 7)) : uint8_t(0x80u >> (bit & 7));
+        unsigned char& byte = t.row(r)[bit >> 3];
+        byte = v ? byte | mask : byte & uint8_t(~mask);
+        break;
+      }
+      default: break;
+      }
+    }
+  }
+}
+
+/// The error that the arguments call for (4.3.2).
+GLenum check(const Context& c, GLsizei width, GLsizei height, GLenum format, GLenum type) {
+  if (width < 0 || height < 0) return GL_INVALID_VALUE;
+  // A buffer that is missing comes before a type that does not fit, as in OSMesa.
+  if (format == GL_COLOR_INDEX) return GL_INVALID_OPERATION; // there are no colour index buffers
+  if (format == GL_DEPTH_COMPONENT && c.framebuffer.depth_bits == 0) return GL_INVALID_OPERATION;
+  if (format == GL_STENCIL_INDEX && c.framebuffer.stencil_bits == 0) return GL_INVALID_OPERATION;
+  if (const GLenum error = check_pixel_format(format, type)) return error;
+  const bool color = format != GL_DEPTH_COMPONENT && format != GL_STENCIL_INDEX;
+  return color && c.state.pixel_mode.read_buffer == GL_NONE ? GL_INVALID_OPERATION : GL_NO_ERROR;
+}
+
+} // namespace
+
+void gl::ReadPixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type,
+                    void* pixels) {
+  if (const GLenum error = check(c, width, height, format, type)) return set_error(c, error);
+  if (width == 0 || height == 0 || !pixels) return;
+  flush_rendering(c);
+  c.framebuffer.unresolved = true; // OSMesa: a read, too, makes the next glFlush write the caller's buffer
+  ++c.framebuffer.counts.reads;
+
+  const Surface& s = c.framebuffer.surface;
+  const int64_t left = std::max<int64_t>(x, 0), right = std::min<int64_t>(int64_t(x) + width, s.width);
+  const int64_t bottom = std::max<int64_t>(y, 0), top = std::min<int64_t>(int64_t(y) + height, s.height);
+  if (left >= right || bottom >= top) return;
+  Target t{};
+  t.x = int(left);
+  t.count = int(right - left);
+  t.first_row = int(bottom - y);
+  t.rows = int(top - bottom);
+  t.bottom = y;
+  t.memory = static_cast<unsigned char*>(pixels);
+  t.format = describe_pixel_format(format, type);
+  t.layout = layout_image(c.client.pixel_store.pack, 2, width, height, t.format);
+  t.skipped = int(left - x);
+  t.swap = c.client.pixel_store.pack.swap_bytes;
+  if (format == GL_DEPTH_COMPONENT) return read_depths(c, t);
+  if (format == GL_STENCIL_INDEX) return read_stencils(c, t);
+  read_colors(c, t);
+}
+
+} // namespace softgl

@@ -1,0 +1,143 @@
+// GetBooleanv, GetIntegerv, GetFloatv, GetDoublev (GL 1.5, 6.1.1 and 6.1.2), from state_table.inc.
+#include <algorithm>
+#include <vector>
+
+#include "commands/generated/commands.h"
+#include "commands/get_conversion.h"
+#include "commands/state/capabilities.h"
+#include "context/context.h"
+
+namespace softgl {
+namespace {
+
+// A state value. A double holds every GL scalar exactly.
+struct Values {
+  double v[16];
+  int count = 0;
+  Conversion conversion = Conversion::Bool;
+
+  template <class T>
+  requires std::is_arithmetic_v<T>
+  void put(T x) { v[count++] = double(x); }
+  void put(const Vec3& x) {
+    for (int i = 0; i < 3; ++i) put(x[i]);
+  }
+  void put(const Vec4& x) {
+    for (int i = 0; i < 4; ++i) put(x[i]);
+  }
+  void put(const glm::mat4& x) {
+    for (int i = 0; i < 4; ++i) put(x[i]);
+  }
+  template <class... T> void put_all(const T&... x) { (put(x), ...); }
+};
+
+// Colours of fragment operations are kept as given, and read back clamped unless the colour buffer is of
+// floats.
+Vec4 fragment_color(const Context& c, const Vec4& color) {
+  if (c.framebuffer.surface.color_format == ColorFormat::RgbaFloat) return color;
+  Vec4 clamped;
+  for (int i = 0; i < 4; ++i) clamped[i] = color[i] > 0.0f ? (color[i] > 1.0f ? 1.0f : color[i]) : 0.0f;
+  return clamped;
+}
+
+struct FramebufferBits {
+  int red, green, blue, alpha, depth, stencil, accumulation;
+};
+FramebufferBits framebuffer_bits(const Context& c) {
+  const Framebuffer& f = c.framebuffer;
+  int red = 8, green = 8;
+  switch (f.surface.color_format) {
+  case ColorFormat::Rgba8: break;
+  case ColorFormat::Rgba16: red = green = 16; break;
+  case ColorFormat::RgbaFloat: red = green = 32; break;
+  case ColorFormat::Rgb565: red = 5, green = 6; break;
+  }
+  return {red, green, red, f.has_alpha ? red : 0, f.depth_bits, f.stencil_bits, f.accumulation_bits};
+}
+
+GLint stencil_reference(const Context& c) {
+  return std::clamp(c.state.stencil.reference, 0, (1 << framebuffer_bits(c).stencil) - 1);
+}
+
+struct CompiledList {
+  GLuint name;
+  GLenum mode;
+};
+CompiledList list_being_compiled(const Context& c) {
+  return c.lists.list ? CompiledList{c.lists.name, c.lists.mode} : CompiledList{0, 0};
+}
+
+struct Row {
+  GLenum token;
+  Conversion conversion;
+  void (*read)(const Context& c, Values& out);
+};
+#define STATE(name, kind, initial, ...) \
+  {GL_##name, Conversion::kind, [](const Context& c, Values& out) { \
+     [[maybe_unused]] const State& s = c.state; \
+     [[maybe_unused]] const ClientState& client = c.client; \
+     [[maybe_unused]] const TextureUnitState& unit = s.texture.unit[s.texture.active_unit]; \
+     out.put_all(__VA_ARGS__); \
+   }},
+const Row table[] = {
+#include "context/state_table.inc"
+};
+
+const Row* find_row(GLenum token) {
+  static const std::vector<const Row*> sorted = [] {
+    std::vector<const Row*> rows;
+    for (const Row& row : table) rows.push_back(&row);
+    std::sort(rows.begin(), rows.end(), [](auto* a, auto* b) { return a->token < b->token; });
+    return rows;
+  }();
+  auto it =
+      std::lower_bound(sorted.begin(), sorted.end(), token, [](auto* a, GLenum t) { return a->token < t; });
+  return it != sorted.end() && (*it)->token == token ? *it : nullptr;
+}
+
+// The value of `pname`; false and an error if there is no such value.
+bool read(Context& c, GLenum pname, Values& out) {
+  if (const Row* row = find_row(pname)) {
+    out.conversion = row->conversion;
+    row->read(c, out);
+    return true;
+  }
+  if (const Capability* capability = find_capability(pname)) {
+    out.put(capability->get(c.state, c.state.texture.active_unit));
+    return true;
+  }
+  if (const VertexArray* array = find_array(c.client, pname)) {
+    out.put(array->enabled);
+    return true;
+  }
+  set_error(c, GL_INVALID_ENUM);
+  return false;
+}
+
+} // namespace
+
+namespace gl {
+
+void GetBooleanv(Context& c, GLenum pname, GLboolean* data) {
+  Values values;
+  if (read(c, pname, values))
+    for (int i = 0; i < values.count; ++i) data[i] = values.v[i] != 0;
+}
+void GetIntegerv(Context& c, GLenum pname, GLint* data) {
+  Values values;
+  if (read(c, pname, values))
+    for (int i = 0; i < values.count; ++i) data[i] = to_integer(values.v[i], values.conversion);
+}
+void GetFloatv(Context& c, GLenum pname, GLfloat* data) {
+  Values values;
+  if (read(c, pname, values))
+    for (int i = 0; i < values.count; ++i) data[i] = GLfloat(values.v[i]);
+}
+void GetDoublev(Context& c, GLenum pname, GLdouble* data) {
+  Values values;
+  if (read(c, pname, values))
+    for (int i = 0; i < values.count; ++i) data[i] = values.v[i];
+}
+
+} // namespace gl
+} // namespace softgl

@@ -1,0 +1,60 @@
+// glGetString (GL 1.5, 6.1.11).
+#include <mutex>
+#include <set>
+#include <string>
+
+#include "base/cpu_features.h"
+#include "commands/generated/commands.h"
+#include "context/context.h"
+#include "frame/parallel.h"
+
+namespace softgl {
+namespace {
+
+/// Extensions that work: what GL 1.1 to 2.0 took over, under the names by which programs look for it.
+/// Programs search for a name with a blank behind it, hence the blank at the end.
+constexpr const char* kExtensions =
+    "GL_ARB_depth_texture GL_ARB_multitexture GL_ARB_point_parameters GL_ARB_shadow "
+    "GL_ARB_texture_border_clamp "
+    "GL_ARB_texture_cube_map GL_ARB_texture_env_add GL_ARB_texture_env_combine GL_ARB_texture_env_crossbar "
+    "GL_ARB_texture_env_dot3 GL_ARB_texture_mirrored_repeat GL_ARB_texture_non_power_of_two "
+    "GL_ARB_texture_rectangle "
+    "GL_ARB_transpose_matrix GL_ARB_vertex_buffer_object GL_ARB_window_pos GL_EXT_bgra GL_EXT_blend_color "
+    "GL_EXT_blend_func_separate "
+    "GL_EXT_blend_minmax GL_EXT_blend_subtract GL_EXT_draw_range_elements GL_EXT_fog_coord "
+    "GL_EXT_multi_draw_arrays "
+    "GL_EXT_packed_pixels GL_EXT_rescale_normal GL_EXT_secondary_color GL_EXT_separate_specular_color "
+    "GL_EXT_shadow_funcs GL_EXT_stencil_wrap GL_EXT_texture_edge_clamp GL_EXT_texture_env_add "
+    "GL_EXT_texture_lod_bias GL_EXT_texture_object GL_EXT_vertex_array GL_SGIS_generate_mipmap "
+    "GL_SGIS_texture_border_clamp GL_SGIS_texture_edge_clamp GL_SGIS_texture_lod "
+    "GL_SOFTGL_phong_illumination "
+    "GL_WIN_phong_shading ";
+
+/// Lives as long as the process, however often the text changes (the number of threads may).
+const GLubyte* kept(const std::string& text) {
+  static std::mutex* const mutex = new std::mutex;
+  static std::set<std::string>* const texts = new std::set<std::string>;
+  const std::lock_guard lock(*mutex);
+  return reinterpret_cast<const GLubyte*>(texts->insert(text).first->c_str());
+}
+
+} // namespace
+
+namespace gl {
+
+const GLubyte* GetString(Context& c, GLenum name) {
+  switch (name) {
+  case GL_VENDOR: return reinterpret_cast<const GLubyte*>("softgl");
+  case GL_RENDERER: {
+    const int threads = drawing_threads();
+    return kept("softgl (" + std::string(isa_name(selected_isa())) + ", " + std::to_string(threads) +
+                (threads == 1 ? " thread)" : " threads)"));
+  }
+  case GL_VERSION: return reinterpret_cast<const GLubyte*>("1.5 softgl " SOFTGL_VERSION_TEXT);
+  case GL_EXTENSIONS: return reinterpret_cast<const GLubyte*>(kExtensions);
+  default: set_error(c, GL_INVALID_ENUM); return nullptr;
+  }
+}
+
+} // namespace gl
+} // namespace softgl

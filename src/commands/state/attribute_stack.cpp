@@ -1,0 +1,142 @@
+// PushAttrib, PopAttrib and the client's counterparts (GL 1.5, 6.1.14).
+#include "context/attribute_stack.h"
+#include "context/texture_bindings.h"
+
+#include <cstring>
+#include <type_traits>
+
+#include "commands/generated/commands.h"
+#include "commands/lighting/color_material.h"
+#include "commands/state/capabilities.h"
+#include "context/context.h"
+#include "texture/texture_object.h"
+
+namespace softgl {
+namespace {
+
+static_assert(std::is_trivially_copyable_v<State>, "attribute groups are copied as bytes");
+
+struct Group {
+  GLbitfield mask;
+  size_t offset, size;
+};
+// clang-format off
+#define GROUP(bit, member) {bit, offsetof(State, member), sizeof(State::member)}
+// clang-format on
+const Group groups[] = {
+    {GL_CURRENT_BIT, offsetof(State, current), kMaterial0 * sizeof(Vec4)},
+    {GL_LIGHTING_BIT, offsetof(State, current) + kMaterial0 * sizeof(Vec4), kMaterialSlots * sizeof(Vec4)},
+    GROUP(GL_CURRENT_BIT, raster_position),
+    GROUP(GL_TRANSFORM_BIT, transform),
+    GROUP(GL_VIEWPORT_BIT, viewport),
+    GROUP(GL_FOG_BIT, fog),
+    GROUP(GL_LIGHTING_BIT, lighting),
+    GROUP(GL_POINT_BIT, point),
+    GROUP(GL_LINE_BIT, line),
+    GROUP(GL_POLYGON_BIT, polygon),
+    GROUP(GL_POLYGON_STIPPLE_BIT, polygon_stipple),
+    GROUP(GL_MULTISAMPLE_BIT, multisample),
+    GROUP(GL_TEXTURE_BIT, texture),
+    GROUP(GL_SCISSOR_BIT, scissor),
+    GROUP(GL_COLOR_BUFFER_BIT, color_buffer),
+    GROUP(GL_DEPTH_BUFFER_BIT, depth),
+    GROUP(GL_STENCIL_BUFFER_BIT, stencil),
+    GROUP(GL_ACCUM_BUFFER_BIT, accumulation),
+    GROUP(GL_PIXEL_MODE_BIT, pixel_mode),
+    GROUP(GL_EVAL_BIT, evaluator),
+    GROUP(GL_HINT_BIT, hint),
+    GROUP(GL_LIST_BIT, list),
+};
+#undef GROUP
+
+size_t groups_size(GLbitfield mask) {
+  size_t size = 0;
+  for (const Group& group : groups)
+    if (group.mask & mask) size += group.size;
+  return size;
+}
+
+// GL_ENABLE_BIT is every capability, in table order; those of texture units eight times.
+template <class Visit> void for_each_enable(Visit visit) {
+  for (const Capability& capability : capabilities())
+    for (int unit = 0; unit < (capability.per_unit() ? kMaxTextureUnits : 1); ++unit) visit(capability, unit);
+}
+
+void save_textures(Context& c, std::vector<SavedTexture>& saved) {
+  for (int unit = 0; unit < kMaxTextureUnits; ++unit)
+    for (int target = 0; target < kTextureTargets; ++target) {
+      // Units that nobody has touched keep the default objects: one copy of those, from unit 0, is enough.
+      if (unit != 0 && c.state.texture.unit[unit].bound[target] == 0) continue;
+      auto object = bound_texture(c, unit, TextureTarget(target));
+      auto parameters = std::make_shared<const TextureParameters>(object->parameters);
+      saved.push_back({unit, TextureTarget(target), std::move(object), std::move(parameters)});
+    }
+}
+
+void restore_textures(Context& c, const std::vector<SavedTexture>& saved) {
+  for (const SavedTexture& texture : saved) {
+    // An object deleted meanwhile is not bound again; the default one takes its place.
+    if (texture.object->name != 0 && c.shared->textures.find(texture.object->name) != texture.object)
+      c.state.texture.unit[texture.unit].bound[texture.target] = 0;
+    else
+      texture.object->parameters = *texture.parameters;
+  }
+}
+
+} // namespace
+
+namespace gl {
+
+void PushAttrib(Context& c, GLbitfield mask) {
+  if (c.attribute_stack.server.size() >= kMaxAttributeStackDepth) return set_error(c, GL_STACK_OVERFLOW);
+  track_color_material(c);
+  SavedAttributes saved;
+  saved.mask = mask;
+  saved.groups.reserve(groups_size(mask) + 256);
+  const std::byte* state = reinterpret_cast<const std::byte*>(&c.state);
+  for (const Group& group : groups)
+    if (group.mask & mask)
+      saved.groups.insert(saved.groups.end(), state + group.offset, state + group.offset + group.size);
+  if (mask & GL_ENABLE_BIT)
+    for_each_enable(
+        [&](const Capability& e, int unit) { saved.groups.push_back(std::byte(e.get(c.state, unit))); });
+  if (mask & GL_TEXTURE_BIT) save_textures(c, saved.textures);
+  c.attribute_stack.server.push_back(std::move(saved));
+}
+
+void PopAttrib(Context& c) {
+  if (c.attribute_stack.server.empty()) return set_error(c, GL_STACK_UNDERFLOW);
+  track_color_material(c);
+  const SavedAttributes& saved = c.attribute_stack.server.back();
+  std::byte* state = reinterpret_cast<std::byte*>(&c.state);
+  const std::byte* from = saved.groups.data();
+  for (const Group& group : groups)
+    if (group.mask & saved.mask) {
+      std::memcpy(state + group.offset, from, group.size);
+      from += group.size;
+    }
+  if (saved.mask & GL_ENABLE_BIT)
+    for_each_enable([&](const Capability& e, int unit) { e.set(c.state, unit, bool(*from++)); });
+  restore_textures(c, saved.textures);
+  c.attribute_stack.server.pop_back();
+  c.dirty |= kDirtyAll;
+}
+
+void PushClientAttrib(Context& c, GLbitfield mask) {
+  if (c.attribute_stack.client.size() >= kMaxAttributeStackDepth) return set_error(c, GL_STACK_OVERFLOW);
+  c.attribute_stack.client.push_back({mask, c.client.pixel_store, c.client.vertex_array});
+}
+
+void PopClientAttrib(Context& c) {
+  if (c.attribute_stack.client.empty()) return set_error(c, GL_STACK_UNDERFLOW);
+  const SavedClientAttributes& saved = c.attribute_stack.client.back();
+  if (saved.mask & GL_CLIENT_PIXEL_STORE_BIT) c.client.pixel_store = saved.pixel_store;
+  if (saved.mask & GL_CLIENT_VERTEX_ARRAY_BIT) {
+    c.client.vertex_array = saved.vertex_array;
+    c.dirty |= kDirtyArrays;
+  }
+  c.attribute_stack.client.pop_back();
+}
+
+} // namespace gl
+} // namespace softgl

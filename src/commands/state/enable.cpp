@@ -1,0 +1,96 @@
+// Enable, Disable, IsEnabled and the client's counterparts (GL 1.5, 2.8 and 6.1.1).
+#include <algorithm>
+#include <vector>
+
+#include "commands/generated/commands.h"
+#include "commands/lighting/color_material.h"
+#include "commands/state/capabilities.h"
+#include "context/context.h"
+
+namespace softgl {
+namespace {
+
+#define CAPABILITY(name, initial, dirty, member) \
+  {GLenum(GL_##name), \
+   bool(initial), \
+   dirty, \
+   [](State& s, TextureUnitState& unit) -> bool* { \
+     (void)s, (void)unit; \
+     return &(member); \
+   }, \
+   nullptr, \
+   0},
+#define CAPABILITY_BIT(name, number, dirty, member) \
+  {GLenum(GL_##name), false, dirty, nullptr, [](State& s) -> uint32_t* { return &(member); }, 1u << (number)},
+const Capability table[] = {
+#include "context/state_table.inc"
+};
+
+std::vector<const Capability*> sorted_table() {
+  std::vector<const Capability*> sorted;
+  for (const Capability& capability : table) sorted.push_back(&capability);
+  std::sort(sorted.begin(), sorted.end(), [](auto* a, auto* b) { return a->token < b->token; });
+  return sorted;
+}
+
+} // namespace
+
+std::span<const Capability> capabilities() { return table; }
+
+const Capability* find_capability(GLenum token) {
+  static const std::vector<const Capability*> sorted = sorted_table();
+  auto it =
+      std::lower_bound(sorted.begin(), sorted.end(), token, [](auto* a, GLenum t) { return a->token < t; });
+  return it != sorted.end() && (*it)->token == token ? *it : nullptr;
+}
+
+VertexArray* find_array(ClientState& client, GLenum token) {
+  switch (token) {
+// clang-format off
+#define ARRAY(name, slot) \
+  case GL_##name: return &client.vertex_array.array[slot];
+#include "context/state_table.inc"
+    // clang-format on
+  default: return nullptr;
+  }
+}
+
+namespace gl {
+namespace {
+
+void set_array(Context& c, GLenum token, bool value) {
+  VertexArray* array = find_array(c.client, token);
+  if (!array) return set_error(c, GL_INVALID_ENUM);
+  array->enabled = value;
+  c.dirty |= kDirtyArrays;
+}
+
+void set_capability(Context& c, GLenum token, bool value) {
+  const Capability* capability = find_capability(token);
+  if (!capability) return set_array(c, token, value); // EXT_vertex_array switches the arrays here
+  const int unit = c.state.texture.active_unit;
+  if (capability->get(c.state, unit) == value) return;
+  if (token == GL_COLOR_MATERIAL && !value) track_color_material(c); // keeps the last colour
+  capability->set(c.state, unit, value);
+  if (token == GL_COLOR_MATERIAL && value) track_color_material(c);
+  c.dirty |= capability->dirty;
+}
+
+} // namespace
+
+void Enable(Context& c, GLenum cap) { set_capability(c, cap, true); }
+void Disable(Context& c, GLenum cap) { set_capability(c, cap, false); }
+
+GLboolean IsEnabled(Context& c, GLenum cap) {
+  if (const Capability* capability = find_capability(cap))
+    return capability->get(c.state, c.state.texture.active_unit);
+  if (const VertexArray* array = find_array(c.client, cap)) return array->enabled;
+  set_error(c, GL_INVALID_ENUM);
+  return GL_FALSE;
+}
+
+void EnableClientState(Context& c, GLenum array) { set_array(c, array, true); }
+void DisableClientState(Context& c, GLenum array) { set_array(c, array, false); }
+
+} // namespace gl
+} // namespace softgl

@@ -1,0 +1,220 @@
+// TexImage, TexSubImage and GetTexImage (GL 1.5, 3.8.1, 3.8.2, 6.1.4).
+#include <new>
+
+#include "commands/generated/commands.h"
+#include "commands/textures/texture_images.h"
+#include "context/context.h"
+#include "context/pixel_transfer.h"
+#include "texture/pixel_formats.h"
+
+namespace softgl {
+
+GLenum check_image_size(const ImageTarget& t, GLint level, GLsizei width, GLsizei height, GLsizei depth,
+                        GLint border) {
+  if (level < 0 || level >= max_texture_levels(t.target)) return GL_INVALID_VALUE;
+  if (border < 0 || border > 1 || (border != 0 && t.target == kTextureRectangle)) return GL_INVALID_VALUE;
+  const int largest = max_texture_size(t.target) >> level;
+  // Any size will do: GL_ARB_texture_non_power_of_two.
+  auto legal = [&](GLsizei size, bool bordered) {
+    const int b = bordered ? border : 0;
+    return size >= 2 * b && size - 2 * b <= largest;
+  };
+  const bool two = t.target != kTexture1D, three = t.target == kTexture3D;
+  if (!legal(width, true) || (two && !legal(height, true)) || (three && !legal(depth, true)))
+    return GL_INVALID_VALUE;
+  if (t.target == kTextureCube && width != height) return GL_INVALID_VALUE;
+  return GL_NO_ERROR;
+}
+
+void image_changed(Context& c, TextureObject& object, int face, int level) {
+  if (object.parameters.generate_mipmap && level == object.parameters.base_level)
+    generate_mipmaps(object, face);
+  c.dirty |= kDirtyTexture;
+}
+
+namespace {
+
+// Texels of a box from client memory; the pointer is already past the skipped pixels.
+void store_box(Context& c, TextureImage& image, int x, int y, int z, int width, int height, int depth,
+               const PixelFormat& format, const ImageLayout& layout, const unsigned char* pixels) {
+  for (int k = 0; k < depth; ++k)
+    for (int j = 0; j < height; ++j)
+      store_texels(*image.format, image.at(x, y + j, z + k), format,
+                   pixels + size_t(k) * layout.image_stride + size_t(j) * layout.row_stride, width,
+                   c.client.pixel_store.unpack.swap_bytes, pixel_transfer(c));
+  image.repeat_edges();
+}
+
+GLenum check_format(GLint internal_format, GLenum format, GLenum type) {
+  if (GLenum error = check_pixel_format(format, type); error != GL_NO_ERROR) return error;
+  if (format == GL_STENCIL_INDEX) return GL_INVALID_ENUM;
+  const GLenum base = base_internal_format(internal_format);
+  if (base == 0) return GL_INVALID_VALUE;
+  if ((base == GL_DEPTH_COMPONENT) != (format == GL_DEPTH_COMPONENT)) return GL_INVALID_OPERATION;
+  return GL_NO_ERROR;
+}
+
+void specify_image(Context& c, int dimensions, GLenum target, GLint level, GLint internal_format,
+                   GLsizei width, GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type,
+                   const void* pixels) {
+  const ImageTarget t = image_target(target, dimensions);
+  if (!t.valid()) return set_error(c, GL_INVALID_ENUM);
+  if (level < 0 || level >= max_texture_levels(t.target) || border < 0 || border > 1 || width < 0 ||
+      height < 0 || depth < 0)
+    return set_error(c, GL_INVALID_VALUE);
+  if (GLenum error = check_format(internal_format, format, type); error != GL_NO_ERROR)
+    return set_error(c, error);
+  const auto object = target_object(c, t);
+  const TexelFormat& texel = level_format(
+      *object, t.face, level, internal_format,
+      *choose_texel_format(internal_format, format, type, c.client.pixel_store.unpack.swap_bytes));
+  if (texel.base == GL_DEPTH_COMPONENT && t.target != kTexture1D && t.target != kTexture2D &&
+      t.target != kTextureRectangle)
+    return set_error(c, GL_INVALID_OPERATION);
+  const GLenum size_error = check_image_size(t, level, width, height, depth, border);
+  const bool fits = size_error == GL_NO_ERROR && image_bytes(texel, width, height, depth) <= kMaxImageBytes;
+  if (t.proxy) {
+    // A proxy's image is only a description; what is impossible leaves it empty, without an error (3.8.11).
+    object->image[0][level] = nullptr;
+    if (!fits) return;
+    auto image = std::make_shared<TextureImage>();
+    image->format = &texel, image->internal_format = internal_format;
+    image->width = width, image->height = height, image->depth = depth;
+    image->border = border;
+    object->image[0][level] = image;
+    return;
+  }
+  if (size_error != GL_NO_ERROR) return set_error(c, size_error);
+  if (!fits) return set_error(c, GL_OUT_OF_MEMORY);
+  const int b = border;
+  try {
+    auto image = make_image(texel, internal_format, width - 2 * b, dimensions > 1 ? height - 2 * b : 1,
+                            dimensions > 2 ? depth - 2 * b : 1);
+    match_formats(*object, *image);
+    if (pixels && !image->empty()) {
+      // The border is dropped, as OSMesa drops it: only the pixels inside are read.
+      const PixelFormat f = describe_pixel_format(format, type);
+      const ImageLayout layout = layout_image(c.client.pixel_store.unpack, dimensions, width, height, f);
+      auto p = static_cast<const unsigned char*>(pixels) + layout.offset + size_t(b) * f.bytes;
+      if (dimensions > 1) p += size_t(b) * layout.row_stride;
+      if (dimensions > 2) p += size_t(b) * layout.image_stride;
+      store_box(c, *image, 0, 0, 0, image->width, image->height, image->depth, f, layout, p);
+    }
+    object->image[t.face][level] = std::move(image);
+    image_changed(c, *object, t.face, level);
+  } catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+}
+
+void change_image(Context& c, int dimensions, GLenum target, GLint level, GLint x, GLint y, GLint z,
+                  GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type,
+                  const void* pixels) {
+  const ImageTarget t = image_target(target, dimensions);
+  if (!t.valid() || t.proxy) return set_error(c, GL_INVALID_ENUM);
+  if (level < 0 || level >= max_texture_levels(t.target) || width < 0 || height < 0 || depth < 0)
+    return set_error(c, GL_INVALID_VALUE);
+  if (GLenum error = check_pixel_format(format, type); error != GL_NO_ERROR) return set_error(c, error);
+  const auto object = target_object(c, t);
+  const TextureImage* image = object->image[t.face][level].get();
+  if (!image) return set_error(c, GL_INVALID_OPERATION);
+  if (!box_inside(*image, x, y, z, width, height, depth)) return set_error(c, GL_INVALID_VALUE);
+  if (format == GL_STENCIL_INDEX) return set_error(c, GL_INVALID_ENUM);
+  if ((image->format->base == GL_DEPTH_COMPONENT) != (format == GL_DEPTH_COMPONENT))
+    return set_error(c, GL_INVALID_OPERATION);
+  if (!pixels || width == 0 || height == 0 || depth == 0) return;
+  const PixelFormat f = describe_pixel_format(format, type);
+  const ImageLayout layout = layout_image(c.client.pixel_store.unpack, dimensions, width, height, f);
+  try {
+    store_box(c, object->writable(t.face, level), x, y, z, width, height, depth, f, layout,
+              static_cast<const unsigned char*>(pixels) + layout.offset);
+    image_changed(c, *object, t.face, level);
+  } catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+}
+
+} // namespace
+
+bool box_inside(const TextureImage& image, GLint x, GLint y, GLint z, GLsizei width, GLsizei height,
+                GLsizei depth) {
+  return x >= 0 && y >= 0 && z >= 0 && int64_t(x) + width <= image.width &&
+         int64_t(y) + height <= image.height && int64_t(z) + depth <= image.depth;
+}
+
+namespace gl {
+
+void TexImage1D(Context& c, GLenum target, GLint level, GLint internalformat, GLsizei width, GLint border,
+                GLenum format, GLenum type, const void* pixels) {
+  specify_image(c, 1, target, level, internalformat, width, 1, 1, border, format, type, pixels);
+}
+void TexImage2D(Context& c, GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height,
+                GLint border, GLenum format, GLenum type, const void* pixels) {
+  specify_image(c, 2, target, level, internalformat, width, height, 1, border, format, type, pixels);
+}
+void TexImage3D(Context& c, GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height,
+                GLsizei depth, GLint border, GLenum format, GLenum type, const void* pixels) {
+  specify_image(c, 3, target, level, internalformat, width, height, depth, border, format, type, pixels);
+}
+void TexSubImage1D(Context& c, GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format,
+                   GLenum type, const void* pixels) {
+  change_image(c, 1, target, level, xoffset, 0, 0, width, 1, 1, format, type, pixels);
+}
+void TexSubImage2D(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width,
+                   GLsizei height, GLenum format, GLenum type, const void* pixels) {
+  change_image(c, 2, target, level, xoffset, yoffset, 0, width, height, 1, format, type, pixels);
+}
+void TexSubImage3D(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset,
+                   GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type,
+                   const void* pixels) {
+  change_image(c, 3, target, level, xoffset, yoffset, zoffset, width, height, depth, format, type, pixels);
+}
+
+void GetTexImage(Context& c, GLenum target, GLint level, GLenum format, GLenum type, void* pixels) {
+  const ImageTarget t = any_image_target(target);
+  if (!t.valid() || t.proxy) return set_error(c, GL_INVALID_ENUM);
+  if (level < 0 || level >= max_texture_levels(t.target)) return set_error(c, GL_INVALID_VALUE);
+  if (GLenum error = check_pixel_format(format, type); error != GL_NO_ERROR) return set_error(c, error);
+  if (format == GL_STENCIL_INDEX || format == GL_COLOR_INDEX) return set_error(c, GL_INVALID_ENUM);
+  const auto object = target_object(c, t);
+  const TextureImage* image = object->image[t.face][level].get();
+  if (!image || image->empty() || !pixels) return;
+  if ((image->format->base == GL_DEPTH_COMPONENT) != (format == GL_DEPTH_COMPONENT))
+    return set_error(c, GL_INVALID_OPERATION);
+  const PixelFormat f = describe_pixel_format(format, type);
+  const int dimensions = t.target == kTexture1D ? 1 : t.target == kTexture3D ? 3 : 2;
+  const ImageLayout layout =
+      layout_image(c.client.pixel_store.pack, dimensions, image->width, image->height, f);
+  auto p = static_cast<unsigned char*>(pixels) + layout.offset;
+  for (int z = 0; z < image->depth; ++z)
+    for (int y = 0; y < image->height; ++y)
+      load_texels(*image->format, image->at(0, y, z), f,
+                  p + size_t(z) * layout.image_stride + size_t(y) * layout.row_stride, image->width,
+                  c.client.pixel_store.pack.swap_bytes);
+}
+
+// Compressed images: no compressed format is advertised (GL_NUM_COMPRESSED_TEXTURE_FORMATS is 0), so none is
+// known.
+void CompressedTexImage1D(Context& c, GLenum, GLint, GLenum, GLsizei, GLint, GLsizei, const void*) {
+  set_error(c, GL_INVALID_ENUM);
+}
+void CompressedTexImage2D(Context& c, GLenum, GLint, GLenum, GLsizei, GLsizei, GLint, GLsizei, const void*) {
+  set_error(c, GL_INVALID_ENUM);
+}
+void CompressedTexImage3D(Context& c, GLenum, GLint, GLenum, GLsizei, GLsizei, GLsizei, GLint, GLsizei,
+                          const void*) {
+  set_error(c, GL_INVALID_ENUM);
+}
+void CompressedTexSubImage1D(Context& c, GLenum, GLint, GLint, GLsizei, GLenum, GLsizei, const void*) {
+  set_error(c, GL_INVALID_ENUM);
+}
+void CompressedTexSubImage2D(Context& c, GLenum, GLint, GLint, GLint, GLsizei, GLsizei, GLenum, GLsizei,
+                             const void*) {
+  set_error(c, GL_INVALID_ENUM);
+}
+void CompressedTexSubImage3D(Context& c, GLenum, GLint, GLint, GLint, GLint, GLsizei, GLsizei, GLsizei,
+                             GLenum, GLsizei, const void*) {
+  set_error(c, GL_INVALID_ENUM);
+}
+void GetCompressedTexImage(Context& c, GLenum target, GLint, void*) {
+  set_error(c, any_image_target(target).valid() ? GL_INVALID_OPERATION : GL_INVALID_ENUM);
+}
+
+} // namespace gl
+} // namespace softgl

@@ -1,0 +1,61 @@
+// Naming and binding of texture objects (GL 1.5, 3.8.12).
+#include "commands/generated/commands.h"
+#include "commands/textures/texture_targets.h"
+#include "context/context.h"
+
+namespace softgl::gl {
+
+void GenTextures(Context& c, GLsizei n, GLuint* textures) {
+  if (n < 0) return set_error(c, GL_INVALID_VALUE);
+  if (!textures) return;
+  if (!c.shared->textures.reserve(n, textures)) set_error(c, GL_OUT_OF_MEMORY);
+}
+
+void DeleteTextures(Context& c, GLsizei n, const GLuint* textures) {
+  if (n < 0) return set_error(c, GL_INVALID_VALUE);
+  if (!textures) return;
+  for (GLsizei i = 0; i < n; ++i) {
+    if (textures[i] == 0) continue;
+    c.shared->textures.erase(textures[i]);
+    for (auto& unit : c.state.texture.unit)
+      for (GLuint& bound : unit.bound)
+        if (bound == textures[i]) bound = 0;
+  }
+  c.dirty |= kDirtyTexture;
+}
+
+void BindTexture(Context& c, GLenum target, GLuint texture) {
+  const TextureTarget t = binding_target(target);
+  if (t == kTextureTargets) return set_error(c, GL_INVALID_ENUM);
+  GLuint& bound = c.state.texture.unit[c.state.texture.active_unit].bound[t];
+  if (texture != 0) {
+    auto object = c.shared->textures.find_or_create(
+        texture, [&] { return std::make_shared<TextureObject>(texture, t); });
+    if (object->target != t) return set_error(c, GL_INVALID_OPERATION);
+  }
+  bound = texture;
+  c.dirty |= kDirtyTexture;
+}
+
+GLboolean IsTexture(Context& c, GLuint texture) {
+  return texture != 0 && c.shared->textures.find(texture) ? GL_TRUE : GL_FALSE;
+}
+
+GLboolean AreTexturesResident(Context& c, GLsizei n, const GLuint* textures, GLboolean*) {
+  if (n < 0) return set_error(c, GL_INVALID_VALUE), GL_FALSE;
+  if (!textures) return GL_FALSE;
+  for (GLsizei i = 0; i < n; ++i)
+    if (textures[i] == 0 || !c.shared->textures.find(textures[i]))
+      return set_error(c, GL_INVALID_VALUE), GL_FALSE;
+  return GL_TRUE; // all of memory is texture memory
+}
+
+void PrioritizeTextures(Context& c, GLsizei n, const GLuint* textures, const GLfloat* priorities) {
+  if (n < 0) return set_error(c, GL_INVALID_VALUE);
+  if (!textures || !priorities) return;
+  for (GLsizei i = 0; i < n; ++i)
+    if (auto object = textures[i] ? c.shared->textures.find(textures[i]) : nullptr)
+      object->parameters.priority = priorities[i] > 0 ? (priorities[i] < 1 ? priorities[i] : 1.0f) : 0.0f;
+}
+
+} // namespace softgl::gl

@@ -1,0 +1,60 @@
+// Matrix commands (GL 1.5, 2.11.2). Double and transposed forms arrive as float columns.
+#include "commands/generated/commands.h"
+#include "context/context.h"
+
+namespace softgl::gl {
+namespace {
+
+// The current matrix, about to change.
+Matrix& edit(Context& c) {
+  c.dirty |= kDirtyMatrices;
+  return c.matrices.current(c.state).top();
+}
+
+} // namespace
+
+void MatrixMode(Context& c, GLenum mode) {
+  if (mode != GL_MODELVIEW && mode != GL_PROJECTION && mode != GL_TEXTURE)
+    return set_error(c, GL_INVALID_ENUM);
+  c.state.transform.matrix_mode = mode;
+}
+
+void LoadIdentity(Context& c) { set_identity(edit(c)); }
+void LoadMatrix(Context& c, const float* m) {
+  if (m) load(edit(c), m);
+}
+void MultMatrix(Context& c, const float* m) {
+  if (m) multiply(edit(c), m);
+}
+void Rotate(Context& c, float angle, float x, float y, float z) { rotate(edit(c), angle, x, y, z); }
+void Translate(Context& c, float x, float y, float z) { translate(edit(c), x, y, z); }
+void Scale(Context& c, float x, float y, float z) { scale(edit(c), x, y, z); }
+
+void Frustum(Context& c, float left, float right, float bottom, float top, float near_value,
+             float far_value) {
+  if (near_value <= 0.0f || far_value <= 0.0f || near_value == far_value || left == right || bottom == top)
+    return set_error(c, GL_INVALID_VALUE);
+  frustum(edit(c), left, right, bottom, top, near_value, far_value);
+}
+void Ortho(Context& c, float left, float right, float bottom, float top, float near_value, float far_value) {
+  if (left == right || bottom == top || near_value == far_value) return set_error(c, GL_INVALID_VALUE);
+  ortho(edit(c), left, right, bottom, top, near_value, far_value);
+}
+
+void PushMatrix(Context& c) {
+  MatrixStack& stack = c.matrices.current(c.state);
+  int limit = kMaxModelviewDepth;
+  if (c.state.transform.matrix_mode == GL_PROJECTION) limit = kMaxProjectionDepth;
+  if (c.state.transform.matrix_mode == GL_TEXTURE) limit = kMaxTextureDepth;
+  if (stack.depth() >= limit) return set_error(c, GL_STACK_OVERFLOW);
+  if (stack.top().flags & kMatrixDirty) analyse(stack.top());
+  stack.entry.push_back(Matrix(stack.top()));
+}
+void PopMatrix(Context& c) {
+  MatrixStack& stack = c.matrices.current(c.state);
+  if (stack.depth() == 1) return set_error(c, GL_STACK_UNDERFLOW);
+  stack.entry.pop_back();
+  c.dirty |= kDirtyMatrices;
+}
+
+} // namespace softgl::gl

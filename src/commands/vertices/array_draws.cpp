@@ -1,0 +1,197 @@
+// DrawArrays, DrawElements and their relatives (GL 1.5, 2.8).
+#include <algorithm>
+#include <new>
+
+#include "commands/generated/commands.h"
+#include "commands/vertices/array_element.h"
+#include "commands/vertices/array_fetch.h"
+#include "commands/vertices/attribute_doors.h"
+#include "commands/vertices/index_range.h"
+#include "commands/vertices/list_compilation.h"
+#include "commands/vertices/vertex_stream.h"
+#include "context/buffer_objects.h"
+#include "context/context.h"
+#include "snapshot/submit.h"
+
+namespace softgl {
+namespace {
+
+/// An error of a draw; one that is being compiled is raised when the list is played.
+void draw_error(Context& c, GLenum code) {
+  if (c.builder.compiling)
+    compile_error(c, code);
+  else
+    set_error(c, code);
+}
+
+/// What all draws ask first. False: nothing is to be drawn.
+bool may_draw(Context& c, GLenum mode, GLsizei count) {
+  if (c.builder.compiling && c.builder.mode != kNoPrimitive)
+    return draw_error(c, GL_INVALID_OPERATION), false;
+  if (mode > GL_POLYGON) return draw_error(c, GL_INVALID_ENUM), false;
+  if (count < 0) return draw_error(c, GL_INVALID_VALUE), false;
+  if (c.builder.compiling) compile_error(c, GL_NO_ERROR); // also where nothing is to be drawn
+  return true;
+}
+
+void submit_arrays(Context& c, const VertexSource* source, GLenum mode, uint32_t first, uint32_t count,
+                   DrawCall call) {
+  call.source = source;
+  call.constant = current_constants(c);
+  call.primitives = c.frame.arena().make<PrimitiveRange>(PrimitiveRange{mode, first, count});
+  call.primitive_count = 1;
+  submit(c, call);
+}
+
+void draw_arrays(Context& c, GLenum mode, uint32_t first, uint32_t count) {
+  ArrayCache* arrays = current_arrays(c);
+  if (!arrays || !arrays->drawable || first >= arrays->limit) return;
+  count = uint32_t(std::min<uint64_t>(count, arrays->limit - first));
+  if (c.builder.compiling) {
+    gl::Begin(c, mode);
+    for (uint32_t i = 0; i < count; ++i) emit_array_element(c, *arrays, first + i);
+    return gl::End(c);
+  }
+  count = complete_vertices(mode, count, false);
+  if (!count) return;
+  DrawCall call;
+  call.first_vertex = first;
+  call.vertex_count = count;
+  submit_arrays(c, fetch_range(c, *arrays, first, first + count - 1), mode, first, count, call);
+}
+
+/// The indices of a draw in memory that the frame keeps, and their range.
+struct Indices {
+  const void* data = nullptr;
+  uint32_t count = 0;
+  IndexRange range;
+};
+
+Indices indices_of(Context& c, GLenum mode, uint32_t count, GLenum type, const void* pointer) {
+  const uint32_t bytes = index_bytes(type);
+  const std::shared_ptr<BufferObject>& buffer = c.client.vertex_array.element_array_object;
+  Indices result;
+  if (!buffer) {
+    result.count = complete_vertices(mode, count, false);
+    if (!pointer || !result.count) return {};
+    void* copy = c.frame.arena().allocate(size_t(result.count) * bytes);
+    result.range = copy_indices(pointer, type, result.count, copy);
+    result.data = copy;
+    return result;
+  }
+  const size_t offset = reinterpret_cast<size_t>(pointer), size = buffer->size();
+  if (offset >= size) return {};
+  result.count = complete_vertices(mode, uint32_t(std::min<size_t>(count, (size - offset) / bytes)), false);
+  if (!result.count) return {};
+  const unsigned char* data = buffer->storage->bytes + offset;
+  if (offset % bytes) {
+    void* copy = c.frame.arena().allocate(size_t(result.count) * bytes);
+    result.range = copy_indices(data, type, result.count, copy);
+    result.data = copy;
+    return result;
+  }
+  result.range = index_range(*buffer, offset, type, result.count);
+  result.data = data;
+  if (c.arrays.retained_indices != buffer->storage.get()) {
+    c.frame.retain(buffer->storage, buffer->storage->size);
+    c.arrays.retained_indices = buffer->storage.get();
+  }
+  return result;
+}
+
+void draw_elements(Context& c, GLenum mode, uint32_t count, GLenum type, const void* pointer) {
+  ArrayCache* arrays = current_arrays(c);
+  if (!arrays) return;
+  const BufferObject* buffer = c.client.vertex_array.element_array_object.get();
+  if (buffer && buffer->mapped) return set_error(c, GL_INVALID_OPERATION);
+  if (!arrays->drawable) return;
+  if (c.builder.compiling) {
+    const auto* indices = static_cast<const unsigned char*>(pointer);
+    if (buffer) {
+      const size_t offset = reinterpret_cast<size_t>(pointer), size = buffer->size();
+      count = offset < size ? uint32_t(std::min<size_t>(count, (size - offset) / index_bytes(type))) : 0;
+      indices = count ? buffer->storage->bytes + offset : nullptr;
+    }
+    if (!indices) return;
+    gl::Begin(c, mode);
+    for (uint32_t i = 0; i < count; ++i) emit_array_element(c, *arrays, load_index(indices, type, i));
+    return gl::End(c);
+  }
+  const Indices indices = indices_of(c, mode, count, type, pointer);
+  if (!indices.count) return;
+  DrawCall call;
+  const auto [low, high] = indices.range;
+  // Vertices nobody asks for cost as much as the others, 2-4 ns; to look each index up costs 1-2 ns.
+  if (high >= arrays->limit || uint64_t(high) - low > 2 * uint64_t(indices.count) + 64) {
+    const CompactVertices vertices = compact(c, *arrays, indices.data, type, indices.count);
+    call.indices = vertices.indices;
+    call.vertex_count = vertices.vertex_count;
+    return submit_arrays(c, vertices.source, mode, 0, indices.count, call);
+  }
+  call.indices = indices.data;
+  call.index_type = type;
+  call.first_vertex = low;
+  call.vertex_count = high - low + 1;
+  submit_arrays(c, fetch_range(c, *arrays, low, high), mode, 0, indices.count, call);
+}
+
+} // namespace
+
+void gl::DrawArrays(Context& c, GLenum mode, GLint first, GLsizei count) try {
+  if (!may_draw(c, mode, count)) return;
+  if (first < 0) return draw_error(c, GL_INVALID_VALUE);
+  draw_arrays(c, mode, uint32_t(first), uint32_t(count));
+} catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+
+void gl::DrawElements(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices) try {
+  if (!may_draw(c, mode, count)) return;
+  if (!index_bytes(type)) return draw_error(c, GL_INVALID_ENUM);
+  draw_elements(c, mode, uint32_t(count), type, indices);
+} catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+
+void gl::DrawRangeElements(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type,
+                           const void* indices) try {
+  if (!may_draw(c, mode, count)) return;
+  if (end < start) return draw_error(c, GL_INVALID_VALUE);
+  if (!index_bytes(type)) return draw_error(c, GL_INVALID_ENUM);
+  // Whether the indices keep to the range is not known, and to look costs little: the range is not used.
+  draw_elements(c, mode, uint32_t(count), type, indices);
+} catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+
+void gl::MultiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count,
+                         GLsizei draws) try {
+  if (!may_draw(c, mode, draws)) return;
+  for (GLsizei i = 0; i < draws; ++i)
+    if (count[i] < 0 || (count[i] > 0 && first[i] < 0)) return draw_error(c, GL_INVALID_VALUE);
+  for (GLsizei i = 0; i < draws; ++i)
+    if (count[i] > 0) draw_arrays(c, mode, uint32_t(first[i]), uint32_t(count[i]));
+} catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+
+void gl::MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum type,
+                           const void* const* indices, GLsizei draws) try {
+  if (!may_draw(c, mode, draws)) return;
+  if (!index_bytes(type)) return draw_error(c, GL_INVALID_ENUM);
+  for (GLsizei i = 0; i < draws; ++i)
+    if (count[i] < 0) return draw_error(c, GL_INVALID_VALUE);
+  for (GLsizei i = 0; i < draws; ++i)
+    if (count[i] > 0) draw_elements(c, mode, uint32_t(count[i]), type, indices[i]);
+} catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+
+void gl::ArrayElement(Context& c, GLint i) try {
+  if (c.guard & kNoContext) return;
+  if (i < 0)
+    return c.builder.compiling ? compile_error(c, GL_INVALID_VALUE, true) : set_error(c, GL_INVALID_VALUE);
+  if (const ArrayCache* arrays = current_arrays(c)) emit_array_element(c, *arrays, uint32_t(i));
+} catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+
+void gl::Rect(Context& c, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
+  gl::Begin(c, GL_QUADS); // the specification says GL_POLYGON; OSMesa 22.3.6 draws a quad: the same but for
+                          // its diagonal
+  emit_vertex2(c, x1, y1);
+  emit_vertex2(c, x2, y1);
+  emit_vertex2(c, x2, y2);
+  emit_vertex2(c, x1, y2);
+  gl::End(c);
+}
+
+} // namespace softgl

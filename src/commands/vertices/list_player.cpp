@@ -1,0 +1,58 @@
+#include "commands/vertices/list_player.h"
+#include "commands/vertices/run_playback.h"
+#include "commands/vertices/vertex_stream.h"
+
+#include <cstring>
+
+#include "commands/generated/list_playback.h"
+#include "commands/vertices/attribute_doors.h"
+#include "commands/vertices/list_commands.h"
+#include "context/context.h"
+#include "context/display_list.h"
+
+namespace softgl {
+namespace {
+
+void play_command_record(Context& c, uint16_t opcode, const void* arguments) {
+  if (c.guard & kInsideBeginEnd) {
+    if (!allowed_inside_begin_end(opcode)) return set_error(c, GL_INVALID_OPERATION);
+  } else if (c.guard & kRunPending) {
+    close_run(c);
+  }
+  play_command(c, opcode, arguments);
+}
+
+} // namespace
+
+void play_list(Context& c, const DisplayList& list) {
+  const uint64_t* at = list.records.data();
+  const uint64_t* const end = at + list.records.size();
+  RecordHeader header;
+  for (; at != end; at += header.units) {
+    std::memcpy(&header, at, sizeof header);
+    const uint64_t* arguments = at + 1;
+    switch (header.opcode) {
+    case kPlayRun: play_run(c, list.runs[*arguments]); break;
+    case kPlayAttribute: {
+      AttributeRecord r;
+      std::memcpy(&r, arguments, sizeof r);
+      set_attribute4(c, int(r.slot), r.value[0], r.value[1], r.value[2], r.value[3]);
+      break;
+    }
+    case kPlayEnd: gl::End(c); break;
+    case kPlayError:
+      set_error(c, (c.guard & kInsideBeginEnd) && !(*arguments >> 32) ? GL_INVALID_OPERATION
+                                                                      : GLenum(*arguments));
+      break;
+    case kPlayCallList: call_list(c, GLuint(*arguments)); break;
+    case kPlayCallLists: {
+      const auto* offsets = reinterpret_cast<const GLuint*>(arguments + 1);
+      for (uint64_t i = 0; i < *arguments; ++i) call_list(c, c.state.list.base + offsets[i]);
+      break;
+    }
+    default: play_command_record(c, uint16_t(header.opcode), arguments);
+    }
+  }
+}
+
+} // namespace softgl

@@ -1,0 +1,34 @@
+// What writes to the vertex builder: Begin, End, attributes and vertices.
+#pragma once
+
+#include "context/context.h"
+
+namespace softgl {
+
+/// Draws what waits in the builder (or hands it to the list that is being compiled) and makes the last
+/// attribute values current. Between Begin and End it does nothing.
+void close_run(Context& context);
+/// Ends an unfinished primitive, too: for the moments when a context leaves its thread.
+void finish_vertices(Context& context);
+
+/// The current attributes below kMaterial0 in the frame's arena, for DrawCall::constant; the last block again
+/// while none has changed.
+const Vec4* current_constants(Context& context);
+
+/// Makes a value current outside of any run and sets the dirty bit if it is new.
+void set_current(Context& context, int slot, const float* value);
+
+namespace gl {
+void Begin(Context& context, GLenum mode);
+void End(Context& context);
+} // namespace gl
+
+// The parts of the hot doors that are seldom needed; see attribute_doors.h.
+void set_absent_attribute(Context& context, int slot, float x, float y, float z, float w);
+void emit_vertex_without_room(Context& context, float x, float y, float z, float w);
+
+/// How many of `count` vertices make whole primitives. A continued piece begins with one or two carried
+/// vertices.
+uint32_t complete_vertices(GLenum mode, uint32_t count, bool continued);
+
+} // namespace softgl

@@ -1,0 +1,330 @@
+// What GL remembers: one struct per attribute group (GL 1.5, tables 6.5 to 6.37).
+// The default member values ARE the initial state. Derived values live elsewhere.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+
+#include "base/gl_types.h"
+#include "base/vectors.h"
+#include "shaders/common/limits.h"
+#include "shaders/common/vertex_attributes.h"
+#include "texture/pixel_state.h"
+#include "texture/texture_target.h"
+
+namespace softgl {
+
+constexpr int kMaxTextureSize = 16384;
+constexpr int kMax3DTextureSize = 2048;
+constexpr int kMaxViewportDimension = 16384;
+
+/// The current vertex attributes (GL_CURRENT_BIT) and the current material (part of GL_LIGHTING_BIT),
+/// table 6.5.
+struct CurrentAttributes {
+  alignas(16) Vec4 slot[kAttributeSlots] = {
+      /* position   */ {0, 0, 0, 1},
+      /* normal */ {0, 0, 1, 1},
+      /* colour */ {1, 1, 1, 1},
+      /* secondary */ {0, 0, 0, 1},
+      /* fog        */ {0, 0, 0, 1},
+      /* edge   */ {1, 0, 0, 1},
+      /* index  */ {1, 0, 0, 1},
+      /* unused    */ {0, 0, 0, 1},
+      /* tex coords */ {0, 0, 0, 1},
+      {0, 0, 0, 1},
+      {0, 0, 0, 1},
+      {0, 0, 0, 1},
+      {0, 0, 0, 1},
+      {0, 0, 0, 1},
+      {0, 0, 0, 1},
+      {0, 0, 0, 1},
+      /* ambient    */ {0.2f, 0.2f, 0.2f, 1},
+      {0.2f, 0.2f, 0.2f, 1},
+      /* diffuse    */ {0.8f, 0.8f, 0.8f, 1},
+      {0.8f, 0.8f, 0.8f, 1},
+      /* specular   */ {0, 0, 0, 1},
+      {0, 0, 0, 1},
+      /* emission   */ {0, 0, 0, 1},
+      {0, 0, 0, 1},
+      /* shininess  */ {0, 0, 0, 1},
+      {0, 0, 0, 1}};
+};
+
+/// The current raster position (table 6.5).
+struct RasterPosition {
+  Vec4 window{0, 0, 0, 1}; // y up, x and y in pixels
+  float distance = 0;
+  Vec4 color{1, 1, 1, 1}, secondary_color{0, 0, 0, 1};
+  Vec4 texcoord[kMaxTextureUnits] = {{0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1},
+                                     {0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}};
+  bool valid = true;
+};
+
+/// GL_TRANSFORM_BIT and GL_VIEWPORT_BIT (table 6.8). The matrices themselves are in matrix_stacks.h.
+struct TransformState {
+  GLenum matrix_mode = GL_MODELVIEW;
+  bool normalize = false, rescale_normal = false;
+  uint32_t clip_plane_enabled = 0;      // bit i = GL_CLIP_PLANEi
+  Vec4 clip_plane[kMaxClipPlanes] = {}; // eye coordinates (2.11)
+};
+struct ViewportState {
+  GLint x = 0, y = 0;
+  GLsizei width = 0, height = 0;
+  double near_depth = 0, far_depth = 1;
+};
+
+/// GL_FOG_BIT (table 6.9).
+struct FogState {
+  bool enabled = false, color_sum = false;
+  Vec4 color{0, 0, 0, 0};
+  float density = 1, start = 0, end = 1, index = 0;
+  GLenum mode = GL_EXP, coordinate_source = GL_FRAGMENT_DEPTH;
+};
+
+/// GL_LIGHTING_BIT (tables 6.10, 6.11) without the material, which is in CurrentAttributes.
+struct Light {
+  bool enabled = false;
+  Vec4 ambient{0, 0, 0, 1}, diffuse{0, 0, 0, 1},
+      specular{0, 0, 0, 1};      // light 0: diffuse, specular = 1 (see LightingState)
+  Vec4 position{0, 0, 1, 0};     // eye coordinates
+  Vec3 spot_direction{0, 0, -1}; // eye coordinates
+  float spot_exponent = 0, spot_cutoff = 180;
+  float constant_attenuation = 1, linear_attenuation = 0, quadratic_attenuation = 0;
+};
+struct LightingState {
+  GLenum shade_model = GL_SMOOTH;
+  bool enabled = false, color_material_enabled = false;
+  GLenum color_material_face = GL_FRONT_AND_BACK, color_material_parameter = GL_AMBIENT_AND_DIFFUSE;
+  Vec4 model_ambient{0.2f, 0.2f, 0.2f, 1};
+  bool local_viewer = false, two_side = false;
+  GLenum color_control = GL_SINGLE_COLOR;
+  GLenum specular_vector = GL_HALF_VECTOR_SOFTGL; // GL_SOFTGL_phong_illumination
+  uint32_t terms = GL_ALL_TERM_BITS_SOFTGL;
+  Vec3 material_indexes[2] = {{0, 1, 1},
+                              {0, 1, 1}}; // GL_COLOR_INDEXES of front and back: ambient, diffuse, specular
+  std::array<Light, kMaxLights> light{};
+  LightingState() { light[0].diffuse = light[0].specular = {1, 1, 1, 1}; }
+};
+
+/// GL_POINT_BIT, GL_LINE_BIT, GL_POLYGON_BIT, GL_POLYGON_STIPPLE_BIT (tables 6.12, 6.13).
+struct PointState {
+  float size = 1, size_min = 0, size_max = 255, fade_threshold = 1;
+  bool smooth = false, sprite = false;
+  Vec3 distance_attenuation{1, 0, 0};
+  uint32_t coord_replace = 0; // GL_COORD_REPLACE_ARB by texture unit
+  GLenum sprite_origin = GL_UPPER_LEFT;
+};
+struct LineState {
+  float width = 1;
+  bool smooth = false, stipple = false;
+  GLint stipple_factor = 1;
+  GLushort stipple_pattern = 0xffff;
+};
+struct PolygonState {
+  bool cull = false, smooth = false, stipple = false;
+  GLenum cull_face = GL_BACK, front_face = GL_CCW;
+  GLenum mode[2] = {GL_FILL, GL_FILL}; // front, back
+  float offset_factor = 0, offset_units = 0;
+  bool offset_point = false, offset_line = false, offset_fill = false;
+
+  bool culls(bool back) const { return cull && cull_face != (back ? GL_FRONT : GL_BACK); }
+  /// The mode of a face, or of the other one where it is culled.
+  GLenum seen_mode(bool back) const { return mode[back != culls(back)]; }
+  bool all_filled() const { return seen_mode(false) == GL_FILL && seen_mode(true) == GL_FILL; }
+};
+struct PolygonStippleState {
+  uint32_t row[32]; // row 0 = bottom; the most significant bit is the leftmost pixel
+  PolygonStippleState() {
+    for (auto& r : row) r = 0xffffffffu;
+  }
+};
+
+/// Multisampling (table 6.14): OSMesa has no sample buffers, so this is only remembered.
+struct MultisampleState {
+  bool enabled = true, alpha_to_coverage = false, alpha_to_one = false, coverage = false,
+       coverage_invert = false;
+  float coverage_value = 1;
+};
+
+/// Texture environment and generation of one unit (GL_TEXTURE_BIT, tables 6.17 to 6.19).
+struct TextureGeneration {
+  bool enabled = false;
+  GLenum mode = GL_EYE_LINEAR;
+  Vec4 object_plane{0, 0, 0, 0}, eye_plane{0, 0, 0, 0};
+};
+struct TextureUnitState {
+  bool enabled[kTextureTargets] = {};
+  GLuint bound[kTextureTargets] = {}; // names; the objects are in the object store
+  GLenum env_mode = GL_MODULATE;
+  Vec4 env_color{0, 0, 0, 0};
+  float lod_bias = 0;
+  GLenum combine_rgb = GL_MODULATE, combine_alpha = GL_MODULATE;
+  GLenum source_rgb[3] = {GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT},
+         source_alpha[3] = {GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT};
+  GLenum operand_rgb[3] = {GL_SRC_COLOR, GL_SRC_COLOR, GL_SRC_ALPHA};
+  GLenum operand_alpha[3] = {GL_SRC_ALPHA, GL_SRC_ALPHA, GL_SRC_ALPHA};
+  float rgb_scale = 1, alpha_scale = 1;
+  TextureGeneration generation[4]; // s, t, r, q
+  TextureUnitState() {
+    generation[0].object_plane = generation[0].eye_plane = {1, 0, 0, 0};
+    generation[1].object_plane = generation[1].eye_plane = {0, 1, 0, 0};
+  }
+};
+struct TextureState {
+  int active_unit = 0;
+  TextureUnitState unit[kMaxTextureUnits];
+};
+
+/// GL_SCISSOR_BIT, and the per-fragment operations of GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT,
+/// GL_STENCIL_BUFFER_BIT and GL_ACCUM_BUFFER_BIT (tables 6.20, 6.21).
+struct ScissorState {
+  bool enabled = false;
+  GLint x = 0, y = 0;
+  GLsizei width = 0, height = 0;
+};
+struct ColorBufferState {
+  bool alpha_test = false;
+  GLenum alpha_function = GL_ALWAYS;
+  float alpha_reference = 0;
+  bool blend = false;
+  GLenum blend_source_rgb = GL_ONE, blend_source_alpha = GL_ONE;
+  GLenum blend_destination_rgb = GL_ZERO, blend_destination_alpha = GL_ZERO;
+  GLenum blend_equation = GL_FUNC_ADD;
+  Vec4 blend_color{0, 0, 0, 0};
+  bool dither = true, logic_op = false, index_logic_op = false;
+  GLenum logic_op_mode = GL_COPY;
+  GLenum draw_buffer = GL_FRONT;
+  bool mask[4] = {true, true, true, true};
+  GLuint index_mask = 0xffffffffu;
+  Vec4 clear_color{0, 0, 0, 0};
+  float clear_index = 0;
+};
+struct DepthState {
+  bool test = false, mask = true;
+  GLenum function = GL_LESS;
+  double clear = 1;
+};
+struct StencilState {
+  bool test = false;
+  GLenum function = GL_ALWAYS, fail = GL_KEEP, depth_fail = GL_KEEP, depth_pass = GL_KEEP;
+  GLint reference = 0;
+  GLuint value_mask = 0xff, write_mask = 0xff; // all ones of the 8 bits there may be, as OSMesa answers
+  GLint clear = 0;
+};
+struct AccumulationState {
+  Vec4 clear{0, 0, 0, 0};
+};
+
+/// GL_CLIENT_PIXEL_STORE_BIT (table 6.22).
+struct PixelStoreState {
+  PixelStore pack, unpack;
+};
+
+/// GL_EVAL_BIT (table 6.26).
+struct EvaluatorState {
+  bool auto_normal = false;
+  uint32_t map1_enabled = 0, map2_enabled = 0; // bit i = GL_MAP1_COLOR_4 + i
+  float grid1_u1 = 0, grid1_u2 = 1, grid2_u1 = 0, grid2_u2 = 1, grid2_v1 = 0, grid2_v2 = 1;
+  GLint grid1_n = 1, grid2_nu = 1, grid2_nv = 1;
+};
+/// GL_HINT_BIT (table 6.28) and GL_LIST_BIT.
+struct HintState {
+  GLenum perspective_correction = GL_DONT_CARE, point_smooth = GL_DONT_CARE, line_smooth = GL_DONT_CARE;
+  GLenum polygon_smooth = GL_DONT_CARE, fog = GL_DONT_CARE, generate_mipmap = GL_DONT_CARE,
+         texture_compression = GL_DONT_CARE;
+  GLenum phong = GL_DONT_CARE; // GL_WIN_phong_shading
+};
+struct ListState {
+  GLuint base = 0;
+};
+constexpr int kMaxNameStackDepth = 64;
+
+/// Selection and feedback (table 6.32). In no attribute group.
+struct RenderModeState {
+  GLenum mode = GL_RENDER;
+  GLsizei feedback_size = 0, selection_size = 0;
+  GLenum feedback_type = GL_2D;
+  GLint name_stack_depth = 0;
+  GLuint name[kMaxNameStackDepth] = {};
+  GLfloat* feedback_buffer = nullptr;
+  GLuint* selection_buffer = nullptr;
+  uint64_t written = 0; // values, those that found no room counted too
+  GLint hits = 0;
+  bool hit = false;                          // since the name stack changed last
+  float least_depth = 1, greatest_depth = 0; // of that hit
+};
+
+struct BufferObject; // vertex/buffer_objects.h
+
+/// One vertex array (GL_CLIENT_VERTEX_ARRAY_BIT, tables 6.6, 6.7). `pointer` is an offset when `buffer` is
+/// not 0.
+struct VertexArray {
+  bool enabled = false;
+  GLint size = 4;
+  GLenum type = GL_FLOAT;
+  GLsizei stride = 0;
+  const void* pointer = nullptr;
+  GLuint buffer = 0;
+  std::shared_ptr<BufferObject> object; // of `buffer`: a deleted one lives as long as an array uses it
+};
+struct VertexArrayState {
+  VertexArray array[kTexCoord0 + kMaxTextureUnits]; // by AttributeSlot, kPosition .. kTexCoord0 + 7
+  int active_texture_unit = 0;
+  GLuint array_buffer = 0, element_array_buffer = 0;
+  std::shared_ptr<BufferObject> array_object, element_array_object; // null for name 0
+  VertexArrayState() {
+    array[kNormal].size = array[kSecondaryColor].size = 3;
+    array[kFogCoordinate].size = array[kEdgeFlag].size = array[kColorIndex].size = 1;
+  }
+};
+
+/// All server state that is not in objects. PushAttrib saves it by attribute group.
+struct State {
+  CurrentAttributes current;
+  RasterPosition raster_position;
+  TransformState transform;
+  ViewportState viewport;
+  FogState fog;
+  LightingState lighting;
+  PointState point;
+  LineState line;
+  PolygonState polygon;
+  PolygonStippleState polygon_stipple;
+  MultisampleState multisample;
+  TextureState texture;
+  ScissorState scissor;
+  ColorBufferState color_buffer;
+  DepthState depth;
+  StencilState stencil;
+  AccumulationState accumulation;
+  PixelModeState pixel_mode;
+  EvaluatorState evaluator;
+  HintState hint;
+  ListState list;
+  PixelMaps pixel_maps;
+  RenderModeState render_mode;
+};
+
+/// All client attribute groups: what PushClientAttrib can save.
+struct ClientState {
+  PixelStoreState pixel_store;
+  VertexArrayState vertex_array;
+};
+
+/// Dirty bits: a command sets the bits of the groups it changed; draw_record.cpp clears them when it has
+/// taken a new snapshot. An unset bit means that the last snapshot block may be used again.
+enum DirtyBit : uint32_t {
+  kDirtyMatrices = 1u << 0,  // modelview, projection, texture matrices
+  kDirtyViewport = 1u << 1,  // viewport, depth range, framebuffer size
+  kDirtyLighting = 1u << 2,  // lights, light model, colour material, material
+  kDirtyTransform = 1u << 3, // normalize, rescale, clip planes, texture generation, point attenuation
+  kDirtyRaster = 1u << 4,    // point, line, polygon, scissor
+  kDirtyFragment = 1u << 5,  // fog, texture environment, alpha test, blend, depth, stencil, masks
+  kDirtyTexture = 1u << 6,   // bindings, parameters, images
+  kDirtyCurrent = 1u << 7,   // current attributes below kMaterial0 (cleared by vertex/)
+  kDirtyArrays = 1u << 8,    // vertex array pointers and enables, buffer contents (cleared by vertex/)
+  kDirtyAll = (1u << 9) - 1
+};
+
+} // namespace softgl

@@ -1,0 +1,31 @@
+// An immutable draw: the call and pointers to snapshots of the state it needs. Nothing behind submit() sees
+// Context.
+#pragma once
+
+#include "draw/draw_call.h"
+#include "shaders/common/shaded_vertex.h"
+
+namespace softgl {
+
+struct VertexProgram;   // geometry/vertex_program.h: key, constants and stages from eye space to shaded
+                        // vertices
+struct RasterConstants; // shaders/raster_constants.h: culling, offset, scissor, sizes
+struct FragmentProgram; // shaders/fragment_program.h: key, constants and stages of the fragments
+
+/// A rectangle of the window whose fragments all have the attributes of one vertex.
+struct PixelRectangle {
+  const ShadedVertices::Slot* corner;
+  WindowBox box;
+};
+
+struct DrawRecord {
+  DrawCall call;
+  ShadedLayout layout;
+  const VertexProgram* vertex;
+  const RasterConstants* raster;
+  const FragmentProgram* fragment;
+  const PixelRectangle* rectangle =
+      nullptr; // in place of the call's primitives; then there is no vertex program
+};
+
+} // namespace softgl

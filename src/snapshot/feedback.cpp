@@ -1,0 +1,158 @@
+#include "snapshot/feedback.h"
+
+#include <algorithm>
+
+#include "base/float_environment.h"
+#include "base/unit_range.h"
+#include "context/context.h"
+#include "geometry/geometry.h"
+#include "shaders/fragment/fragment_program.h"
+#include "shaders/raster/raster_constants.h"
+#include "snapshot/raster_snapshot.h"
+#include "snapshot/vertex_snapshot.h"
+
+namespace softgl {
+namespace {
+
+using Slot = ShadedVertices::Slot;
+
+template <class T> void feed_back_value(RenderModeState& m, T* buffer, GLsizei size, T value) {
+  if (m.written < uint64_t(size)) buffer[m.written] = value;
+  ++m.written;
+}
+
+/// A depth of a hit record: [0,1] to the integers of 32 bits, to nearest.
+GLuint record_depth(float depth) { return GLuint(double(unit_range(depth)) * 4294967295.0 + 0.5); }
+
+void note_hit(RenderModeState& m, float depth) {
+  m.hit = true;
+  m.least_depth = std::min(m.least_depth, depth);
+  m.greatest_depth = std::max(m.greatest_depth, depth);
+}
+
+} // namespace
+
+void feed_back_value(RenderModeState& m, float value) {
+  feed_back_value(m, m.feedback_buffer, m.feedback_size, value);
+}
+void feed_back_token(RenderModeState& m, GLenum token) { feed_back_value(m, float(token)); }
+
+void write_hit_record(RenderModeState& m) {
+  if (!m.hit) return;
+  auto write = [&](GLuint v) { feed_back_value(m, m.selection_buffer, m.selection_size, v); };
+  write(GLuint(m.name_stack_depth));
+  write(record_depth(m.least_depth));
+  write(record_depth(m.greatest_depth));
+  for (int i = 0; i < m.name_stack_depth; ++i) write(m.name[i]);
+  ++m.hits;
+  m.hit = false;
+  m.least_depth = 1, m.greatest_depth = 0;
+}
+
+namespace {
+
+/// Window position (y up), clip w, colour and the coordinates of unit 0, as far as the type of feedback wants
+/// them (table 5.1).
+void put_vertex(RenderModeState& m, const Vec4& window, const Vec4& color, const Vec4& coordinates) {
+  feed_back_value(m, window.x);
+  feed_back_value(m, window.y);
+  if (m.feedback_type == GL_2D) return;
+  feed_back_value(m, window.z);
+  if (m.feedback_type == GL_4D_COLOR_TEXTURE) feed_back_value(m, window.w);
+  if (m.feedback_type == GL_3D) return;
+  for (int i = 0; i < 4; ++i) feed_back_value(m, color[i]);
+  if (m.feedback_type == GL_3D_COLOR) return;
+  for (int i = 0; i < 4; ++i) feed_back_value(m, coordinates[i]);
+}
+
+/// Takes primitives; polygons have been culled, and have the colours of the side that is seen.
+class Receiver final : public PrimitiveSink {
+public:
+  Receiver(RenderModeState& mode, float height) : mode_(mode), height_(height) {}
+
+  void triangles(const DrawRecord& draw, const AssembledTriangles& batch) override {
+    for (int32_t i = 0; i < batch.count; ++i) {
+      const Slot* const corner[3] = {batch.corner[0][i], batch.corner[1][i], batch.corner[2][i]};
+      if (selects()) {
+        for (const Slot* c : corner) note_hit(mode_, c->v[2]);
+        continue;
+      }
+      feed_back_token(mode_, GL_POLYGON_TOKEN);
+      feed_back_value(mode_, 3.0f);
+      for (const Slot* c : corner) vertex(draw, c, corner[2]);
+    }
+  }
+
+  void lines(const DrawRecord& draw, const AssembledLines& batch) override {
+    for (int32_t i = 0; i < batch.count; ++i) {
+      const Slot* const end[2] = {batch.corner[0][i], batch.corner[1][i]};
+      if (!selects()) feed_back_token(mode_, batch.begins >> i & 1 ? GL_LINE_RESET_TOKEN : GL_LINE_TOKEN);
+      for (const Slot* e : end) selects() ? note_hit(mode_, e->v[2]) : vertex(draw, e, end[1]);
+    }
+  }
+
+  void points(const DrawRecord& draw, const AssembledPoints& batch) override {
+    for (int32_t i = 0; i < batch.count; ++i) {
+      if (selects()) {
+        note_hit(mode_, batch.corner[i]->v[2]);
+        continue;
+      }
+      feed_back_token(mode_, GL_POINT_TOKEN);
+      vertex(draw, batch.corner[i], batch.corner[i]);
+    }
+  }
+
+private:
+  bool selects() const { return mode_.mode == GL_SELECT; }
+
+  void vertex(const DrawRecord& draw, const Slot* v, const Slot* provoking) {
+    auto value = [](const Slot& s) { return Vec4(s.v[0], s.v[1], s.v[2], s.v[3]); };
+    const ShadedLayout& l = draw.layout;
+    const Slot* colors = draw.raster->flat ? provoking : v;
+    put_vertex(mode_, {v->v[0], height_ - v->v[1], v->v[2], 1.0f / v->v[3]}, value(colors[l.color]),
+               value(v[l.texcoord[0]]));
+  }
+
+  RenderModeState& mode_;
+  const float height_;
+};
+
+} // namespace
+
+void feed_back(Context& c, const DrawCall& call) {
+  Arena& arena = c.frame.arena();
+  const Arena::Mark mark = arena.mark();
+  FragmentProgram fragment{};
+  fragment.key.texture_units = 1;
+  OwnSnapshot own =
+      make_own_snapshot(c, fragment.key, call.source->present, &call.constant[kColor][0], arena);
+  own.program.line_stipple = false;                        // whole lines are fed back
+  own.program.polygons = make_polygon_constants(c, arena); // culled, coloured and offset ones
+  const DrawRecord draw{call, own.layout, &own.program, make_raster_constants(c, arena), &fragment};
+  const ShadedVertices& vertices = *allocate_vertices(draw, call.first_vertex, call.vertex_count, arena);
+  {
+    const FloatEnvironment environment;
+    shade_vertices(draw, call.first_vertex, call.vertex_count, vertices);
+    Receiver receiver(c.state.render_mode, float(c.framebuffer.surface.height));
+    for (uint32_t i = 0; i < call.primitive_count; ++i)
+      assemble(draw, vertices, call.primitives[i], 0, assembly_steps(call.primitives[i]), arena, receiver);
+  }
+  arena.rewind(mark);
+  if (!c.frame.over_budget()) return;
+  c.frame.flush(c.framebuffer.surface); // empty, but for what callers have put there
+  c.dirty = kDirtyAll;
+}
+
+void feed_back_raster_position(Context& c) {
+  if (c.state.render_mode.mode == GL_SELECT) note_hit(c.state.render_mode, c.state.raster_position.window.z);
+}
+
+void feed_back_pixels(Context& c, GLenum token) {
+  RenderModeState& m = c.state.render_mode;
+  if (m.mode != GL_FEEDBACK) return;
+  const RasterPosition& p = c.state.raster_position;
+  feed_back_token(m, token);
+  put_vertex(m, p.window, p.color, p.texcoord[0]);
+}
+
+} // namespace softgl

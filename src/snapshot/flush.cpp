@@ -1,0 +1,23 @@
+#include "snapshot/flush.h"
+
+#include "base/float_environment.h"
+#include "context/context.h"
+#include "frame/surface_work.h"
+
+namespace softgl {
+
+void execute_frame(Context& c, const TileReader* reader) {
+  const FloatEnvironment environment;
+  c.frame.flush(c.framebuffer.surface, reader);
+  c.dirty = kDirtyAll;
+  c.framebuffer.unresolved = !reader;
+  c.framebuffer.unwritten = true;
+  ++c.framebuffer.counts.flushes;
+}
+
+void flush_frame(Context& c) {
+  if (!c.frame.empty()) execute_frame(c);
+  write_tiles(c.framebuffer);
+}
+
+} // namespace softgl

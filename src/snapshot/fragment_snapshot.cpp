@@ -1,0 +1,181 @@
+#include "snapshot/fragment_snapshot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/kernel_table.h"
+#include "context/context.h"
+#include "fragment/fragment_keys.h"
+#include "fragment/fragment_stages.h"
+#include "shaders/fragment/pixel_image.h"
+#include "snapshot/texture_snapshot.h"
+
+namespace softgl {
+
+namespace {
+
+uint64_t compare(GLenum function) { return function - GL_NEVER; }
+
+uint64_t stencil_operation(GLenum operation) {
+  switch (operation) {
+  case GL_ZERO: return uint64_t(StencilOperation::Zero);
+  case GL_REPLACE: return uint64_t(StencilOperation::Replace);
+  case GL_INCR: return uint64_t(StencilOperation::Increment);
+  case GL_DECR: return uint64_t(StencilOperation::Decrement);
+  case GL_INVERT: return uint64_t(StencilOperation::Invert);
+  case GL_INCR_WRAP: return uint64_t(StencilOperation::IncrementWrap);
+  case GL_DECR_WRAP: return uint64_t(StencilOperation::DecrementWrap);
+  default: return uint64_t(StencilOperation::Keep);
+  }
+}
+
+uint64_t blend_factor(GLenum factor) {
+  switch (factor) {
+  case GL_ONE: return uint64_t(BlendFactor::One);
+  case GL_SRC_COLOR: return uint64_t(BlendFactor::SourceColor);
+  case GL_ONE_MINUS_SRC_COLOR: return uint64_t(BlendFactor::OneMinusSourceColor);
+  case GL_SRC_ALPHA: return uint64_t(BlendFactor::SourceAlpha);
+  case GL_ONE_MINUS_SRC_ALPHA: return uint64_t(BlendFactor::OneMinusSourceAlpha);
+  case GL_DST_ALPHA: return uint64_t(BlendFactor::DestinationAlpha);
+  case GL_ONE_MINUS_DST_ALPHA: return uint64_t(BlendFactor::OneMinusDestinationAlpha);
+  case GL_DST_COLOR: return uint64_t(BlendFactor::DestinationColor);
+  case GL_ONE_MINUS_DST_COLOR: return uint64_t(BlendFactor::OneMinusDestinationColor);
+  case GL_SRC_ALPHA_SATURATE: return uint64_t(BlendFactor::SourceAlphaSaturate);
+  case GL_CONSTANT_COLOR: return uint64_t(BlendFactor::ConstantColor);
+  case GL_ONE_MINUS_CONSTANT_COLOR: return uint64_t(BlendFactor::OneMinusConstantColor);
+  case GL_CONSTANT_ALPHA: return uint64_t(BlendFactor::ConstantAlpha);
+  case GL_ONE_MINUS_CONSTANT_ALPHA: return uint64_t(BlendFactor::OneMinusConstantAlpha);
+  default: return uint64_t(BlendFactor::Zero);
+  }
+}
+
+uint64_t blend_equation(GLenum equation) {
+  switch (equation) {
+  case GL_FUNC_SUBTRACT: return uint64_t(BlendEquation::Subtract);
+  case GL_FUNC_REVERSE_SUBTRACT: return uint64_t(BlendEquation::ReverseSubtract);
+  case GL_MIN: return uint64_t(BlendEquation::Min);
+  case GL_MAX: return uint64_t(BlendEquation::Max);
+  default: return uint64_t(BlendEquation::Add);
+  }
+}
+
+uint8_t unorm8(float x) {
+  const float clamped = x > 0.0f ? std::min(x, 1.0f) : 0.0f;
+  return static_cast<uint8_t>(std::lrint(clamped * 255.0f));
+}
+
+void set_fog(const FogState& fog, FragmentKey& key, FragmentConstants& k) {
+  if (!fog.enabled) return;
+  for (int i = 0; i < 4; ++i) k.fog_color[i] = fog.color[i];
+  switch (fog.mode) {
+  case GL_LINEAR:
+    key.fog_mode = uint64_t(FogMode::Linear);
+    k.fog_scale = fog.end == fog.start ? 1.0f : -1.0f / (fog.end - fog.start);
+    k.fog_offset = fog.end * -k.fog_scale;
+    break;
+  case GL_EXP:
+    key.fog_mode = uint64_t(FogMode::Exp);
+    k.fog_scale = static_cast<float>(fog.density * 1.44269504088896340736); // log2 e
+    break;
+  default:
+    key.fog_mode = uint64_t(FogMode::Exp2);
+    k.fog_scale = static_cast<float>(fog.density * 1.20112240878644931); // sqrt(log2 e)
+  }
+  key.fog_coordinate = 1;
+}
+
+} // namespace
+
+const FragmentProgram* make_fragment_program(Context& context, Arena& arena, const PixelImage* image) {
+  const State& s = context.state;
+  const Surface& surface = context.framebuffer.surface;
+  const ColorBufferState& c = s.color_buffer;
+  auto& k = *arena.make<FragmentConstants>();
+  auto& program = *arena.make<FragmentProgram>();
+  FragmentKey& key = program.key;
+  program.constants = &k;
+
+  key.color_format = uint64_t(surface.color_format);
+  key.depth_format = uint64_t(surface.depth_format);
+  key.flat = s.lighting.shade_model == GL_FLAT;
+  const bool separate = s.lighting.enabled && s.lighting.color_control == GL_SEPARATE_SPECULAR_COLOR;
+  key.color_sum = separate || (!s.lighting.enabled && s.fog.color_sum);
+  key.lit = !image && lights_fragments(s.lighting, context.smooth_is_phong); // a raster position has been lit
+  key.secondary = key.color_sum && !key.lit;                                 // lit fragments make their own
+  set_fog(s.fog, key, k);
+
+  key.alpha_function = uint64_t(Compare::Always);
+  if (c.alpha_test) key.alpha_function = compare(c.alpha_function);
+  k.alpha_reference = c.alpha_reference;
+  k.alpha_reference_8 = unorm8(c.alpha_reference);
+
+  key.depth_function = uint64_t(Compare::Always);
+  // A plane of depth and stencil together may stand for a buffer that has only one of them.
+  if (s.depth.test && context.framebuffer.depth_bits > 0) {
+    key.depth_function = compare(s.depth.function);
+    key.depth_write = s.depth.mask;
+  }
+  if (s.stencil.test && context.framebuffer.stencil_bits > 0) {
+    key.stencil = 1;
+    key.stencil_function = compare(s.stencil.function);
+    key.stencil_fail = stencil_operation(s.stencil.fail);
+    key.stencil_depth_fail = stencil_operation(s.stencil.depth_fail);
+    key.stencil_pass = stencil_operation(s.stencil.depth_pass);
+    k.stencil_reference = static_cast<uint8_t>(std::clamp(s.stencil.reference, 0, 255));
+    k.stencil_value_mask = static_cast<uint8_t>(s.stencil.value_mask);
+    k.stencil_write_mask = static_cast<uint8_t>(s.stencil.write_mask);
+  }
+  if (c.blend) {
+    key.blend = 1;
+    key.blend_equation = blend_equation(c.blend_equation);
+    key.blend_source_rgb = blend_factor(c.blend_source_rgb);
+    key.blend_source_alpha = blend_factor(c.blend_source_alpha);
+    key.blend_destination_rgb = blend_factor(c.blend_destination_rgb);
+    key.blend_destination_alpha = blend_factor(c.blend_destination_alpha);
+    for (int i = 0; i < 4; ++i) {
+      k.blend_color[i] = c.blend_color[i];
+      k.blend_color_8[i] = unorm8(c.blend_color[i]);
+    }
+  }
+  if (c.logic_op) {
+    key.logic_op = 1;
+    key.blend_source_rgb = c.logic_op_mode - GL_CLEAR;
+  }
+  if (c.draw_buffer != GL_NONE)
+    for (int i = 0; i < 4; ++i) key.color_mask |= uint64_t(c.mask[i]) << i;
+  // Surfaces without alpha keep it at 1, so that destination alpha reads as 1.
+  if (!context.framebuffer.has_alpha) key.color_mask &= 7;
+
+  key = simplify(key); // before the textures: their stages may take the colour sum over
+  if (image) {
+    k.image = image;
+    program.writes_depth = image->kind == PixelElement::Depth;
+    program.add(kernels().raster->image[int(image->kind)]);
+  }
+  if (key.lit) program.add(kernels().raster->light);
+  append_texture_stages(context, arena, program, k);
+  append_fragment_stages(program);
+  return &program;
+}
+
+const FragmentProgram* make_stencil_program(Context& context, Arena& arena, const PixelImage& image,
+                                            uint8_t value) {
+  const Surface& surface = context.framebuffer.surface;
+  auto& k = *arena.make<FragmentConstants>();
+  auto& program = *arena.make<FragmentProgram>();
+  FragmentKey& key = program.key;
+  key.color_format = uint64_t(surface.color_format);
+  key.depth_format = uint64_t(surface.depth_format);
+  key.alpha_function = key.depth_function = key.stencil_function = uint64_t(Compare::Always);
+  key.stencil = 1;
+  key.stencil_fail = key.stencil_depth_fail = key.stencil_pass = uint64_t(StencilOperation::Replace);
+  k.stencil_reference = value;
+  k.stencil_value_mask = 0xff;
+  k.stencil_write_mask = static_cast<uint8_t>(context.state.stencil.write_mask);
+  k.image = &image;
+  program.constants = &k;
+  program.add(kernels().raster->image[int(image.kind)]);
+  return &program;
+}
+
+} // namespace softgl

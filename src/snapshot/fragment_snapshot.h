@@ -1,0 +1,22 @@
+// From State to the fragment program of a draw.
+#pragma once
+
+#include "base/arena.h"
+#include "shaders/fragment/fragment_program.h"
+
+namespace softgl {
+
+struct Context;
+struct PixelImage; // pixel_image.h
+
+/// The program that the context's state asks for, in `arena`. `key` tells which inputs the vertices must
+/// carry: secondary colour, fog coordinate and the texture coordinates of the units in texture_units.
+/// `image`: of a pixel rectangle, whose fragments have been lit.
+const FragmentProgram* make_fragment_program(Context& context, Arena& arena,
+                                             const PixelImage* image = nullptr);
+/// Sets the stencil values of an image's bits to `value`, under the mask, whatever the tests are
+/// (GL 1.5, 3.6.4, 4.3.3).
+const FragmentProgram* make_stencil_program(Context& context, Arena& arena, const PixelImage& image,
+                                            uint8_t value);
+
+} // namespace softgl

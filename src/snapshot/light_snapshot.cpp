@@ -1,0 +1,164 @@
+// Constants of lights and materials (GL 1.5, 2.14.1), rounded where OSMesa rounds them.
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+
+#include "base/trigonometry.h"
+#include "context/context.h"
+#include "snapshot/vertex_snapshot.h"
+
+namespace softgl {
+namespace {
+
+void normalize(float v[3]) {
+  const float length2 = (v[0] * v[0] + v[1] * v[1]) + v[2] * v[2];
+  if (length2 == 0) return;
+  const float scale = 1.0f / std::sqrt(length2);
+  for (int i = 0; i < 3; ++i) v[i] *= scale;
+}
+
+void copy3(float out[3], const float* in) {
+  for (int i = 0; i < 3; ++i) out[i] = in[i];
+}
+/// A colour of a term; black where the term is left out.
+void copy_term(float out[3], const Vec4& in, const LightingState& lighting, uint32_t term) {
+  for (int i = 0; i < 3; ++i) out[i] = lighting.terms & term ? in[i] : 0.0f;
+}
+
+/// Position, half vector and cone of a light, in eye or object space.
+void place_light(LightConstants& k, const Light& light, const Matrix& modelview, bool eye_space) {
+  float position[4];
+  const float* m = modelview.data();
+  if (eye_space) {
+    std::memcpy(position, &light.position, sizeof position);
+  } else {
+    const float* inverted = &modelview.inverted[0][0];
+    const Vec4 p = light.position;
+    for (int i = 0; i < 4; ++i)
+      position[i] =
+          ((inverted[i] * p.x + inverted[4 + i] * p.y) + inverted[8 + i] * p.z) + inverted[12 + i] * p.w;
+  }
+  k.positional = light.position.w != 0;
+  copy3(k.position, position);
+  if (k.positional) {
+    const float scale = 1.0f / position[3];
+    for (float& p : k.position) p *= scale;
+  } else {
+    normalize(k.position);
+    for (int i = 0; i < 3; ++i) {
+      // The eye's z axis; in object space a row of the modelview.
+      const float z_axis = eye_space ? (i == 2 ? 1.0f : 0.0f) : m[4 * i + 2];
+      k.half_vector[i] = k.position[i] + z_axis;
+    }
+    normalize(k.half_vector);
+  }
+  k.attenuated =
+      light.constant_attenuation != 1 || light.linear_attenuation != 0 || light.quadratic_attenuation != 0;
+  k.attenuation[0] = light.constant_attenuation;
+  k.attenuation[1] = light.linear_attenuation;
+  k.attenuation[2] = light.quadratic_attenuation;
+  k.spot = light.spot_cutoff != 180;
+  if (k.spot) { // implies eye space
+    copy3(k.spot_direction, &light.spot_direction[0]);
+    normalize(k.spot_direction);
+    normalize(k.spot_direction); // twice, as OSMesa
+    const float cosine_of_cutoff = cosine(float(double(light.spot_cutoff) * M_PI / 180.0));
+    k.spot_cosine = cosine_of_cutoff < 0 ? 0 : cosine_of_cutoff;
+    k.spot_exponent = light.spot_exponent;
+  }
+}
+
+/// Does glColorMaterial's parameter include this material parameter?
+bool tracks(GLenum color_material, int parameter) {
+  switch (color_material) {
+  case GL_AMBIENT: return parameter == kMaterialAmbient;
+  case GL_DIFFUSE: return parameter == kMaterialDiffuse;
+  case GL_SPECULAR: return parameter == kMaterialSpecular;
+  case GL_EMISSION: return parameter == kMaterialEmission;
+  default: return parameter == kMaterialAmbient || parameter == kMaterialDiffuse;
+  }
+}
+
+bool is_tracked(const LightingState& l, int parameter, int face) {
+  if (!l.color_material_enabled || !tracks(l.color_material_parameter, parameter)) return false;
+  return l.color_material_face == GL_FRONT_AND_BACK || (l.color_material_face == GL_FRONT) == (face == 0);
+}
+
+} // namespace
+
+void find_material_sources(const Context& c, uint32_t present, int8_t source[5][2]) {
+  const LightingState& l = c.state.lighting;
+  // What a term that is left out would read need not be fetched; alpha is the diffuse material's in any case.
+  const bool wanted[5] = {
+      (l.terms & GL_AMBIENT_TERM_BIT_SOFTGL) != 0, true, (l.terms & GL_SPECULAR_TERM_BIT_SOFTGL) != 0,
+      (l.terms & GL_EMISSION_TERM_BIT_SOFTGL) != 0, (l.terms & GL_SPECULAR_TERM_BIT_SOFTGL) != 0};
+  for (int parameter = 0; parameter < 5; ++parameter)
+    for (int face = 0; face < 2; ++face) {
+      const int slot = material_slot(MaterialParameter(parameter), face);
+      int from = -1;
+      if (is_tracked(l, parameter, face))
+        from = present >> kColor & 1 ? kColor : -1;
+      else if (present >> slot & 1)
+        from = slot;
+      source[parameter][face] = int8_t(wanted[parameter] ? from : -1);
+    }
+}
+
+const LightingConstants* make_lighting(const Context& c, const int8_t source[5][2], const float color[4],
+                                       bool eye_space, bool for_fragments, Arena& arena) {
+  const LightingState& l = c.state.lighting;
+  int enabled = 0;
+  for (const Light& light : l.light) enabled += light.enabled;
+  // Only the enabled lights take memory.
+  void* memory =
+      arena.allocate(offsetof(LightingConstants, light) + size_t(enabled) * sizeof(LightConstants));
+  auto& k = *static_cast<LightingConstants*>(memory);
+  k.two_sided = l.two_side;
+  k.separate_specular = l.color_control == GL_SEPARATE_SPECULAR_COLOR;
+  k.local_viewer = l.local_viewer;
+  k.for_fragments = for_fragments;
+  k.light_count = enabled;
+  std::memcpy(k.material_source, source, sizeof k.material_source);
+  k.reflection = l.specular_vector == GL_REFLECTION_VECTOR_SOFTGL;
+  copy_term(k.model_ambient, l.model_ambient, l, GL_AMBIENT_TERM_BIT_SOFTGL);
+
+  for (int face = 0; face < 2; ++face) {
+    k.varies[face] = false;
+    for (int parameter = 0; parameter < 5; ++parameter) {
+      const float* value = &c.state.current.slot[material_slot(MaterialParameter(parameter), face)][0];
+      std::memcpy(k.material[parameter][face], is_tracked(l, parameter, face) ? color : value,
+                  sizeof(float[4]));
+      if (parameter != kMaterialShininess) k.varies[face] |= source[parameter][face] >= 0;
+    }
+    if (!(l.terms & GL_EMISSION_TERM_BIT_SOFTGL))
+      std::memset(k.material[kMaterialEmission][face], 0, sizeof(float[4]));
+    for (int i = 0; i < 3; ++i)
+      k.scene[face][i] =
+          k.model_ambient[i] * k.material[kMaterialAmbient][face][i] + k.material[kMaterialEmission][face][i];
+    k.scene[face][3] = k.material[kMaterialDiffuse][face][3];
+  }
+  auto shines = [&](int face) {
+    return source[kMaterialShininess][face] >= 0 || k.material[kMaterialShininess][face][0] != 0;
+  };
+  // The reflection vector has no rule of its own for it: (v.r)^0 is 1.
+  k.shininess_zero = !shines(0) && !(k.two_sided && shines(1)) && !k.reflection;
+
+  LightConstants* out = k.light;
+  for (const Light& light : l.light) {
+    if (!light.enabled) continue;
+    place_light(*out, light, c.matrices.modelview.top(), eye_space);
+    copy_term(out->ambient, light.ambient, l, GL_AMBIENT_TERM_BIT_SOFTGL);
+    copy_term(out->diffuse, light.diffuse, l, GL_DIFFUSE_TERM_BIT_SOFTGL);
+    copy_term(out->specular, light.specular, l, GL_SPECULAR_TERM_BIT_SOFTGL);
+    for (int face = 0; face <= int(k.two_sided); ++face)
+      for (int i = 0; i < 3; ++i) {
+        out->ambient_product[face][i] = out->ambient[i] * k.material[kMaterialAmbient][face][i];
+        out->diffuse_product[face][i] = out->diffuse[i] * k.material[kMaterialDiffuse][face][i];
+        out->specular_product[face][i] = out->specular[i] * k.material[kMaterialSpecular][face][i];
+      }
+    ++out;
+  }
+  return &k;
+}
+
+} // namespace softgl

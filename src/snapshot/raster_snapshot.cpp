@@ -1,0 +1,68 @@
+#include "snapshot/raster_snapshot.h"
+
+#include <algorithm>
+
+#include "context/context.h"
+#include "context/shading.h"
+#include "snapshot/polygons.h"
+
+namespace softgl {
+namespace {
+
+/// Sizes are clamped to GL_ALIASED_POINT_SIZE_RANGE and GL_ALIASED_LINE_WIDTH_RANGE; what is not a number
+/// becomes 1.
+float drawn_size(float size) { return size > 1.0f ? std::min(size, 255.0f) : 1.0f; }
+
+/// The pattern's rows count from the bottom of the window, the surface's from its top (GL 1.5, 3.5.2).
+const uint64_t* make_stipple(const PolygonStippleState& stipple, int height, Arena& arena) {
+  auto* block = arena.allocate_array<uint64_t>(16);
+  std::fill_n(block, 16, uint64_t(0));
+  for (int y = 0; y < 32; ++y) {
+    const uint32_t row = stipple.row[(height - 1 - y) & 31];
+    for (int x = 0; x < 32; ++x)
+      block[y / 8 * 4 + x / 8] |= uint64_t(row >> (31 - x) & 1) << (8 * (y & 7) + (x & 7));
+  }
+  return block;
+}
+
+} // namespace
+
+const RasterConstants* make_raster_constants(const Context& context, Arena& arena) {
+  const State& s = context.state;
+  const Surface& surface = context.framebuffer.surface;
+  auto& r = *arena.make<RasterConstants>();
+  r.x0 = r.y0 = 0;
+  r.x1 = surface.width;
+  r.y1 = surface.height;
+  if (s.scissor.enabled) {
+    const int64_t x0 = s.scissor.x, y1 = int64_t(surface.height) - s.scissor.y;
+    const int64_t x1 = x0 + s.scissor.width, y0 = y1 - s.scissor.height;
+    r.x0 = static_cast<int32_t>(std::clamp<int64_t>(x0, 0, surface.width));
+    r.x1 = static_cast<int32_t>(std::clamp<int64_t>(x1, 0, surface.width));
+    r.y0 = static_cast<int32_t>(std::clamp<int64_t>(y0, 0, surface.height));
+    r.y1 = static_cast<int32_t>(std::clamp<int64_t>(y1, 0, surface.height));
+  }
+  // Positive areas are counter-clockwise in GL's y-up sense.
+  const bool positive_is_front = s.polygon.front_face == GL_CCW;
+  r.back = positive_is_front ? 0 : 1;
+  r.cull = static_cast<uint8_t>((s.polygon.culls(!positive_is_front) ? 1 : 0) |
+                                (s.polygon.culls(positive_is_front) ? 2 : 0));
+  r.flat = s.lighting.shade_model == GL_FLAT;
+  const bool before = polygons_before_raster(s); // geometry has coloured and offset polygons
+  r.two_sided = s.lighting.enabled && s.lighting.two_side &&
+                (!before || lights_fragments(s.lighting, context.smooth_is_phong));
+  // OSMesa 22.3.6 offsets by units * 2 / (2^bits - 1), twice the smallest step.
+  r.offset_units =
+      static_cast<float>(s.polygon.offset_units * (1.0 / largest_depth(surface.depth_format)) * 2);
+  r.offset_factor = s.polygon.offset_factor;
+  r.offset = !before && s.polygon.offset_fill && (r.offset_units != 0.0f || r.offset_factor != 0.0f);
+  r.stipple = s.polygon.stipple ? make_stipple(s.polygon_stipple, surface.height, arena) : nullptr;
+  r.point_sprite = s.point.sprite;
+  r.sprite_units = s.point.sprite ? static_cast<uint8_t>(s.point.coord_replace) : 0;
+  r.sprite_lower_left = s.point.sprite_origin == GL_LOWER_LEFT;
+  r.line_width = drawn_size(s.line.width);
+  r.point_size = drawn_size(s.point.size);
+  return &r;
+}
+
+} // namespace softgl

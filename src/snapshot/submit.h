@@ -1,0 +1,21 @@
+// The way of a draw into the frame.
+#pragma once
+
+#include "draw/draw_call.h"
+
+namespace softgl {
+
+struct Context;
+struct PixelImage; // shaders/fragment/pixel_image.h
+
+/// Draws with the context's present state. May flush the frame when its
+/// memory is over budget, so pointers into the frame's arena are dead after the call.
+void submit(Context& context, const DrawCall& call);
+
+/// Draws a rectangle of pixels whose fragments have the raster position's attributes, but for what the image
+/// gives them. The image lies in the frame's arena. May flush the frame as submit() does.
+void submit_pixels(Context& context, const PixelImage& image, const WindowBox& box);
+/// Sets stencil values: those of the bits that are set.
+void submit_stencil(Context& context, const PixelImage& image, uint8_t value, const WindowBox& box);
+
+} // namespace softgl

@@ -1,0 +1,128 @@
+#include "snapshot/texture_environment.h"
+
+namespace softgl {
+
+namespace {
+
+CombineFunction combine_function(GLenum f) {
+  switch (f) {
+  case GL_REPLACE: return CombineFunction::Replace;
+  case GL_ADD: return CombineFunction::Add;
+  case GL_ADD_SIGNED: return CombineFunction::AddSigned;
+  case GL_INTERPOLATE: return CombineFunction::Interpolate;
+  case GL_SUBTRACT: return CombineFunction::Subtract;
+  case GL_DOT3_RGB: return CombineFunction::Dot3Rgb;
+  case GL_DOT3_RGBA: return CombineFunction::Dot3Rgba;
+  default: return CombineFunction::Modulate;
+  }
+}
+
+int argument_count(CombineFunction f) {
+  return f == CombineFunction::Replace ? 1 : f == CombineFunction::Interpolate ? 3 : 2;
+}
+
+// OSMesa reads the texel of a unit that is off as 0; GL leaves it undefined.
+CombineSource texel_of(int unit, uint32_t sampled) {
+  return sampled >> unit & 1 ? CombineSource(int(CombineSource::Texture0) + unit) : CombineSource::Zero;
+}
+
+CombineSource combine_source(GLenum source, int unit, uint32_t sampled) {
+  switch (source) {
+  case GL_TEXTURE: return texel_of(unit, sampled);
+  case GL_CONSTANT: return CombineSource::Constant;
+  case GL_PRIMARY_COLOR: return CombineSource::Primary;
+  case GL_PREVIOUS: return CombineSource::Previous;
+  default: return texel_of(int(source - GL_TEXTURE0) & 7, sampled);
+  }
+}
+
+CombinerChain::Unit make_combine(const TextureUnitState& s, int unit, uint32_t sampled) {
+  CombinerChain::Unit t{{combine_function(s.combine_rgb), combine_function(s.combine_alpha)},
+                        {},
+                        {uint8_t(s.rgb_scale), uint8_t(s.alpha_scale)}};
+  for (int i = 0; i < argument_count(t.function[0]); ++i) {
+    const GLenum operand = s.operand_rgb[i];
+    t.argument[0][i] = {combine_source(s.source_rgb[i], unit, sampled),
+                        operand == GL_SRC_ALPHA || operand == GL_ONE_MINUS_SRC_ALPHA,
+                        operand == GL_ONE_MINUS_SRC_COLOR || operand == GL_ONE_MINUS_SRC_ALPHA};
+  }
+  for (int i = 0; i < argument_count(t.function[1]); ++i)
+    t.argument[1][i] = {combine_source(s.source_alpha[i], unit, sampled), 1,
+                        s.operand_alpha[i] == GL_ONE_MINUS_SRC_ALPHA};
+  return t;
+}
+
+} // namespace
+
+CombinerChain::Unit make_environment(const TextureUnitState& s, int unit, GLenum base, uint32_t sampled) {
+  if (s.env_mode == GL_COMBINE) return make_combine(s, unit, sampled);
+  const CombineArgument texel{texel_of(unit, sampled), 0, 0}, texel_alpha{texel.source, 1, 0};
+  const CombineArgument previous{CombineSource::Previous, 0, 0}, constant{CombineSource::Constant, 0, 0};
+  CombinerChain::Unit t{{}, {}, {1, 1}};
+  auto set = [&](int part, CombineFunction f, CombineArgument a, CombineArgument b = {},
+                 CombineArgument c = {}) {
+    t.function[part] = f;
+    t.argument[part][0] = a, t.argument[part][1] = b, t.argument[part][2] = c;
+  };
+  // A component that the base format lacks passes through.
+  const bool rgb = base != GL_ALPHA, alpha = base != GL_RGB && base != GL_LUMINANCE;
+  set(0, CombineFunction::Replace, previous);
+  set(1, CombineFunction::Replace, previous);
+  switch (s.env_mode) {
+  case GL_REPLACE:
+    if (rgb) set(0, CombineFunction::Replace, texel);
+    if (alpha) set(1, CombineFunction::Replace, texel);
+    break;
+  case GL_DECAL: // undefined but for RGB and RGBA
+    if (base == GL_RGB) set(0, CombineFunction::Replace, texel);
+    if (base == GL_RGBA) set(0, CombineFunction::Interpolate, texel, previous, texel_alpha);
+    break;
+  case GL_BLEND:
+    if (rgb) set(0, CombineFunction::Interpolate, constant, previous, texel);
+    if (base == GL_INTENSITY)
+      set(1, CombineFunction::Interpolate, constant, previous, texel);
+    else if (alpha)
+      set(1, CombineFunction::Modulate, texel, previous);
+    break;
+  case GL_ADD:
+    if (rgb) set(0, CombineFunction::Add, texel, previous);
+    if (base == GL_INTENSITY)
+      set(1, CombineFunction::Add, texel, previous);
+    else if (alpha)
+      set(1, CombineFunction::Modulate, texel, previous);
+    break;
+  default: // GL_MODULATE
+    if (rgb) set(0, CombineFunction::Modulate, texel, previous);
+    if (alpha) set(1, CombineFunction::Modulate, texel, previous);
+  }
+  return t;
+}
+
+namespace {
+bool plain(const CombineArgument& a, int part, CombineSource source) {
+  return a.source == source && !a.complement && (part == 1 || !a.alpha);
+}
+bool scaled(const CombinerChain::Unit& t) { return t.scale[0] != 1 || t.scale[1] != 1; }
+bool modulates(const CombinerChain::Unit& t, int part, CombineSource texel) {
+  return t.function[part] == CombineFunction::Modulate && plain(t.argument[part][0], part, texel) &&
+         plain(t.argument[part][1], part, CombineSource::Previous);
+}
+} // namespace
+
+bool is_modulate(const CombinerChain::Unit& t, int unit, GLenum base) {
+  const CombineSource texel = CombineSource(int(CombineSource::Texture0) + unit);
+  // A missing alpha is sampled as one, and x * 1 = x: the fast kernel serves RGB and luminance too.
+  const bool passes =
+      t.function[1] == CombineFunction::Replace && plain(t.argument[1][0], 1, CombineSource::Previous);
+  return !scaled(t) && modulates(t, 0, texel) &&
+         (modulates(t, 1, texel) || ((base == GL_RGB || base == GL_LUMINANCE) && passes));
+}
+
+bool is_replace(const CombinerChain::Unit& t, int unit) {
+  const CombineSource texel = CombineSource(int(CombineSource::Texture0) + unit);
+  return !scaled(t) && t.function[0] == CombineFunction::Replace &&
+         t.function[1] == CombineFunction::Replace && plain(t.argument[0][0], 0, texel) &&
+         plain(t.argument[1][0], 1, texel);
+}
+
+} // namespace softgl

@@ -1,0 +1,226 @@
+#include "snapshot/texture_snapshot.h"
+#include "context/texture_bindings.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "base/kernel_table.h"
+#include "context/context.h"
+#include "shaders/texture/texture_constants.h"
+#include "snapshot/texture_environment.h"
+#include "texture/texture_object.h"
+
+namespace softgl {
+
+namespace {
+
+/// The target that a unit samples: the enabled one of the highest order (3.8.15); kTextureTargets if it is
+/// off.
+TextureTarget enabled_target(const TextureUnitState& unit) {
+  for (TextureTarget t : {kTextureCube, kTexture3D, kTextureRectangle, kTexture2D, kTexture1D})
+    if (unit.enabled[t]) return t;
+  return kTextureTargets;
+}
+
+TextureWrap wrap_mode(GLenum mode, int size) {
+  switch (mode) {
+  case GL_CLAMP: return TextureWrap::Clamp;
+  case GL_CLAMP_TO_EDGE: return TextureWrap::ClampToEdge;
+  case GL_CLAMP_TO_BORDER: return TextureWrap::ClampToBorder;
+  case GL_MIRRORED_REPEAT: return TextureWrap::MirroredRepeat;
+  default: return std::has_single_bit(unsigned(size)) ? TextureWrap::RepeatPowerOfTwo : TextureWrap::Repeat;
+  }
+}
+
+/// OSMesa keeps the bias in 1/256, of the object and of the unit each.
+float quantized_bias(float bias) { return std::round(std::clamp(bias, -16.0f, 16.0f) * 256.0f) / 256.0f; }
+
+void set_level_of_detail(const TextureParameters& p, float unit_bias, TextureUnitConstants& t) {
+  t.min_linear = p.min_filter == GL_LINEAR || p.min_filter == GL_LINEAR_MIPMAP_NEAREST ||
+                 p.min_filter == GL_LINEAR_MIPMAP_LINEAR;
+  t.mag_linear = p.mag_filter == GL_LINEAR;
+  t.mip = !uses_mipmaps(p.min_filter) ? TextureMip::None
+          : p.min_filter == GL_NEAREST_MIPMAP_NEAREST || p.min_filter == GL_LINEAR_MIPMAP_NEAREST
+              ? TextureMip::Nearest
+              : TextureMip::Linear;
+  t.lod_bias = quantized_bias(p.lod_bias) + quantized_bias(unit_bias);
+  t.min_lod = std::max(p.min_lod, 0.0f);
+  t.max_lod = p.max_lod;
+  t.constant_lod = t.min_lod == t.max_lod;
+  t.has_min_lod = t.min_lod > 0;
+  t.has_max_lod = t.max_lod < float(kMaxTextureLevels);
+  t.adjusts_lod = t.lod_bias != 0 || t.has_min_lod || t.has_max_lod;
+}
+
+/// The border colour as a texel of the base format.
+void set_border(const Vec4& color, GLenum base, TextureUnitConstants& t) {
+  const float r = color.x;
+  switch (base) {
+  case GL_ALPHA: t.border[0] = t.border[1] = t.border[2] = 0, t.border[3] = color.w; break;
+  case GL_LUMINANCE:
+  case GL_DEPTH_COMPONENT: t.border[0] = t.border[1] = t.border[2] = r, t.border[3] = 1; break;
+  case GL_LUMINANCE_ALPHA: t.border[0] = t.border[1] = t.border[2] = r, t.border[3] = color.w; break;
+  case GL_INTENSITY: t.border[0] = t.border[1] = t.border[2] = t.border[3] = r; break;
+  case GL_RGB: t.border[0] = r, t.border[1] = color.y, t.border[2] = color.z, t.border[3] = 1; break;
+  default:
+    for (int i = 0; i < 4; ++i) t.border[i] = color[i];
+  }
+}
+
+void set_texel(const TexelFormat& f, TextureUnitConstants& t) {
+  t.texel = f.layout == TexelLayout::Rgba8    ? TextureTexel::Rgba8
+            : f.layout == TexelLayout::Rgba16 ? TextureTexel::Rgba16
+                                              : TextureTexel::Depth;
+  for (int k = 0; k < 4; ++k) {
+    const int bits = f.bits[k];
+    const int whole = f.layout == TexelLayout::Rgba8 ? 8 : 1; // an absent component is stored as 255 or 1
+    t.shift[k] = uint8_t(f.layout == TexelLayout::Rgba8 && bits ? 8 - bits
+                         : f.layout == TexelLayout::Depth       ? bits
+                                                                : 0);
+    t.scale[k] = float(1.0 / double((uint64_t(1) << (bits ? bits : whole)) - 1));
+  }
+}
+
+void set_levels(const TextureObject& object, CompleteLevels levels, TextureUnitConstants& t) {
+  const int faces = object.target == kTextureCube ? 6 : 1;
+  t.last_level = levels.count - 1;
+  for (int i = 0; i < levels.count; ++i) {
+    TextureLevel& level = t.level[i];
+    for (int face = 0; face < faces; ++face) {
+      const TextureImage& image = *object.image[face][levels.first + i];
+      const int bytes = image.format->bytes();
+      level = {{level.face[0], level.face[1], level.face[2], level.face[3], level.face[4], level.face[5]},
+               image.width,
+               image.height,
+               image.depth,
+               int32_t(image.row_bytes / size_t(bytes)),
+               int32_t(image.slice_bytes / size_t(bytes))};
+      level.face[face] = image.texels.data();
+    }
+  }
+}
+
+GLenum sampled_base(const TextureObject& object, const TexelFormat& format) {
+  return format.base == GL_DEPTH_COMPONENT ? object.parameters.depth_mode : format.base;
+}
+
+/// Where OSMesa 22.3.6 looks whether a size is a power of two: level 0, if the base level is one of its
+/// levels.
+const TextureImage& level_zero(const TextureObject& object, int base_level) {
+  const auto &zero = object.image[0][0], &base = object.image[0][base_level];
+  auto continues = [&](int large, int small) { return std::max(large >> base_level, 1) == small; };
+  const bool fits = zero && continues(zero->width, base->width) && continues(zero->height, base->height) &&
+                    continues(zero->depth, base->depth);
+  return fits ? *zero : *base;
+}
+
+TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum& base) {
+  const TextureUnitState& state = c.state.texture.unit[unit];
+  const TextureTarget target = enabled_target(state);
+  if (target == kTextureTargets) return nullptr;
+  const auto object = bound_texture(c, unit, target);
+  const CompleteLevels levels = complete_levels(*object);
+  if (levels.count == 0) return nullptr; // incomplete: as if texturing were off (3.8.10)
+  auto* t = arena.make<TextureUnitConstants>();
+  const TextureParameters& p = object->parameters;
+  const TextureImage& image = *object->image[0][levels.first];
+  t->shape = target == kTexture1D     ? TextureShape::OneD
+             : target == kTexture3D   ? TextureShape::ThreeD
+             : target == kTextureCube ? TextureShape::Cube
+                                      : TextureShape::TwoD;
+  t->counts_texels = target == kTextureRectangle;
+  set_levels(*object, levels, *t);
+  set_texel(*image.format, *t);
+  // OSMesa 22.3.6 clamps to the edges of a cube map's face, whatever the wrap modes say.
+  const bool cube = target == kTextureCube;
+  const TextureImage& zero = level_zero(*object, levels.first);
+  t->wrap[0] = wrap_mode(cube ? GLenum(GL_CLAMP_TO_EDGE) : p.wrap[0], zero.width);
+  t->wrap[1] = wrap_mode(cube || target == kTexture1D ? GLenum(GL_CLAMP_TO_EDGE) : p.wrap[1], zero.height);
+  t->wrap[2] = wrap_mode(p.wrap[2], zero.depth);
+  set_level_of_detail(p, state.lod_bias, *t);
+  if (levels.first == 0 && levels.count == 1 && p.max_lod > 0) t->mip = TextureMip::None;
+  for (int i = 0; i < 4; ++i)
+    t->color[i] = state.env_color[i] > 0 ? std::min(state.env_color[i], 1.0f) : 0.0f; // no NaN
+  base = sampled_base(*object, *image.format);
+  set_border(p.border_color, image.format->base, *t);
+  if (image.format->base == GL_DEPTH_COMPONENT) {
+    t->compares = p.compare_mode == GL_COMPARE_R_TO_TEXTURE;
+    t->compare_function = uint8_t(p.compare_function - GL_NEVER);
+    t->depth_target = p.depth_mode == GL_INTENSITY ? 1 : p.depth_mode == GL_ALPHA ? 2 : 0;
+  }
+  for (auto& face : object->image)
+    for (int i = 0; i < levels.count; ++i)
+      if (auto& kept = face[levels.first + i]) c.frame.retain(kept, kept->texels.size());
+  return t;
+}
+
+/// OSMesa 22.3.6 filters in fixed point where it can; not in the cube maps whose lanes may want different
+/// filters.
+bool fixed_point(const TextureUnitConstants& t) {
+  auto fixed = [&](int axis) { return t.wrap[axis] <= TextureWrap::ClampToEdge; };
+  if (t.shape == TextureShape::Cube && t.mip != TextureMip::None && t.min_linear != t.mag_linear)
+    return false;
+  return t.texel == TextureTexel::Rgba8 && fixed(0) && fixed(1) &&
+         (t.shape != TextureShape::ThreeD || fixed(2));
+}
+
+bool reads_r(const TextureUnitConstants& t) {
+  return t.shape == TextureShape::ThreeD || t.shape == TextureShape::Cube || t.compares;
+}
+
+bool finds_level(const TextureUnitConstants& t) {
+  return t.shape == TextureShape::Cube || t.mip != TextureMip::None || t.min_linear != t.mag_linear;
+}
+
+} // namespace
+
+void append_texture_stages(Context& c, Arena& arena, FragmentProgram& program, FragmentConstants& constants) {
+  TextureUnitConstants* units[kMaxTextureUnits] = {};
+  GLenum base[kMaxTextureUnits] = {};
+  uint32_t sampled = 0;
+  for (int u = 0; u < kMaxTextureUnits; ++u)
+    if ((units[u] = make_constants(c, arena, u, base[u]))) sampled |= 1u << u;
+  if (sampled == 0) return;
+  program.key.texture_units = uint64_t(sampled);
+  const TextureKernels& kernels = *softgl::kernels().texture;
+  CombinerChain chain;
+  chain.units = uint8_t(sampled);
+  bool simple = true; // every environment has a stage of its own
+  for (int u = 0; u < kMaxTextureUnits; ++u) {
+    if (!units[u]) continue;
+    chain.unit[u] = make_environment(c.state.texture.unit[u], u, base[u], sampled);
+    simple &= is_modulate(chain.unit[u], u, base[u]) || is_replace(chain.unit[u], u);
+    constants.texture[u] = units[u];
+    if (units[u]->shape == TextureShape::Cube) {
+      program.reads_quads = true;
+      program.add(kernels.choose_face, u);
+    }
+    if (reads_r(*units[u])) program.r_units = uint8_t(program.r_units | 1u << u);
+    if (finds_level(*units[u])) program.lod_units = uint8_t(program.lod_units | 1u << u);
+  }
+  auto fused = [&](int u) {
+    return simple && fixed_point(*units[u]) && is_modulate(chain.unit[u], u, base[u]);
+  };
+  for (int u = 0; u < kMaxTextureUnits; ++u)
+    if (units[u] && !fused(u))
+      program.add(fixed_point(*units[u]) ? kernels.sample_fixed : kernels.sample_float, u);
+  if (!simple) {
+    // The colour sum has a part in the order of additions. That of lit fragments is clamped and comes later.
+    chain.color_sum = program.key.color_sum && !program.key.lit;
+    if (chain.color_sum) program.key.color_sum = 0;
+    auto combiner = c.combiners.program(chain);
+    constants.combiner = combiner.get();
+    c.frame.retain(std::move(combiner), sizeof(CombinerProgram));
+    program.add(kernels.combine);
+    return;
+  }
+  for (int u = 0; u < kMaxTextureUnits; ++u)
+    if (units[u])
+      program.add(fused(u)                                 ? kernels.modulate_fixed
+                  : is_modulate(chain.unit[u], u, base[u]) ? kernels.modulate
+                                                           : kernels.replace,
+                  u);
+}
+
+} // namespace softgl

@@ -1,0 +1,74 @@
+// What is drawn to, and the caller's buffer that shows it. The caller's buffer is never drawn to: it is
+// written when the picture is asked for (glFlush, glFinish, a context losing its thread).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/gl_types.h"
+#include "base/pages.h"
+#include "shaders/common/surface.h"
+#include "surface/tile_reader.h"
+
+namespace softgl {
+
+/// The caller's memory and how OSMesa was told to fill it.
+struct ClientBuffer {
+  void* data = nullptr;
+  GLenum format = 0, type = 0; // OSMESA_RGBA, ...; GL_UNSIGNED_BYTE, ...
+  GLint row_length = 0;        // pixels; 0 = the width
+  bool y_up = true;            // row 0 is the bottom one
+};
+
+/// What has been done, for softgl_get_statistics().
+struct FramebufferCounts {
+  uint64_t flushes = 0, resolves = 0, clears = 0, reads = 0;
+};
+
+struct Framebuffer {
+  Surface surface{}; // what is drawn to; empty before the first MakeCurrent
+  int depth_bits = 0, stencil_bits = 0,
+      accumulation_bits = 0; // a depth_stencil plane may serve only one of the two
+  bool has_alpha = true;     // false for RGB and RGB_565: alpha reads as 1 and is never written
+  bool unwritten = false;    // something may wait to be written to the planes (TileWords)
+  bool unresolved = false;   // something was drawn that the caller's buffer does not show
+  ClientBuffer client;
+  FramebufferCounts counts;
+  std::vector<unsigned char> depth_copy; // what OSMesaGetDepthBuffer gave out; empty until it is called
+
+  Framebuffer() = default;
+  ~Framebuffer() { release(); }
+  Framebuffer(const Framebuffer&) = delete;
+  Framebuffer& operator=(const Framebuffer&) = delete;
+
+  /// New planes of zeros (alpha 1 where there is none). False, and nothing changed, when memory does not
+  /// suffice.
+  bool allocate(int width, int height, ColorFormat color_format);
+  /// Appends the planes and the caller's buffer, to be brought in early.
+  void prepare(std::vector<Pages>& pages) const;
+  void release();
+
+private:
+  size_t color_bytes_ = 0, depth_bytes_ = 0; // mapped; no depth_bytes_ where the planes share memory
+  std::vector<TileState> tiles_;
+  uint32_t next_place_ = 0;
+};
+
+/// Writes tiles of the surface to the caller's buffer.
+class Resolver final : public TileReader {
+public:
+  Resolver(const Surface& surface, const ClientBuffer& client);
+  void read(uint32_t tile) const override { resolve_(surface_, client_, tile); }
+
+private:
+  const Surface& surface_;
+  const ClientBuffer& client_;
+  void (*resolve_)(const Surface&, const ClientBuffer&, uint32_t tile);
+};
+
+/// Bytes of a value in depth_copy: 4 (24 bits, stencil in the top byte), 2 (16 bits) or 0 (no depth).
+int depth_copy_bytes(const Framebuffer& framebuffer);
+/// Fills depth_copy from the surface, bottom row first. Nothing may wait to be written (write_tiles).
+void copy_depth(Framebuffer& framebuffer);
+
+} // namespace softgl

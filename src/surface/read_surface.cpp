@@ -1,0 +1,165 @@
+#include "surface/read_surface.h"
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+#include "texture/pixel_formats.h"
+
+namespace softgl {
+namespace {
+
+/// Copies the pixels of a row block by block: 8 neighbours are contiguous.
+template <class Pixel>
+void copy_row(const Surface& s, const Pixel* plane, int x, int y, int count, Pixel* row) {
+  while (count > 0) {
+    const int run = std::min(count, 8 - (x & 7));
+    std::memcpy(row, plane + pixel_index(s, x, y), size_t(run) * sizeof(Pixel));
+    x += run;
+    row += run;
+    count -= run;
+  }
+}
+
+// `row` may be the client's memory, which need not be aligned.
+struct Bytes2 {
+  unsigned char b[2];
+};
+struct Bytes4 {
+  unsigned char b[4];
+};
+struct Bytes8 {
+  unsigned char b[8];
+};
+struct Bytes16 {
+  unsigned char b[16];
+};
+
+/// Calls row(y down, first column within the rectangle, count, row within the rectangle) for the part on the
+/// surface.
+template <class Row> void for_each_row(const Surface& s, int x, int y, int width, int height, Row&& row) {
+  const int64_t left = std::max<int64_t>(x, 0), right = std::min<int64_t>(int64_t(x) + width, s.width);
+  if (left >= right) return;
+  for (int64_t line = std::max<int64_t>(y, 0); line < std::min<int64_t>(int64_t(y) + height, s.height);
+       ++line)
+    row(int(s.height - 1 - line), int(left), int(right - left), size_t(line - y), size_t(left - x));
+}
+
+} // namespace
+
+void copy_color_row(const Surface& s, int x, int y, int count, void* row) {
+  switch (s.color_format) {
+  case ColorFormat::Rgba8:
+    return copy_row(s, static_cast<const Bytes4*>(s.color), x, y, count, static_cast<Bytes4*>(row));
+  case ColorFormat::Rgba16:
+    return copy_row(s, static_cast<const Bytes8*>(s.color), x, y, count, static_cast<Bytes8*>(row));
+  case ColorFormat::RgbaFloat:
+    return copy_row(s, static_cast<const Bytes16*>(s.color), x, y, count, static_cast<Bytes16*>(row));
+  case ColorFormat::Rgb565:
+    return copy_row(s, static_cast<const Bytes2*>(s.color), x, y, count, static_cast<Bytes2*>(row));
+  }
+}
+
+void copy_depth_stencil_row(const Surface& s, int x, int y, int count, uint32_t* row) {
+  copy_row(s, static_cast<const uint32_t*>(s.depth_stencil), x, y, count, row);
+}
+
+void color_row_to_bytes(ColorFormat format, const void* row, int count, uint8_t (*rgba)[4]) {
+  switch (format) {
+  case ColorFormat::Rgba8: std::memcpy(rgba, row, size_t(count) * 4); return;
+  case ColorFormat::Rgba16:
+    for (int i = 0; i < count * 4; ++i)
+      rgba[i / 4][i % 4] = uint8_t(convert_unorm(static_cast<const uint16_t*>(row)[i], 16, 8));
+    return;
+  case ColorFormat::RgbaFloat:
+    for (int i = 0; i < count * 4; ++i)
+      rgba[i / 4][i % 4] = uint8_t(float_to_unorm(static_cast<const float*>(row)[i], 8));
+    return;
+  case ColorFormat::Rgb565:
+    for (int i = 0; i < count; ++i) {
+      const uint32_t p = static_cast<const uint16_t*>(row)[i];
+      rgba[i][0] = uint8_t(convert_unorm(p >> 11, 5, 8));
+      rgba[i][1] = uint8_t(convert_unorm(p >> 5 & 63, 6, 8));
+      rgba[i][2] = uint8_t(convert_unorm(p & 31, 5, 8));
+      rgba[i][3] = 255;
+    }
+    return;
+  }
+}
+
+void color_row_to_floats(ColorFormat format, const void* row, int count, float (*rgba)[4]) {
+  switch (format) {
+  case ColorFormat::Rgba8:
+    for (int i = 0; i < count * 4; ++i)
+      rgba[i / 4][i % 4] = unorm_to_float(static_cast<const uint8_t*>(row)[i], 8);
+    return;
+  case ColorFormat::Rgba16:
+    for (int i = 0; i < count * 4; ++i)
+      rgba[i / 4][i % 4] = unorm_to_float(static_cast<const uint16_t*>(row)[i], 16);
+    return;
+  case ColorFormat::RgbaFloat: std::memcpy(rgba, row, size_t(count) * 16); return;
+  case ColorFormat::Rgb565:
+    for (int i = 0; i < count; ++i) {
+      const uint32_t p = static_cast<const uint16_t*>(row)[i];
+      rgba[i][0] = unorm_to_float(p >> 11, 5);
+      rgba[i][1] = unorm_to_float(p >> 5 & 63, 6);
+      rgba[i][2] = unorm_to_float(p & 31, 5);
+      rgba[i][3] = 1.0f;
+    }
+    return;
+  }
+}
+
+float depth_to_float(DepthFormat format, uint32_t word) {
+  const uint32_t one = largest_depth(format);
+  if (format == DepthFormat::Z16) return float(word & one) * (1.0f / float(one));
+  return float(double(word & one) * (1.0 / double(one)));
+}
+
+void read_rgba8(const Surface& s, int x, int y, int width, int height, uint8_t (*rgba)[4]) {
+  if (width <= 0 || height <= 0) return;
+  std::memset(rgba, 0, size_t(width) * size_t(height) * 4);
+  std::vector<unsigned char> row(size_t(width) * 16);
+  for_each_row(s, x, y, width, height, [&](int y_down, int first, int count, size_t line, size_t column) {
+    copy_color_row(s, first, y_down, count, row.data());
+    color_row_to_bytes(s.color_format, row.data(), count, rgba + line * size_t(width) + column);
+  });
+}
+
+void read_rgba_float(const Surface& s, int x, int y, int width, int height, float (*rgba)[4]) {
+  if (width <= 0 || height <= 0) return;
+  std::memset(rgba, 0, size_t(width) * size_t(height) * 16);
+  std::vector<unsigned char> row(size_t(width) * 16);
+  for_each_row(s, x, y, width, height, [&](int y_down, int first, int count, size_t line, size_t column) {
+    copy_color_row(s, first, y_down, count, row.data());
+    color_row_to_floats(s.color_format, row.data(), count, rgba + line * size_t(width) + column);
+  });
+}
+
+namespace {
+
+/// Calls convert(word) for the depth and stencil words of a rectangle.
+template <class T, class Convert>
+void read_words(const Surface& s, int x, int y, int width, int height, T* out, Convert convert) {
+  if (width <= 0 || height <= 0) return;
+  std::fill_n(out, size_t(width) * size_t(height), T(0));
+  if (!s.depth_stencil) return;
+  std::vector<uint32_t> row(static_cast<size_t>(width));
+  for_each_row(s, x, y, width, height, [&](int y_down, int first, int count, size_t line, size_t column) {
+    copy_depth_stencil_row(s, first, y_down, count, row.data());
+    std::transform(row.begin(), row.begin() + count, out + line * size_t(width) + column, convert);
+  });
+}
+
+} // namespace
+
+void read_depth_float(const Surface& s, int x, int y, int width, int height, float* depth) {
+  const DepthFormat format = s.depth_format;
+  read_words(s, x, y, width, height, depth, [=](uint32_t word) { return depth_to_float(format, word); });
+}
+
+void read_stencil(const Surface& s, int x, int y, int width, int height, uint8_t* stencil) {
+  read_words(s, x, y, width, height, stencil, [](uint32_t word) { return uint8_t(word >> 24); });
+}
+
+} // namespace softgl

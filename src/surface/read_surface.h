@@ -1,0 +1,27 @@
+// Reading pixels back from the surface, in GL's coordinates (y up).
+#pragma once
+
+#include <cstdint>
+
+#include "shaders/common/surface.h"
+
+namespace softgl {
+
+/// Pixels (x .. x + count - 1, y) of the surface, y down, which all lie in it, in the surface's format.
+void copy_color_row(const Surface& surface, int x, int y, int count, void* row);
+void copy_depth_stencil_row(const Surface& surface, int x, int y, int count, uint32_t* row);
+
+/// Colours as bytes or as floats. The one of fewer bits rounds as OSMesa 22.3.6 does: 5 and 6 bits are
+/// repeated.
+void color_row_to_bytes(ColorFormat format, const void* row, int count, uint8_t (*rgba)[4]);
+void color_row_to_floats(ColorFormat format, const void* row, int count, float (*rgba)[4]);
+float depth_to_float(DepthFormat format, uint32_t word);
+
+/// Copies a rectangle (lower left corner x, y; bottom row first) as bytes; zeros outside.
+void read_rgba8(const Surface& surface, int x, int y, int width, int height, uint8_t (*rgba)[4]);
+/// The same as floats (not clamped if the surface is not), the depth as floats, and the stencil values.
+void read_rgba_float(const Surface& surface, int x, int y, int width, int height, float (*rgba)[4]);
+void read_depth_float(const Surface& surface, int x, int y, int width, int height, float* depth);
+void read_stencil(const Surface& surface, int x, int y, int width, int height, uint8_t* stencil);
+
+} // namespace softgl
