@@ -1,6 +1,7 @@
 #include "api/door.h"
 
 #include "commands/vertices/list_compilation.h"
+#include "commands/vertices/vertex_stream.h"
 
 namespace softgl {
 

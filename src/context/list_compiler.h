@@ -3,9 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <memory>
-#include <vector>
 
 #include "base/gl_types.h"
 #include "context/vertex_builder.h"
@@ -25,14 +23,9 @@ struct ListCompiler {
   VertexBuilder executing_builder;
   uint32_t executing_guard = 0;
 
-  struct Free {
-    void operator()(float* p) const { std::free(p); }
-  };
-  std::unique_ptr<float, Free> vertices; // the builder's chunk while a list is compiled
-
-  bool last_was_error = false;   // the last record stands for an error: nothing to execute
-  std::vector<uint64_t> scratch; // takes the arguments of a command that only raises an error
-  uint64_t emergency[32];        // the same when there is no memory: more than any command's arguments
+  bool failed = false;         // memory has ended: nothing is kept any more, and EndList keeps the old list
+  bool last_was_error = false; // the last record stands for an error: nothing to execute
+  uint64_t unkept[32];         // takes the arguments of a command that is not kept: more than any one's
 };
 
 } // namespace softgl

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <memory>
 #include <vector>
 
 #include "context/state.h"
@@ -14,6 +16,10 @@ namespace softgl {
 /// list.
 constexpr GLenum kNoPrimitive = 0xffff;
 
+struct FreeVertices {
+  void operator()(float* p) const { std::free(p); }
+};
+
 /// Collects vertices until the run closes: on a state change, when the chunk is full, on an array draw.
 ///
 /// A vertex is `slots` 16-byte slots: the position, then each attribute that was set since the run began, in
@@ -22,20 +28,22 @@ constexpr GLenum kNoPrimitive = 0xffff;
 /// arrays).
 struct VertexBuilder {
   // Touched by every call.
-  float* out = nullptr;                    // the next vertex
-  float* limit = nullptr;                  // a vertex fits while out < limit; null when no primitive is open
-  uint32_t slots = 1;                      // per vertex
-  uint32_t present = 1;                    // bit s: attribute s has a slot (the position always has)
-  uint8_t place[kAttributeSlots + 6] = {}; // where attribute s is in a vertex; 0: absent
+  float* out = nullptr;                     // the next vertex
+  float* limit = nullptr;                   // a vertex fits while out < limit; null when no primitive is open
+  uint32_t slots = 1;                       // per vertex
+  uint32_t present = 1;                     // bit s: attribute s has a slot (the position always has)
+  uint8_t offset[kAttributeSlots + 6] = {}; // of attribute s in a vertex, in slots; 0: absent
   alignas(16) float value[kAttributeSlots][4] = {};
 
   // Touched by Begin and End.
-  GLenum mode = kNoPrimitive; // of the open primitive
-  uint32_t first = 0;         // its first vertex
-  bool continued = false;     // its beginning was in an earlier chunk
-  bool compiling = false;     // vertices go to a display list
-  float* base = nullptr;      // vertex 0 of the chunk; null: no chunk is open
-  size_t capacity = 0;        // bytes
+  GLenum mode = kNoPrimitive;                  // of the open primitive
+  uint32_t first = 0;                          // its first vertex
+  bool continued = false;                      // its beginning was in an earlier chunk
+  bool compiling = false;                      // vertices go to a display list
+  bool dropping = false;                       // memory has ended: vertices are not kept until the next Begin
+  float* base = nullptr;                       // vertex 0 of the chunk; null: no chunk is open
+  size_t capacity = 0;                         // bytes
+  std::unique_ptr<float, FreeVertices> memory; // the chunk of a list; others lie in the frame's arena
   std::vector<PrimitiveRange> primitives;
 
   // Attributes without a slot that were set outside Begin and End while vertices wait: they get a slot at the

@@ -24,7 +24,7 @@ struct VertexBlock {
 
 struct VertexRun {
   uint32_t present = 1, slots = 1, vertex_count = 0;
-  uint8_t place[kAttributeSlots] = {};
+  uint8_t offset[kAttributeSlots] = {}; // of attributes in a vertex, in slots
   std::shared_ptr<VertexBlock> block;
   std::vector<PrimitiveRange> primitives;
 
@@ -35,11 +35,11 @@ struct VertexRun {
   std::shared_ptr<VertexBlock> late_block; // the block with such values filled in, from the last time
   alignas(16) float late_value[kAttributeSlots][4] = {};
 
-  alignas(16) float final_value[kAttributeSlots][4] = {}; // by place: current after the run
+  alignas(16) float final_value[kAttributeSlots][4] = {}; // by offset: current after the run
 
   /// Not a sequence of whole primitives: some vertices belong to a primitive that begins or ends outside of
   /// the run.
-  bool fragment = false;
+  bool partial = false;
 
   /// Made at the second playing, when it pays: vertices that are alike are joined, and these name them.
   uint32_t plays = 0;

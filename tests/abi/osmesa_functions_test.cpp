@@ -173,6 +173,46 @@ TEST_CASE("A context that loses its thread to another writes its buffer", "[abi]
   });
 }
 
+TEST_CASE("A primitive that is open when its context loses its thread goes on afterwards", "[abi][lists]") {
+  const Gl& gl = softgl_library();
+  // The same picture whether another context is current for a while between two vertices or not.
+  for (const bool compiled : {false, true}) {
+    std::vector<unsigned char> picture[2];
+    for (const bool leaves : {false, true}) {
+      std::vector<unsigned char> a(64 * 64 * 4), b(64 * 64 * 4);
+      void* first = gl.OSMesaCreateContext(GL_RGBA, nullptr);
+      void* second = gl.OSMesaCreateContext(GL_RGBA, nullptr);
+      gl.OSMesaMakeCurrent(first, a.data(), GL_UNSIGNED_BYTE, 64, 64);
+      if (compiled) gl.NewList(1, GL_COMPILE_AND_EXECUTE);
+      gl.Begin(GL_TRIANGLE_FAN);
+      gl.Color3f(1, 0, 0);
+      gl.Vertex2f(-0.9f, -0.8f);
+      gl.Color3f(0, 1, 0);
+      gl.Vertex2f(0.9f, -0.7f);
+      if (leaves) {
+        gl.OSMesaMakeCurrent(second, b.data(), GL_UNSIGNED_BYTE, 64, 64);
+        gl.Begin(GL_POINTS);
+        for (int i = 0; i < 100; ++i) gl.Vertex2f(float(i) / 100, 0);
+        gl.End();
+        gl.OSMesaMakeCurrent(first, a.data(), GL_UNSIGNED_BYTE, 64, 64);
+      }
+      gl.Color3f(0, 0, 1);
+      gl.Vertex2f(0.1f, 0.9f);
+      gl.Vertex2f(-0.8f, 0.7f);
+      gl.End();
+      if (compiled) gl.EndList();
+      gl.Finish();
+      CHECK(gl.GetError() == GL_NO_ERROR);
+      picture[leaves] = a;
+      gl.OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
+      gl.OSMesaDestroyContext(first);
+      gl.OSMesaDestroyContext(second);
+    }
+    CHECK(sum_of(picture[0]) != sum_of(std::vector<unsigned char>(64 * 64 * 4)));
+    CHECK(picture[0] == picture[1]);
+  }
+}
+
 TEST_CASE("Destroying the current context leaves the buffer alone", "[abi]") {
   same_answers([](const Gl& gl, Log& log) {
     std::vector<unsigned char> buffer(8 * 8 * 4, 0x77);

@@ -2,6 +2,8 @@
 
 #include "base/early_pages.h"
 #include "commands/generated/commands.h"
+#include "commands/vertices/list_compilation.h"
+#include "commands/vertices/vertex_chunk.h"
 #include "commands/vertices/vertex_stream.h"
 #include "context/context.h"
 #include "frame/parallel.h"
@@ -11,12 +13,16 @@
 namespace softgl {
 
 void flush_rendering(Context& c) {
+  const ExecuteScope scope(c);
   if (c.guard & kRunPending) close_run(c);
+  const VerticesAside aside(c);
   flush_frame(c);
 }
 
 void finish_and_resolve(Context& c) {
+  const ExecuteScope scope(c);
   if (c.guard & kRunPending) close_run(c);
+  const VerticesAside aside(c); // a context may leave its thread between Begin and End
   Framebuffer& f = c.framebuffer;
   const Resolver resolver(f.surface, f.client);
   if (!c.frame.empty())

@@ -1,6 +1,5 @@
 // DrawArrays, DrawElements and their relatives (GL 1.5, 2.8).
 #include <algorithm>
-#include <new>
 
 #include "commands/generated/commands.h"
 #include "commands/vertices/array_element.h"
@@ -8,6 +7,7 @@
 #include "commands/vertices/attribute_doors.h"
 #include "commands/vertices/index_range.h"
 #include "commands/vertices/list_compilation.h"
+#include "commands/vertices/vertex_chunk.h"
 #include "commands/vertices/vertex_stream.h"
 #include "context/buffer_objects.h"
 #include "context/context.h"
@@ -52,7 +52,7 @@ void draw_arrays(Context& c, GLenum mode, uint32_t first, uint32_t count) {
     for (uint32_t i = 0; i < count; ++i) emit_array_element(c, *arrays, first + i);
     return gl::End(c);
   }
-  count = complete_vertices(mode, count, false);
+  count = complete_vertices(mode, count);
   if (!count) return;
   DrawCall call;
   call.first_vertex = first;
@@ -72,7 +72,7 @@ Indices indices_of(Context& c, GLenum mode, uint32_t count, GLenum type, const v
   const std::shared_ptr<BufferObject>& buffer = c.client.vertex_array.element_array_object;
   Indices result;
   if (!buffer) {
-    result.count = complete_vertices(mode, count, false);
+    result.count = complete_vertices(mode, count);
     if (!pointer || !result.count) return {};
     void* copy = c.frame.arena().allocate(size_t(result.count) * bytes);
     result.range = copy_indices(pointer, type, result.count, copy);
@@ -81,7 +81,7 @@ Indices indices_of(Context& c, GLenum mode, uint32_t count, GLenum type, const v
   }
   const size_t offset = reinterpret_cast<size_t>(pointer), size = buffer->size();
   if (offset >= size) return {};
-  result.count = complete_vertices(mode, uint32_t(std::min<size_t>(count, (size - offset) / bytes)), false);
+  result.count = complete_vertices(mode, uint32_t(std::min<size_t>(count, (size - offset) / bytes)));
   if (!result.count) return {};
   const unsigned char* data = buffer->storage->bytes + offset;
   if (offset % bytes) {
@@ -137,52 +137,51 @@ void draw_elements(Context& c, GLenum mode, uint32_t count, GLenum type, const v
 
 } // namespace
 
-void gl::DrawArrays(Context& c, GLenum mode, GLint first, GLsizei count) try {
+void gl::DrawArrays(Context& c, GLenum mode, GLint first, GLsizei count) {
   if (!may_draw(c, mode, count)) return;
   if (first < 0) return draw_error(c, GL_INVALID_VALUE);
   draw_arrays(c, mode, uint32_t(first), uint32_t(count));
-} catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+}
 
-void gl::DrawElements(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices) try {
+void gl::DrawElements(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices) {
   if (!may_draw(c, mode, count)) return;
   if (!index_bytes(type)) return draw_error(c, GL_INVALID_ENUM);
   draw_elements(c, mode, uint32_t(count), type, indices);
-} catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+}
 
 void gl::DrawRangeElements(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type,
-                           const void* indices) try {
+                           const void* indices) {
   if (!may_draw(c, mode, count)) return;
   if (end < start) return draw_error(c, GL_INVALID_VALUE);
   if (!index_bytes(type)) return draw_error(c, GL_INVALID_ENUM);
   // Whether the indices keep to the range is not known, and to look costs little: the range is not used.
   draw_elements(c, mode, uint32_t(count), type, indices);
-} catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+}
 
-void gl::MultiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count,
-                         GLsizei draws) try {
+void gl::MultiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count, GLsizei draws) {
   if (!may_draw(c, mode, draws)) return;
   for (GLsizei i = 0; i < draws; ++i)
     if (count[i] < 0 || (count[i] > 0 && first[i] < 0)) return draw_error(c, GL_INVALID_VALUE);
   for (GLsizei i = 0; i < draws; ++i)
     if (count[i] > 0) draw_arrays(c, mode, uint32_t(first[i]), uint32_t(count[i]));
-} catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+}
 
 void gl::MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum type,
-                           const void* const* indices, GLsizei draws) try {
+                           const void* const* indices, GLsizei draws) {
   if (!may_draw(c, mode, draws)) return;
   if (!index_bytes(type)) return draw_error(c, GL_INVALID_ENUM);
   for (GLsizei i = 0; i < draws; ++i)
     if (count[i] < 0) return draw_error(c, GL_INVALID_VALUE);
   for (GLsizei i = 0; i < draws; ++i)
     if (count[i] > 0) draw_elements(c, mode, uint32_t(count[i]), type, indices[i]);
-} catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+}
 
-void gl::ArrayElement(Context& c, GLint i) try {
+void gl::ArrayElement(Context& c, GLint i) {
   if (c.guard & kNoContext) return;
   if (i < 0)
     return c.builder.compiling ? compile_error(c, GL_INVALID_VALUE, true) : set_error(c, GL_INVALID_VALUE);
   if (const ArrayCache* arrays = current_arrays(c)) emit_array_element(c, *arrays, uint32_t(i));
-} catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+}
 
 void gl::Rect(Context& c, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
   gl::Begin(c, GL_QUADS); // the specification says GL_POLYGON; OSMesa 22.3.6 draws a quad: the same but for

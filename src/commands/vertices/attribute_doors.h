@@ -12,10 +12,10 @@ namespace softgl {
 
 inline void set_attribute4(Context& c, int slot, float x, float y, float z, float w) {
   VertexBuilder& b = c.builder;
-  const unsigned place = b.place[slot];
-  if (__builtin_expect(place == 0, 0)) return set_absent_attribute(c, slot, x, y, z, w);
+  const unsigned offset = b.offset[slot];
+  if (__builtin_expect(offset == 0, 0)) return set_absent_attribute(c, slot, x, y, z, w);
   // One 16-byte store: four narrow ones would not be forwarded to the 16-byte load of the vertex.
-  _mm_store_ps(b.value[place], _mm_setr_ps(x, y, z, w));
+  _mm_store_ps(b.value[offset], _mm_setr_ps(x, y, z, w));
 }
 inline void set_attribute1(Context& c, int slot, float x) { set_attribute4(c, slot, x, 0, 0, 1); }
 inline void set_attribute2(Context& c, int slot, float x, float y) { set_attribute4(c, slot, x, y, 0, 1); }

@@ -77,47 +77,48 @@ void call_list(Context& c, GLuint name) {
   play_list(c, *list);
 }
 
-void gl::NewList(Context& c, GLuint name, GLenum mode) try {
+void gl::NewList(Context& c, GLuint name, GLenum mode) {
   if (c.lists.list) return set_error(c, GL_INVALID_OPERATION);
   if (name == 0) return set_error(c, GL_INVALID_VALUE);
   if (mode != GL_COMPILE && mode != GL_COMPILE_AND_EXECUTE) return set_error(c, GL_INVALID_ENUM);
   c.lists.list = std::make_shared<DisplayList>();
   c.lists.name = name;
   c.lists.mode = mode;
-  c.lists.last_was_error = false;
+  c.lists.failed = c.lists.last_was_error = false;
   c.lists.executing_builder = std::exchange(c.builder, VertexBuilder{});
   c.lists.executing_guard = std::exchange(c.guard, uint32_t(kCompilingList));
   c.builder.compiling = true;
-} catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+}
 
-void gl::EndList(Context& c) try {
+void gl::EndList(Context& c) {
   if (!c.lists.list) return set_error(c, GL_INVALID_OPERATION);
   // When the list is executed, too, its Begin has been executed.
   if (c.lists.mode == GL_COMPILE_AND_EXECUTE &&
       (c.builder.mode != kNoPrimitive || c.lists.executing_guard & kInsideBeginEnd))
     return set_error(c, GL_INVALID_OPERATION);
-  break_compiled_run(c);
+  close_compiled_run(c);
   std::shared_ptr<DisplayList> list = std::move(c.lists.list);
   c.lists.list = nullptr;
   c.builder = std::exchange(c.lists.executing_builder, VertexBuilder{});
   c.guard = c.lists.executing_guard;
+  if (c.lists.failed) return set_error(c, GL_OUT_OF_MEMORY);
   list->records.shrink_to_fit();
   c.shared->lists.set(c.lists.name, std::move(list));
-} catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+}
 
-void gl::CallList(Context& c, GLuint name) try {
+void gl::CallList(Context& c, GLuint name) {
   if (c.guard & kNoContext) return;
   if (name == 0) return stream_error(c, GL_INVALID_VALUE);
   if (!c.builder.compiling) return call_list(c, name);
-  break_compiled_run(c);
+  close_compiled_run(c);
   *static_cast<uint64_t*>(record(c, kPlayCallList, 8)) = name;
   if (execute_too(c)) {
     ExecuteScope scope(c);
     call_list(c, name);
   }
-} catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+}
 
-void gl::CallLists(Context& c, GLsizei n, GLenum type, const void* lists) try {
+void gl::CallLists(Context& c, GLsizei n, GLenum type, const void* lists) {
   if (c.guard & kNoContext) return;
   const size_t size = offset_bytes(type);
   if (n < 0) return stream_error(c, GL_INVALID_VALUE);
@@ -129,7 +130,7 @@ void gl::CallLists(Context& c, GLsizei n, GLenum type, const void* lists) try {
       call_list(c, c.state.list.base + offset_at(type, bytes + size_t(i) * size));
   };
   if (!c.builder.compiling) return play();
-  break_compiled_run(c);
+  close_compiled_run(c);
   auto* arguments = static_cast<uint64_t*>(record(c, kPlayCallLists, 8 + size_t(n) * sizeof(GLuint)));
   arguments[0] = uint64_t(n);
   for (GLsizei i = 0; i < n; ++i) {
@@ -141,11 +142,11 @@ void gl::CallLists(Context& c, GLsizei n, GLenum type, const void* lists) try {
     ExecuteScope scope(c);
     play();
   }
-} catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+}
 
 void gl::ListBase(Context& c, GLuint base) { c.state.list.base = base; }
 
-GLuint gl::GenLists(Context& c, GLsizei range) try {
+GLuint gl::GenLists(Context& c, GLsizei range) {
   if (range < 0) {
     set_error(c, GL_INVALID_VALUE);
     return 0;
@@ -162,9 +163,6 @@ GLuint gl::GenLists(Context& c, GLsizei range) try {
   if (first)
     for (GLsizei i = 0; i < range; ++i) c.shared->lists.set(first + GLuint(i), empty);
   return first;
-} catch (const std::bad_alloc&) {
-  set_error(c, GL_OUT_OF_MEMORY);
-  return 0;
 }
 
 void gl::DeleteLists(Context& c, GLuint first, GLsizei range) {

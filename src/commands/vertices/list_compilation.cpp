@@ -1,23 +1,32 @@
 #include "commands/vertices/list_compilation.h"
-#include "commands/vertices/run_playback.h"
-#include "commands/vertices/vertex_stream.h"
 
-#include <cstdlib>
 #include <cstring>
 #include <new>
 #include <utility>
 
 #include "commands/vertices/attribute_doors.h"
-#include "context/context.h"
+#include "commands/vertices/run_playback.h"
+#include "commands/vertices/vertex_chunk.h"
+#include "commands/vertices/vertex_stream.h"
 #include "context/display_list.h"
 
 namespace softgl {
 namespace {
 
+/// Where the arguments of a command go that is not kept.
+void* unkept_arguments(Context& c, size_t bytes) {
+  if (bytes > sizeof c.lists.unkept) throw std::bad_alloc();
+  return c.lists.unkept;
+}
+
 void* append(Context& c, uint16_t opcode, size_t bytes) {
+  const size_t units = 1 + (bytes + 7) / 8;
   auto& records = c.lists.list->records;
-  const size_t units = 1 + (bytes + 7) / 8, at = records.size();
-  records.resize(at + units);
+  const size_t at = records.size();
+  or_drop_vertices(c, [&] {
+    if (!c.lists.failed) records.resize(at + units);
+  });
+  if (c.lists.failed) return unkept_arguments(c, bytes);
   const RecordHeader header{opcode, uint32_t(units)};
   std::memcpy(&records[at], &header, sizeof header);
   return units > 1 ? &records[at + 1] : nullptr;
@@ -36,139 +45,104 @@ void append_attribute(Context& c, int slot, const float* value) {
   }
 }
 
-/// True if all vertices have the same value of the attribute at `place`.
-bool is_uniform(const float* vertices, uint32_t count, uint32_t slots, unsigned place) {
+/// True if all vertices have the same value of the attribute at `offset`.
+bool is_uniform(const float* vertices, uint32_t count, uint32_t slots, unsigned offset) {
   for (uint32_t i = 1; i < count; ++i)
-    if (std::memcmp(vertices + 4 * place, vertices + size_t(i) * 4 * slots + 4 * place, 16)) return false;
+    if (std::memcmp(vertices + 4 * offset, vertices + size_t(i) * 4 * slots + 4 * offset, 16)) return false;
   return true;
 }
 
-/// Takes attribute `slot` out of the vertices.
-void remove_slot(VertexBuilder& b, int slot) {
-  const uint32_t count = b.vertex_count(), old = b.slots, slots = old - 1, gone = b.place[slot];
-  for (uint32_t i = 0; i < count; ++i) {
-    const float* from = b.base + size_t(i) * 4 * old;
-    float* to = b.base + size_t(i) * 4 * slots;
-    std::memmove(to, from, gone * 16);
-    std::memmove(to + 4 * gone, from + 4 * (gone + 1), (old - 1 - gone) * 16);
-  }
-  std::memmove(b.value[gone], b.value[gone + 1], (old - 1 - gone) * 16);
-  for (auto& place : b.place)
-    if (place > gone) --place;
-  b.place[slot] = 0;
-  b.present &= ~(1u << slot);
-  b.slots = slots;
-  b.out = b.base + size_t(count) * 4 * slots;
+/// The attribute gets that value behind the last vertex.
+void defer(VertexBuilder& b, int slot, const float* value) {
+  std::memcpy(b.deferred_value[slot], value, 16);
+  b.deferred |= 1u << slot;
 }
 
-void forget_run(Context& c) {
-  VertexBuilder& b = c.builder;
-  c.lists.vertices.reset();
-  b.base = b.out = b.limit = nullptr;
-  b.capacity = 0;
-  b.mode = kNoPrimitive;
-  b.slots = b.present = 1;
-  std::memset(b.place, 0, sizeof b.place);
-  b.primitives.clear();
-}
-
-/// Moves the builder's vertices into the list. `fragment`: they are not whole primitives.
-void finish_run(Context& c, bool fragment) {
+/// An attribute that never changes is set once, before the run, and not by its vertices.
+void record_uniform_attributes(Context& c) {
   VertexBuilder& b = c.builder;
   const uint32_t count = b.vertex_count();
-  if (!fragment && count) {
-    // An attribute that never changes is set once, before the run.
-    for (uint32_t left = b.present & ~1u; left; left &= left - 1) {
-      const int slot = __builtin_ctz(left);
-      const unsigned place = b.place[slot];
-      if (b.first_set[slot] || !is_uniform(b.base, count, b.slots, place)) continue;
-      float value[4], last[4];
-      std::memcpy(value, b.base + 4 * place, 16);
-      std::memcpy(last, b.value[place], 16);
-      remove_slot(b, slot);
-      append_attribute(c, slot, value);
-      if (std::memcmp(value, last, 16)) { // set once more behind the last vertex
-        std::memcpy(b.deferred_value[slot], last, 16);
-        b.deferred |= 1u << slot;
-      }
-    }
+  for (uint32_t left = b.present & ~1u; left; left &= left - 1) {
+    const int slot = __builtin_ctz(left);
+    const unsigned offset = b.offset[slot];
+    if (b.first_set[slot] || !is_uniform(b.base, count, b.slots, offset)) continue;
+    float value[4], last[4];
+    std::memcpy(value, b.base + 4 * offset, 16);
+    std::memcpy(last, b.value[offset], 16);
+    remove_slot(b, slot);
+    append_attribute(c, slot, value);
+    if (!b.base) return; // memory has ended
+    if (std::memcmp(value, last, 16)) defer(b, slot, last);
   }
-  if (!count && !fragment) { // only attributes were set
-    for (uint32_t left = b.present & ~1u; left; left &= left - 1) {
-      const int slot = __builtin_ctz(left);
-      if (b.deferred >> slot & 1) continue;
-      std::memcpy(b.deferred_value[slot], b.value[b.place[slot]], 16);
-      b.deferred |= 1u << slot;
-    }
-  } else {
-    auto run = std::make_shared<VertexRun>();
-    run->block = std::make_shared<VertexBlock>();
-    run->present = b.present;
-    run->slots = b.slots;
-    run->vertex_count = count;
-    run->fragment = fragment;
-    std::memcpy(run->place, b.place, sizeof run->place);
-    std::memcpy(run->final_value, b.value, b.slots * 16);
-    for (uint32_t left = b.present & ~1u; left; left &= left - 1) {
-      const int slot = __builtin_ctz(left);
-      run->first_set[slot] = b.first_set[slot];
-      if (b.first_set[slot]) run->late |= 1u << slot;
-    }
-    run->primitives = b.primitives;
-    if (b.base) {
-      float* fitted = static_cast<float*>(std::realloc(b.base, size_t(count) * b.slots * 16 + 16));
-      run->block->vertices = fitted ? fitted : b.base;
-      (void)c.lists.vertices.release();
-      b.base = b.out = nullptr;
-      describe_vertices(*run, run->block->vertices, run->block->source);
-    }
-    c.lists.list->runs.push_back(run);
-    append_value(c, kPlayRun, c.lists.list->runs.size() - 1);
+}
+
+/// Takes the vertices that wait out of the builder.
+std::shared_ptr<VertexRun> take_run(VertexBuilder& b, bool partial) {
+  auto run = std::make_shared<VertexRun>();
+  run->block = std::make_shared<VertexBlock>();
+  run->present = b.present;
+  run->slots = b.slots;
+  run->vertex_count = b.vertex_count();
+  run->partial = partial;
+  std::memcpy(run->offset, b.offset, sizeof run->offset);
+  std::memcpy(run->final_value, b.value, b.slots * 16);
+  for (uint32_t left = b.present & ~1u; left; left &= left - 1) {
+    const int slot = __builtin_ctz(left);
+    run->first_set[slot] = b.first_set[slot];
+    if (b.first_set[slot]) run->late |= 1u << slot;
+  }
+  run->primitives = b.primitives;
+  if (float* vertices = b.memory.release()) {
+    auto* fitted = static_cast<float*>(std::realloc(vertices, size_t(run->vertex_count) * b.slots * 16 + 16));
+    run->block->vertices = fitted ? fitted : vertices;
+    describe_vertices(*run, run->block->vertices, run->block->source);
+  }
+  forget_vertices(b);
+  return run;
+}
+
+/// Moves the builder's vertices into the list. `partial`: they are not whole primitives.
+void keep_vertices(Context& c, bool partial) {
+  VertexBuilder& b = c.builder;
+  if (!partial && b.vertex_count()) record_uniform_attributes(c);
+  if (partial || b.vertex_count()) {
+    const std::shared_ptr<VertexRun> run = take_run(b, partial);
+    auto& runs = c.lists.list->runs;
+    runs.push_back(run);
+    append_value(c, kPlayRun, runs.size() - 1);
     if (execute_too(c)) {
       ExecuteScope scope(c);
       play_run(c, run);
     }
-  }
-  forget_run(c);
-  c.guard &= ~(kRunPending | kInsideBeginEnd);
-}
-
-void finish_deferred(Context& c) {
-  VertexBuilder& b = c.builder;
-  const uint32_t slots = std::exchange(b.deferred, 0);
-  for (uint32_t left = slots; left; left &= left - 1) {
-    const int slot = __builtin_ctz(left);
-    append_attribute(c, slot, b.deferred_value[slot]);
+  } else { // only attributes were set
+    for (uint32_t left = b.present & ~1u & ~b.deferred; left; left &= left - 1) {
+      const int slot = __builtin_ctz(left);
+      defer(b, slot, b.value[b.offset[slot]]);
+    }
   }
 }
 
 } // namespace
 
-void* record(Context& c, uint16_t opcode, size_t bytes) try {
-  VertexBuilder& b = c.builder;
-  c.lists.last_was_error = false;
-  if (b.mode != kNoPrimitive) { // not allowed between Begin and End
+void* record(Context& c, uint16_t opcode, size_t bytes) {
+  if (c.builder.mode != kNoPrimitive) { // not allowed between Begin and End
     compile_error(c, GL_INVALID_OPERATION);
     c.lists.last_was_error = true;
-    c.lists.scratch.resize((bytes + 7) / 8 + 1);
-    return c.lists.scratch.data();
+    return unkept_arguments(c, bytes);
   }
-  if (b.limit) close_loose_run(c, false);
   close_compiled_run(c);
   return append(c, opcode, bytes ? bytes : 8);
-} catch (const std::bad_alloc&) {
-  if (bytes > sizeof c.lists.emergency) throw;
-  set_error(c, GL_OUT_OF_MEMORY);
-  c.lists.last_was_error = true;
-  return c.lists.emergency;
 }
 
 const void* keep(Context& c, const void* data, size_t bytes) {
-  auto copy = std::make_unique<unsigned char[]>(bytes ? bytes : 1);
-  if (bytes) std::memcpy(copy.get(), data, bytes);
-  auto& payloads = c.lists.list->payloads;
-  payloads.push_back(std::move(copy));
-  return payloads.back().get();
+  const unsigned char* kept = nullptr;
+  or_drop_vertices(c, [&] {
+    if (c.lists.failed) return;
+    std::unique_ptr<unsigned char[]> copy(new unsigned char[bytes ? bytes : 1]);
+    if (bytes) std::memcpy(copy.get(), data, bytes);
+    kept = c.lists.list->payloads.emplace_back(std::move(copy)).get();
+  });
+  return kept ? kept : data;
 }
 
 bool execute_too(const Context& c) {
@@ -196,38 +170,34 @@ void compile_error(Context& c, GLenum code, bool allowed_inside) {
 }
 
 void close_compiled_run(Context& c) {
+  VertexBuilder& b = c.builder;
   c.lists.last_was_error = false;
-  if (c.builder.base || c.builder.present != 1) finish_run(c, false);
-  finish_deferred(c);
-  c.guard &= ~kRunPending;
+  const bool partial = b.inside();
+  if (partial || b.base || b.present != 1)
+    or_drop_vertices(c, [&] {
+      if (b.mode != kNoPrimitive)
+        b.primitives.push_back({b.mode, b.first, b.vertex_count() - b.first, true, false});
+      else if (partial)
+        b.primitives.push_back({kNoPrimitive, 0, b.vertex_count(), false, false});
+      if (!c.lists.failed) keep_vertices(c, partial);
+    });
+  forget_vertices(b);
+  forget_layout(b);
+  b.mode = kNoPrimitive;
+  b.limit = nullptr;
+  c.guard &= ~(kRunPending | kInsideBeginEnd);
+  for (uint32_t left = std::exchange(b.deferred, 0); left; left &= left - 1) {
+    const int slot = __builtin_ctz(left);
+    append_attribute(c, slot, b.deferred_value[slot]);
+  }
 }
 
-void close_loose_run(Context& c, bool with_end) {
-  c.lists.last_was_error = false;
-  if (c.builder.limit) {
-    c.builder.primitives.push_back({kNoPrimitive, 0, c.builder.vertex_count(), false, false});
-    finish_run(c, true);
-  }
-  finish_deferred(c);
-  if (!with_end) return;
+void compile_end(Context& c) {
+  close_compiled_run(c);
   append(c, kPlayEnd, 8);
   if (execute_too(c)) {
     ExecuteScope scope(c);
     gl::End(c);
-  }
-}
-
-void break_compiled_run(Context& c) {
-  VertexBuilder& b = c.builder;
-  c.lists.last_was_error = false;
-  if (b.mode != kNoPrimitive) {
-    b.primitives.push_back({b.mode, b.first, b.vertex_count() - b.first, true, false});
-    finish_run(c, true);
-    finish_deferred(c);
-  } else if (b.limit) {
-    close_loose_run(c, false);
-  } else {
-    close_compiled_run(c);
   }
 }
 

@@ -1,15 +1,18 @@
 // Between NewList and EndList: turns commands into records and vertices into runs.
 #pragma once
 
-#include "commands/vertices/vertex_stream.h"
 #include "context/context.h"
 
 namespace softgl {
 
+// Where memory ends, the list fails (drop_vertices): nothing more is kept, commands are still executed where
+// the mode says so, and EndList leaves an older list of that name as it was.
+
 /// Appends a command to the list; returns where its arguments go (aligned to 8 bytes, valid until the next
-/// record). Without memory the error is set; only more than 256 bytes of arguments throw std::bad_alloc.
+/// record). Those of a command that is not kept are lost. Throws std::bad_alloc where more than 256 bytes
+/// are.
 void* record(Context& context, uint16_t opcode, size_t argument_bytes);
-/// A copy of `bytes` bytes that lives as long as the list. Throws std::bad_alloc.
+/// A copy of `bytes` bytes that lives as long as the list; `data` itself where the list has failed.
 const void* keep(Context& context, const void* data, size_t bytes);
 /// True when the command that was just recorded is to be executed, too (GL_COMPILE_AND_EXECUTE).
 bool execute_too(const Context& context);
@@ -27,12 +30,13 @@ private:
   bool entered_;
 };
 
-// Called by the builder while a list is compiled.
 /// `code` is raised when the list is played; between Begin and End GL_INVALID_OPERATION, also in place of
 /// GL_NO_ERROR, unless the command is `allowed_inside`.
 void compile_error(Context& context, GLenum code, bool allowed_inside = false);
-void close_compiled_run(Context& context);             // no primitive is open
-void close_loose_run(Context& context, bool with_end); // the Begin of these vertices is in no known list
-void break_compiled_run(Context& context); // a command that is allowed inside an open primitive follows
+/// Moves the vertices that wait into the list. A primitive that is open ends in a later run, or in another
+/// list.
+void close_compiled_run(Context& context);
+/// An End whose Begin is in no known list.
+void compile_end(Context& context);
 
 } // namespace softgl

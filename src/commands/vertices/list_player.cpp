@@ -3,6 +3,7 @@
 #include "commands/vertices/vertex_stream.h"
 
 #include <cstring>
+#include <new>
 
 #include "commands/generated/list_playback.h"
 #include "commands/vertices/attribute_doors.h"
@@ -19,7 +20,11 @@ void play_command_record(Context& c, uint16_t opcode, const void* arguments) {
   } else if (c.guard & kRunPending) {
     close_run(c);
   }
-  play_command(c, opcode, arguments);
+  try {
+    play_command(c, opcode, arguments);
+  } catch (const std::bad_alloc&) {
+    set_error(c, GL_OUT_OF_MEMORY);
+  } // the rest of the list is still executed
 }
 
 } // namespace

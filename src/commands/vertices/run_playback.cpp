@@ -17,7 +17,7 @@ void describe_vertices(const VertexRun& run, const float* vertices, VertexSource
   for (uint32_t left = run.present; left; left &= left - 1) {
     const int slot = __builtin_ctz(left);
     source.stream[slot] = AttributeStream{
-        reinterpret_cast<const unsigned char*>(vertices + 4 * run.place[slot]), 16 * run.slots};
+        reinterpret_cast<const unsigned char*>(vertices + 4 * run.offset[slot]), 16 * run.slots};
   }
 }
 
@@ -33,7 +33,7 @@ void replay_calls(Context& c, const VertexRun& run) {
       const float* vertex = vertices + size_t(run.indices.empty() ? i : run.indices[i]) * 4 * run.slots;
       for (uint32_t left = run.present & ~1u; left; left &= left - 1) {
         const int slot = __builtin_ctz(left);
-        if (i >= run.first_set[slot]) set(slot, vertex + 4 * run.place[slot]);
+        if (i >= run.first_set[slot]) set(slot, vertex + 4 * run.offset[slot]);
       }
       emit_vertex4(c, vertex[0], vertex[1], vertex[2], vertex[3]);
     }
@@ -41,7 +41,7 @@ void replay_calls(Context& c, const VertexRun& run) {
   }
   for (uint32_t left = run.present & ~1u; left; left &= left - 1) {
     const int slot = __builtin_ctz(left);
-    set(slot, run.final_value[run.place[slot]]);
+    set(slot, run.final_value[run.offset[slot]]);
   }
 }
 
@@ -64,7 +64,7 @@ const std::shared_ptr<VertexBlock>& fill_late_values(Context& c, VertexRun& run)
   std::memcpy(block->vertices, run.block->vertices, bytes);
   for (uint32_t left = run.late; left; left &= left - 1) {
     const int slot = __builtin_ctz(left);
-    float* to = block->vertices + 4 * run.place[slot];
+    float* to = block->vertices + 4 * run.offset[slot];
     const uint32_t end = std::min(run.first_set[slot], run.vertex_count);
     for (uint32_t i = 0; i < end; ++i) std::memcpy(to + i * stride, run.late_value[slot], 16);
   }
@@ -115,34 +115,44 @@ void join_equal_vertices(VertexRun& run) {
 
 constexpr uint32_t kFewVertices = 64; // not worth joining
 
+void draw_run(Context& c, const std::shared_ptr<VertexRun>& pointer) {
+  VertexRun& run = *pointer;
+  DrawCall call;
+  call.vertex_count = run.vertex_count;
+  std::unique_lock lock(run.mutex);
+  if (++run.plays == 2 && !run.late && run.vertex_count >= kFewVertices) {
+    try {
+      join_equal_vertices(run);
+    } catch (const std::bad_alloc&) {} // they stay apart
+  }
+  const std::shared_ptr<VertexBlock> block = run.late ? fill_late_values(c, run) : run.block;
+  if (!run.indices.empty()) {
+    call.indices = run.indices.data();
+    call.vertex_count = run.distinct_count;
+  }
+  lock.unlock();
+  c.frame.retain(pointer, 0);
+  c.frame.retain(block, size_t(run.vertex_count) * run.slots * 16);
+  call.source = &block->source;
+  call.constant = current_constants(c);
+  call.primitives = run.primitives.data();
+  call.primitive_count = uint32_t(run.primitives.size());
+  submit(c, call);
+}
+
 } // namespace
 
-void play_run(Context& c, const std::shared_ptr<VertexRun>& pointer) {
-  VertexRun& run = *pointer;
-  if (run.fragment || c.guard & kInsideBeginEnd) return replay_calls(c, run);
+void play_run(Context& c, const std::shared_ptr<VertexRun>& run) {
+  if (run->partial || c.guard & kInsideBeginEnd) return replay_calls(c, *run);
   if (c.guard & kRunPending) close_run(c);
-  if (!run.primitives.empty()) {
-    DrawCall call;
-    call.vertex_count = run.vertex_count;
-    std::unique_lock lock(run.mutex);
-    if (++run.plays == 2 && !run.late && run.vertex_count >= kFewVertices) join_equal_vertices(run);
-    const std::shared_ptr<VertexBlock> block = run.late ? fill_late_values(c, run) : run.block;
-    if (!run.indices.empty()) {
-      call.indices = run.indices.data();
-      call.vertex_count = run.distinct_count;
-    }
-    lock.unlock();
-    c.frame.retain(pointer, 0);
-    c.frame.retain(block, size_t(run.vertex_count) * run.slots * 16);
-    call.source = &block->source;
-    call.constant = current_constants(c);
-    call.primitives = run.primitives.data();
-    call.primitive_count = uint32_t(run.primitives.size());
-    submit(c, call);
+  if (!run->primitives.empty()) {
+    try {
+      draw_run(c, run);
+    } catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
   }
-  for (uint32_t left = run.present & ~1u; left; left &= left - 1) {
+  for (uint32_t left = run->present & ~1u; left; left &= left - 1) {
     const int slot = __builtin_ctz(left);
-    set_current(c, slot, run.final_value[run.place[slot]]);
+    set_current(c, slot, run->final_value[run->offset[slot]]);
   }
 }
 

@@ -2,97 +2,40 @@
 #include "snapshot/submit.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
-#include <new>
 
 #include "commands/vertices/attribute_doors.h"
 #include "commands/vertices/list_compilation.h"
+#include "commands/vertices/vertex_chunk.h"
 #include "context/context.h"
 
 namespace softgl {
 namespace {
 
-constexpr size_t kSmallestChunk = 64 * 1024;
 // A new attribute between two primitives: up to here the waiting vertices are widened, above the run is
 // closed.
 constexpr uint32_t kWidenLimit = 64;
 
-float* room_end(const VertexBuilder& b) { return b.base + b.capacity / sizeof(float) - 4 * b.slots + 1; }
-
-void open_chunk(Context& c, size_t minimum = kSmallestChunk) {
-  VertexBuilder& b = c.builder;
-  if (b.compiling) {
-    b.base = static_cast<float*>(std::malloc(minimum));
-    if (!b.base) throw std::bad_alloc();
-    c.lists.vertices.reset(b.base);
-    b.capacity = minimum;
-  } else {
-    b.base = static_cast<float*>(c.frame.arena().allocate_rest(minimum, b.capacity));
-  }
-  b.out = b.base;
-}
-
-/// Moves the vertices of the chunk to one with room for `bytes`.
-void grow_chunk(Context& c, size_t bytes) {
-  VertexBuilder& b = c.builder;
-  const size_t used = size_t(b.out - b.base) * sizeof(float);
-  if (b.compiling) {
-    float* moved = static_cast<float*>(std::realloc(b.base, bytes));
-    if (!moved) throw std::bad_alloc();
-    (void)c.lists.vertices.release(); // realloc() has freed it
-    c.lists.vertices.reset(moved);
-    b.base = moved;
-    b.capacity = bytes;
-  } else {
-    float* old = b.base;
-    c.frame.arena().give_back(old, used);
-    open_chunk(c, bytes);
-    std::memcpy(b.base, old, used);
-  }
-  b.out = b.base + used / sizeof(float);
-}
-
-void forget_layout(VertexBuilder& b) {
-  b.slots = b.present = 1;
-  std::memset(b.place, 0, sizeof b.place);
-}
-
-/// Gives an attribute a slot behind the others; the vertices that wait get the value that was current before.
-void add_slot(Context& c, int slot, const float* earlier) {
-  VertexBuilder& b = c.builder;
-  const uint32_t count = b.vertex_count(), old = b.slots, slots = old + 1;
-  const size_t bytes = (size_t(count) + 1) * slots * 16;
-  if (bytes > b.capacity) grow_chunk(c, 2 * bytes);
-  for (uint32_t i = count; i-- > 0;) {
-    float* to = b.base + size_t(i) * 4 * slots;
-    std::memmove(to, b.base + size_t(i) * 4 * old, old * 16);
-    std::memcpy(to + 4 * old, earlier, 16);
-  }
-  b.out = b.base + size_t(count) * 4 * slots;
-  b.place[slot] = uint8_t(old);
-  b.slots = slots;
-  b.present |= 1u << slot;
-  b.first_set[slot] = count;
-  if (b.inside()) b.limit = room_end(b);
-}
-
-/// Hands the chunk's primitives to the frame. Afterwards no chunk is open.
+/// Hands the chunk's primitives to the frame. Afterwards no chunk is open, whether memory sufficed or not.
 void draw_chunk(Context& c) {
   VertexBuilder& b = c.builder;
+  if (!b.base) return;
+  struct Emptied {
+    VertexBuilder& builder;
+    ~Emptied() { builder.primitives.clear(); }
+  } const emptied{b};
   const uint32_t count = b.vertex_count();
+  const float* base = b.base;
   Arena& arena = c.frame.arena();
-  float* base = b.base;
+  arena.give_back(b.base, size_t(count) * b.slots * 16);
   b.base = b.out = nullptr;
-  if (!base) return;
-  arena.give_back(base, size_t(count) * b.slots * 16);
   if (b.primitives.empty()) return;
   auto* source = arena.allocate_array<VertexSource>(1); // only the present streams are written
   source->present = b.present;
   for (uint32_t left = b.present; left; left &= left - 1) {
     const int slot = __builtin_ctz(left);
     source->stream[slot] =
-        AttributeStream{reinterpret_cast<unsigned char*>(base + 4 * b.place[slot]), 16 * b.slots};
+        AttributeStream{reinterpret_cast<const unsigned char*>(base + 4 * b.offset[slot]), 16 * b.slots};
   }
   DrawCall call;
   call.source = source;
@@ -102,7 +45,6 @@ void draw_chunk(Context& c) {
   std::memcpy(primitives, b.primitives.data(), b.primitives.size() * sizeof(PrimitiveRange));
   call.primitives = primitives;
   call.vertex_count = count;
-  b.primitives.clear();
   submit(c, call);
 }
 
@@ -111,7 +53,7 @@ void draw_chunk(Context& c) {
 void split_run(Context& c) {
   VertexBuilder& b = c.builder;
   const uint32_t total = b.vertex_count(), count = total - b.first, stride = 4 * b.slots;
-  uint32_t drawn = complete_vertices(b.mode, count, b.continued), carried = 0, carry[8];
+  uint32_t drawn = complete_vertices(b.mode, count), carried = 0, carry[8];
   bool one_piece = true, was_continued = b.continued;
   const auto carry_last = [&](uint32_t n) {
     for (uint32_t i = n; i > 0; --i) carry[carried++] = total - i;
@@ -153,7 +95,6 @@ void split_run(Context& c) {
   open_chunk(c);
   for (uint32_t i = 0; i < carried; ++i, b.out += stride) std::memcpy(b.out, kept[i], stride * sizeof(float));
   b.first = 0;
-  b.limit = room_end(b);
 }
 
 /// Attributes set since the last primitive get a slot where their value differs from the one before.
@@ -180,7 +121,7 @@ void apply_deferred(Context& c) {
       continue;
     }
     add_slot(c, slot, before);
-    std::memcpy(b.value[b.place[slot]], now, 16);
+    std::memcpy(b.value[b.offset[slot]], now, 16);
   }
   b.deferred = 0;
 }
@@ -195,43 +136,32 @@ void stream_error(Context& c, GLenum code) {
 
 } // namespace
 
-uint32_t complete_vertices(GLenum mode, uint32_t count, bool continued) {
-  switch (mode) {
-  case GL_POINTS: return count;
-  case GL_LINES: return count & ~1u;
-  case GL_TRIANGLES: return count - count % 3;
-  case GL_QUADS: return count & ~3u;
-  case GL_LINE_STRIP: return count < 2 ? 0 : count;
-  case GL_LINE_LOOP: return count < 2 ? 0 : count; // a continued one of two still has its closing line
-  case GL_QUAD_STRIP: return count < 4 ? 0 : count & ~1u;
-  default: (void)continued; return count < 3 ? 0 : count;
-  }
-}
-
-void gl::Begin(Context& c, GLenum mode) try {
+void gl::Begin(Context& c, GLenum mode) {
   VertexBuilder& b = c.builder;
   if (c.guard & kNoContext) return;
   if (mode > GL_POLYGON) return stream_error(c, GL_INVALID_ENUM);
   if (b.mode != kNoPrimitive) return stream_error(c, GL_INVALID_OPERATION);
-  if (b.limit) close_loose_run(c, false);
-  if (!b.base) open_chunk(c);
-  if (b.deferred) apply_deferred(c);
+  if (b.limit) close_compiled_run(c); // vertices whose Begin is in no known list
+  b.dropping = b.compiling && c.lists.failed;
+  or_drop_vertices(c, [&] {
+    if (b.dropping) return;
+    if (!b.base) open_chunk(c);
+    if (b.deferred) apply_deferred(c);
+  });
   b.mode = mode;
+  b.dropping = !b.base;
   b.first = b.vertex_count();
   b.continued = false;
-  b.limit = room_end(b);
+  b.limit = b.base ? room_end(b) : nullptr;
   c.guard |= kInsideBeginEnd | kRunPending;
-} catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+}
 
-void gl::End(Context& c) try {
+void gl::End(Context& c) {
   VertexBuilder& b = c.builder;
   if (c.guard & kNoContext) return;
-  if (b.mode == kNoPrimitive) {
-    if (b.compiling) return close_loose_run(c, true);
-    return set_error(c, GL_INVALID_OPERATION);
-  }
+  if (b.mode == kNoPrimitive) return b.compiling ? compile_end(c) : set_error(c, GL_INVALID_OPERATION);
   const GLenum mode = b.mode;
-  const uint32_t count = b.vertex_count() - b.first, kept = complete_vertices(mode, count, b.continued);
+  const uint32_t count = b.vertex_count() - b.first, kept = complete_vertices(mode, count);
   b.out -= size_t(count - kept) * 4 * b.slots;
   if (b.compiling && kept < count) // attributes set after vertices that are dropped now
     for (uint32_t& first : b.first_set) first = std::min(first, b.first + kept);
@@ -250,18 +180,18 @@ void gl::End(Context& c) try {
       return;
     }
   }
-  b.primitives.push_back({mode, b.first, kept, !b.continued, true});
-} catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+  or_drop_vertices(c, [&] { b.primitives.push_back({mode, b.first, kept, !b.continued, true}); });
+}
 
-void close_run(Context& c) try {
+void close_run(Context& c) {
   VertexBuilder& b = c.builder;
   if (b.inside()) return;
   if (b.compiling) return close_compiled_run(c);
   c.guard &= ~kRunPending;
-  draw_chunk(c);
+  or_drop_vertices(c, [&] { draw_chunk(c); });
   for (uint32_t left = b.present & ~1u; left; left &= left - 1) {
     const int slot = __builtin_ctz(left);
-    set_current(c, slot, b.value[b.place[slot]]);
+    set_current(c, slot, b.value[b.offset[slot]]);
   }
   for (uint32_t left = b.deferred; left; left &= left - 1) {
     const int slot = __builtin_ctz(left);
@@ -269,12 +199,6 @@ void close_run(Context& c) try {
   }
   b.deferred = 0;
   forget_layout(b);
-} catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
-
-void finish_vertices(Context& c) {
-  if (c.builder.compiling) return; // a list that is being compiled stays open
-  if (c.builder.inside()) gl::End(c);
-  if (c.guard & kRunPending) close_run(c);
 }
 
 void set_current(Context& c, int slot, const float* value) {
@@ -298,14 +222,16 @@ const Vec4* current_constants(Context& c) {
   return c.builder.constants;
 }
 
-void set_absent_attribute(Context& c, int slot, float x, float y, float z, float w) try {
+void set_absent_attribute(Context& c, int slot, float x, float y, float z, float w) {
   VertexBuilder& b = c.builder;
   if (c.guard & kNoContext) return;
   alignas(16) const float now[4] = {x, y, z, w};
-  if (b.inside()) {
+  if (b.inside() && !b.dropping) {
     static constexpr float unknown[4] = {0, 0, 0, 1};
-    add_slot(c, slot, b.compiling ? unknown : &c.state.current.slot[slot].x);
-    std::memcpy(b.value[b.place[slot]], now, 16);
+    or_drop_vertices(c, [&] { add_slot(c, slot, b.compiling ? unknown : &c.state.current.slot[slot].x); });
+  }
+  if (b.offset[slot]) {
+    std::memcpy(b.value[b.offset[slot]], now, 16);
   } else if (b.compiling || c.guard & kRunPending) {
     std::memcpy(b.deferred_value[slot], now, 16);
     b.deferred |= 1u << slot;
@@ -313,26 +239,28 @@ void set_absent_attribute(Context& c, int slot, float x, float y, float z, float
   } else {
     set_current(c, slot, now);
   }
-} catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+}
 
-void emit_vertex_without_room(Context& c, float x, float y, float z, float w) try {
+void emit_vertex_without_room(Context& c, float x, float y, float z, float w) {
   VertexBuilder& b = c.builder;
-  if (c.guard & kNoContext) return;
-  if (!b.limit) {
-    if (!b.compiling) return; // a vertex outside Begin and End is undefined: none
-    // Perhaps the list will be called between Begin and End.
-    close_run(c);
-    open_chunk(c);
+  // A vertex outside Begin and End is undefined: none. In a list it may come between Begin and End of the
+  // caller.
+  if (c.guard & kNoContext || b.dropping || (!b.limit && !b.compiling)) return;
+  or_drop_vertices(c, [&] {
+    if (!b.limit) {
+      close_run(c);
+      if (b.dropping) return;
+      open_chunk(c);
+      c.guard |= kRunPending;
+    } else if (b.compiling || (c.state.line.stipple && (b.mode == GL_LINE_STRIP || b.mode == GL_LINE_LOOP))) {
+      // The stipple pattern runs through a strip, which therefore stays in one piece.
+      grow_chunk(c, 2 * b.capacity);
+    } else {
+      split_run(c);
+    }
     b.limit = room_end(b);
-    c.guard |= kRunPending;
-  } else if (b.compiling || (c.state.line.stipple && (b.mode == GL_LINE_STRIP || b.mode == GL_LINE_LOOP))) {
-    // The stipple pattern runs through a strip, which therefore stays in one piece.
-    grow_chunk(c, 2 * b.capacity);
-    b.limit = room_end(b);
-  } else {
-    split_run(c);
-  }
-  emit_vertex4(c, x, y, z, w);
-} catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+  });
+  if (!b.dropping) emit_vertex4(c, x, y, z, w);
+}
 
 } // namespace softgl

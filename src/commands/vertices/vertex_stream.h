@@ -6,10 +6,9 @@
 namespace softgl {
 
 /// Draws what waits in the builder (or hands it to the list that is being compiled) and makes the last
-/// attribute values current. Between Begin and End it does nothing.
+/// attribute values current. Between Begin and End it does nothing. What finds no memory is dropped, with
+/// GL_OUT_OF_MEMORY.
 void close_run(Context& context);
-/// Ends an unfinished primitive, too: for the moments when a context leaves its thread.
-void finish_vertices(Context& context);
 
 /// The current attributes below kMaterial0 in the frame's arena, for DrawCall::constant; the last block again
 /// while none has changed.
@@ -26,9 +25,5 @@ void End(Context& context);
 // The parts of the hot doors that are seldom needed; see attribute_doors.h.
 void set_absent_attribute(Context& context, int slot, float x, float y, float z, float w);
 void emit_vertex_without_room(Context& context, float x, float y, float z, float w);
-
-/// How many of `count` vertices make whole primitives. A continued piece begins with one or two carried
-/// vertices.
-uint32_t complete_vertices(GLenum mode, uint32_t count, bool continued);
 
 } // namespace softgl
