@@ -6,9 +6,10 @@
 
 namespace softgl {
 
-/// What a matrix may contain, as OSMesa tracks it: commands add bits, glLoadMatrix and glMultMatrix ask for a
-/// classification by value at the next analyse(), and glLoadIdentity leaves the bits as they are. They choose
-/// the inverse and the space of lighting, so they decide the last bits of lit colours.
+/// The history of a matrix: what it may contain, as OSMesa tracks it. Commands add bits. glLoadMatrix and
+/// glMultMatrix ask for a classification by value at the next settle_history(). glLoadIdentity leaves the
+/// bits as they are. The bits choose the inverse and the space of lighting, so they decide the last bits of
+/// lit colors.
 enum MatrixFlag : uint32_t {
   kMatrixGeneral = 0x01,
   kMatrixRotation = 0x02,
@@ -39,7 +40,7 @@ enum class MatrixKind : uint8_t {
 
 struct Matrix {
   glm::mat4 m{1.0f};
-  glm::mat4 inverted{1.0f}; // valid after analyse()
+  glm::mat4 inverted{1.0f}; // valid after settle_history()
   uint32_t flags = 0;       // MatrixFlag
   MatrixKind kind = MatrixKind::Identity;
 
@@ -47,18 +48,19 @@ struct Matrix {
   const float* data() const { return &m[0][0]; }
 };
 
-/// Brings flags, kind and inverse up to date. OSMesa does so when a matrix is pushed, at a spot direction, a
-/// clip plane or an eye plane, and before a draw (modelview; projection only with clip planes enabled): the
-/// moment matters, because a later command adds its bits to what was found.
-void analyse(Matrix& matrix);
+/// Brings flags, kind and inverse up to date with the commands so far. Call it where OSMesa looks at a
+/// matrix, and nowhere else: when a matrix is pushed, at a spot direction, a clip plane or an eye plane, and
+/// before a draw (modelview; projection only with clip planes enabled). The moment matters, because a later
+/// command adds its bits to what was found here.
+void settle_history(Matrix& matrix);
 
-/// analyse() and the inverse; the identity if the matrix is singular.
+/// settle_history() and the inverse; the identity if the matrix is singular.
 inline const glm::mat4& inverse(Matrix& matrix) {
-  if (matrix.flags & kMatrixDirty) analyse(matrix);
+  settle_history(matrix);
   return matrix.inverted;
 }
 
-/// True if only rotations and translations were multiplied. Call analyse() first.
+/// True if only rotations and translations were multiplied. Call settle_history() first.
 inline bool is_length_preserving(const Matrix& matrix) {
   return (matrix.flags & kMatrixGeometry & ~uint32_t(kMatrixRotation | kMatrixTranslation)) == 0;
 }

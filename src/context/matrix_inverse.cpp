@@ -1,4 +1,4 @@
-// analyse(): which kind of matrix this is, and its inverse by that kind. The order of operations is
+// settle_history(): which kind of matrix this is, and its inverse by that kind. The order of operations is
 // OSMesa 22.3.6's, because the inverse transforms normals, lights and clip planes.
 #include <cmath>
 #include <initializer_list>
@@ -209,7 +209,8 @@ bool invert(float* out, const Matrix& matrix) {
 
 } // namespace
 
-void analyse(Matrix& matrix) {
+void settle_history(Matrix& matrix) {
+  if (!(matrix.flags & kMatrixDirty)) return;
   if (matrix.flags & kMatrixKindDirty) {
     if (matrix.flags & kMatrixFlagsDirty)
       classify_by_value(matrix);

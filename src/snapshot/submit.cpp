@@ -64,7 +64,7 @@ void take_snapshots(Context& c, const DrawCall& call) {
   cache.lighting_mode = mode;
 
   Matrix& modelview = c.matrices.modelview.top();
-  inverse(modelview);
+  settle_history(modelview);
   const uint32_t units = uint32_t(cache.fragment->key.texture_units);
   bool program = false;
   if (dirty &

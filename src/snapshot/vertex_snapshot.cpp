@@ -216,7 +216,7 @@ const VertexProgram* make_vertex_program(const Context& c, const SnapshotCache& 
 
 OwnSnapshot make_own_snapshot(Context& c, const FragmentKey& key, uint32_t present, const float color[4],
                               Arena& arena) {
-  inverse(c.matrices.modelview.top()); // analyses it
+  settle_history(c.matrices.modelview.top());
   FragmentProgram fragment{};
   fragment.key = key;
   SnapshotCache cache;

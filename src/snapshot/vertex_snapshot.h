@@ -12,7 +12,7 @@ struct Context;
 struct FragmentKey;
 
 /// True where OSMesa lights in eye space and not in object space; it decides last bits only. The modelview
-/// must be analysed.
+/// must be settled.
 bool needs_eye_space(const Context& context, uint32_t texture_units);
 
 const TransformConstants* make_transform(Context& context, bool eye_space, Arena& arena);

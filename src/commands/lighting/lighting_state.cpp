@@ -93,7 +93,7 @@ void Light(Context& c, GLenum name, GLenum pname, const float* params) {
   }
   case GL_SPOT_DIRECTION: {
     Matrix& modelview = c.matrices.modelview.top();
-    if (modelview.flags & kMatrixDirty) analyse(modelview); // OSMesa does, and its flags depend on when
+    settle_history(modelview);
     const float* m = modelview.data();
     for (int i = 0; i < 3; ++i)
       light->spot_direction[i] = params[0] * m[i] + params[1] * m[4 + i] + params[2] * m[8 + i];

@@ -47,7 +47,7 @@ void PushMatrix(Context& c) {
   if (c.state.transform.matrix_mode == GL_PROJECTION) limit = kMaxProjectionDepth;
   if (c.state.transform.matrix_mode == GL_TEXTURE) limit = kMaxTextureDepth;
   if (stack.depth() >= limit) return set_error(c, GL_STACK_OVERFLOW);
-  if (stack.top().flags & kMatrixDirty) analyse(stack.top());
+  settle_history(stack.top());
   stack.entry.push_back(Matrix(stack.top()));
 }
 void PopMatrix(Context& c) {
