@@ -8,11 +8,11 @@
 extern "C" {
 #endif
 
-#define SOFTGL_VERSION_MAJOR 0
-#define SOFTGL_VERSION_MINOR 1
-#define SOFTGL_VERSION_PATCH 0
-
-/* "0.1.0" */
+/* The version of the library that runs, "major.minor.patch". <softgl/version.h> has the one that a program
+ * was compiled against: SOFTGL_VERSION_MAJOR, SOFTGL_VERSION_MINOR and SOFTGL_VERSION_PATCH.
+ *
+ * Versions are semantic. Up to 1.0 a new minor version may break a program or change a picture, from then on
+ * a new major one. */
 const char* softgl_version(void);
 
 /* How many threads draw, the calling one included. The picture does not depend on it. The environment
@@ -25,7 +25,7 @@ int softgl_threads(void);
  * SOFTGL_ISA forces a lower one than the processor has. The picture does not depend on it either. */
 const char* softgl_isa(void);
 
-/* Finishes all rendering of the current context and returns a hash of its colours, depth and stencil: equal
+/* Finishes all rendering of the current context and returns a hash of its colors, depth and stencil: equal
  * pictures have equal hashes, on every machine. 0 without a current context. The caller's buffer is not
  * touched. */
 uint64_t softgl_frame_hash(void);
