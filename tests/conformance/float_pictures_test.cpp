@@ -57,7 +57,28 @@ void draw_upper_levels(Stage& s) {
   gl.End();
 }
 
+// Lit by a light nearby and flat: the provoking vertex is the last one of a quadrilateral, the first of a
+// polygon.
+void draw_rectangle(Stage& s) {
+  const Gl& gl = s.gl;
+  const float position[4] = {-0.8f, -0.7f, 0.5f, 1};
+  gl.Lightfv(GL_LIGHT0, GL_POSITION, position);
+  gl.Enable(GL_LIGHT0);
+  gl.Enable(GL_LIGHTING);
+  gl.ShadeModel(GL_FLAT);
+  gl.Normal3f(0, 0, 1);
+  gl.Rectf(-0.75f, -0.8f, 0.9f, 0.6f);
+}
+
 } // namespace
+
+TEST_CASE("a rectangle is cut as a quadrilateral", "[osmesa]") {
+  fix_environment();
+  const Scene scene{.name = "rectangle", .draw = draw_rectangle, .floats = true};
+  const Difference difference = compare(draw(softgl_library(), scene, 0), draw(osmesa_library(), scene, 0));
+  INFO(difference.text);
+  CHECK_FALSE(difference.any());
+}
 
 TEST_CASE("the size of level 0 decides how coordinates repeat on other base levels", "[osmesa]") {
   fix_environment();
