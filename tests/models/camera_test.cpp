@@ -3,8 +3,8 @@
 #include "models/program_runner.h"
 #include "test_paths.h"
 
-#include "camera.h"
-#include "trigonometry.h"
+#include "scene/camera.h"
+#include "common/trigonometry.h"
 
 #include <cmath>
 #include <filesystem>

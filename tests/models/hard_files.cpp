@@ -4,7 +4,7 @@
 
 #include "test_paths.h"
 
-#include "image_writer.h"
+#include "image/image_writer.h"
 
 #include <cmath>
 #include <cstdio>

@@ -4,11 +4,11 @@
 #include "models/hard_files.h"
 #include "models/program_runner.h"
 
-#include "face_triangulation.h"
-#include "mesh_builder.h"
-#include "model_loader.h"
-#include "normal_generator.h"
-#include "program_error.h"
+#include "mesh/face_triangulation.h"
+#include "mesh/mesh_builder.h"
+#include "command/model_loader.h"
+#include "mesh/normal_generator.h"
+#include "common/program_error.h"
 
 #include <cmath>
 #include <filesystem>

@@ -1,9 +1,9 @@
 #include <catch2/catch.hpp>
 
-#include "mesh_builder.h"
-#include "model_loader.h"
-#include "normal_generator.h"
-#include "trigonometry.h"
+#include "mesh/mesh_builder.h"
+#include "command/model_loader.h"
+#include "mesh/normal_generator.h"
+#include "common/trigonometry.h"
 
 #include <cmath>
 #include <cstdio>

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "number_parser.h"
+#include "obj/number_parser.h"
 
 #include <cmath>
 #include <cstdlib>

@@ -7,12 +7,12 @@
 #include "models/program_runner.h"
 #include "test_paths.h"
 
-#include "camera.h"
-#include "face_triangulation.h"
-#include "mesh_builder.h"
-#include "model_loader.h"
-#include "normal_generator.h"
-#include "program_error.h"
+#include "scene/camera.h"
+#include "mesh/face_triangulation.h"
+#include "mesh/mesh_builder.h"
+#include "command/model_loader.h"
+#include "mesh/normal_generator.h"
+#include "common/program_error.h"
 
 #include <cmath>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "polygon_triangulator.h"
+#include "mesh/polygon_triangulator.h"
 
 #include <chrono>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "tessellation.h"
+#include "mesh/tessellation.h"
 
 #include <cmath>
 #include <map>

@@ -1,9 +1,9 @@
 // What comes after drawing: the caller's buffer, glReadPixels, glClear; and reading a model from a file's
 // text.
-#include "cli/obj_reader.h"
 #include "commands/framebuffer/flush.h"
 #include "frame/surface_work.h"
 #include "harness.h"
+#include "obj/obj_reader.h"
 #include "surface/read_surface.h"
 
 namespace softgl::bench {

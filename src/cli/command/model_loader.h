@@ -1,0 +1,21 @@
+// A model file and all it names, read and triangulated.
+#pragma once
+
+#include "obj/material_library.h"
+#include "obj/obj_reader.h"
+#include "command/report.h"
+
+namespace softgl::cli {
+
+struct LoadedModel {
+  ObjModel model; // triangles, see face_triangulation.h
+  MaterialLibrary library;
+  ModelReport report; // without bounds and area
+};
+
+// Remarks about the model's own text stay in `remarks`, so that later steps can add theirs; those about
+// libraries go to `warnings`. Throws ProgramError if nothing can be drawn.
+LoadedModel load_model(const SourceText& text, unsigned threads, RemarkList& remarks, Warnings& warnings,
+                       Warnings& notes);
+
+} // namespace softgl::cli

@@ -1,0 +1,238 @@
+#include "command/option_values.h"
+
+#include "obj/number_parser.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+namespace softgl::cli {
+namespace {
+
+[[noreturn]] void refuse(const std::string& what, const std::string& text) {
+  throw std::invalid_argument("\"" + text + "\" is not " + what);
+}
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
+  return text;
+}
+
+bool parse_numbers(const std::string& text, std::vector<double>& values) {
+  size_t begin = 0;
+  for (;;) {
+    const size_t comma = std::min(text.find(',', begin), text.size());
+    const std::string part = text.substr(begin, comma - begin);
+    const char* cursor = part.c_str();
+    double value;
+    if (part.empty() || !read_number(cursor, value) || cursor != part.c_str() + part.size() ||
+        !std::isfinite(value))
+      return false;
+    values.push_back(value);
+    if (comma == text.size()) return true;
+    begin = comma + 1;
+  }
+}
+
+struct NamedColour {
+  const char* name;
+  uint32_t rgb;
+};
+constexpr NamedColour kColours[] = {
+    {"black", 0x000000},      {"white", 0xffffff},     {"red", 0xff0000},       {"green", 0x008000},
+    {"lime", 0x00ff00},       {"blue", 0x0000ff},      {"yellow", 0xffff00},    {"cyan", 0x00ffff},
+    {"magenta", 0xff00ff},    {"gray", 0x808080},      {"grey", 0x808080},      {"silver", 0xc0c0c0},
+    {"darkgray", 0xa9a9a9},   {"darkgrey", 0xa9a9a9},  {"lightgray", 0xd3d3d3}, {"lightgrey", 0xd3d3d3},
+    {"whitesmoke", 0xf5f5f5}, {"orange", 0xffa500},    {"gold", 0xffd700},      {"tomato", 0xff6347},
+    {"coral", 0xff7f50},      {"salmon", 0xfa8072},    {"crimson", 0xdc143c},   {"maroon", 0x800000},
+    {"brown", 0xa52a2a},      {"sienna", 0xa0522d},    {"tan", 0xd2b48c},       {"beige", 0xf5f5dc},
+    {"ivory", 0xfffff0},      {"olive", 0x808000},     {"teal", 0x008080},      {"navy", 0x000080},
+    {"purple", 0x800080},     {"violet", 0xee82ee},    {"indigo", 0x4b0082},    {"pink", 0xffc0cb},
+    {"hotpink", 0xff69b4},    {"turquoise", 0x40e0d0}, {"skyblue", 0x87ceeb},   {"steelblue", 0x4682b4},
+    {"royalblue", 0x4169e1},  {"slategray", 0x708090}, {"slategrey", 0x708090}, {"forestgreen", 0x228b22},
+    {"seagreen", 0x2e8b57},   {"darkgreen", 0x006400}, {"darkblue", 0x00008b},  {"darkred", 0x8b0000},
+    {"chocolate", 0xd2691e},  {"khaki", 0xf0e68c},     {"plum", 0xdda0dd},      {"orchid", 0xda70d6},
+};
+
+std::array<uint8_t, 3> split(uint32_t rgb) {
+  return {static_cast<uint8_t>(rgb >> 16), static_cast<uint8_t>(rgb >> 8), static_cast<uint8_t>(rgb)};
+}
+
+constexpr float kDefaultCutoff = 30; // degrees, of a spot that does not say
+
+LightOptions parse_light_kind(const std::string& text) {
+  static const std::string what =
+      "a light: key, headlight, x,y,z, model:x,y,z, at:x,y,z or an axis such as +Y";
+  LightOptions light;
+  if (text == "key") return light;
+  light.kind = LightOptions::kHeadlight;
+  if (text == "headlight" || text == "head") return light;
+  light.kind = LightOptions::kDirection;
+  std::string rest = text;
+  if (text.rfind("model:", 0) == 0) {
+    light.kind = LightOptions::kModelDirection;
+    rest = text.substr(6);
+  } else if (text.rfind("at:", 0) == 0) {
+    light.kind = LightOptions::kModelPosition;
+    rest = text.substr(3);
+  }
+  if (rest.size() == 2 && (rest[0] == '+' || rest[0] == '-') && light.kind != LightOptions::kModelPosition) {
+    const char axis = lower(rest)[1];
+    if (axis < 'x' || axis > 'z') refuse(what, text);
+    light.kind = LightOptions::kModelDirection;
+    light.value[0] = light.value[1] = light.value[2] = 0;
+    light.value[axis - 'x'] = rest[0] == '-' ? -1 : 1;
+    return light;
+  }
+  std::vector<double> values;
+  if (!parse_numbers(rest, values) || values.size() != 3) refuse(what, text);
+  for (size_t i = 0; i < 3; ++i) light.value[i] = values[i];
+  if (light.kind == LightOptions::kModelPosition) return light;
+  const double largest = std::max({std::fabs(values[0]), std::fabs(values[1]), std::fabs(values[2])});
+  if (!(largest > 0)) refuse(what, text);
+  for (double& value : light.value) value /= largest;
+  return light;
+}
+
+void parse_light_property(const std::string& text, LightOptions& light) {
+  static const std::string what =
+      "a property of a light: color:COLOUR for any; for at:x,y,z also spot:x,y,z, cutoff:0..90, "
+      "exponent:0..128 and attenuation:constant,linear,quadratic";
+  const size_t colon = text.find(':');
+  if (colon == std::string::npos) refuse(what, text);
+  const std::string name = lower(text.substr(0, colon)), value = text.substr(colon + 1);
+  if (name == "color" || name == "colour") {
+    const std::array<float, 3> colour = parse_reflectance(value);
+    std::copy(colour.begin(), colour.end(), light.colour);
+    return;
+  }
+  std::vector<double> values;
+  if (light.kind != LightOptions::kModelPosition || !parse_numbers(value, values)) refuse(what, text);
+  const size_t count = values.size();
+  const bool from_zero = std::all_of(values.begin(), values.end(), [](double number) { return number >= 0; });
+  if (name == "spot" && count == 3 && (values[0] != 0 || values[1] != 0 || values[2] != 0)) {
+    const double largest = std::max({std::fabs(values[0]), std::fabs(values[1]), std::fabs(values[2])});
+    for (size_t i = 0; i < 3; ++i) light.spot_direction[i] = values[i] / largest;
+    if (light.cutoff == 180) light.cutoff = kDefaultCutoff;
+  } else if (name == "cutoff" && count == 1 && from_zero && values[0] <= 90) {
+    light.cutoff = static_cast<float>(values[0]);
+  } else if (name == "exponent" && count == 1 && from_zero && values[0] <= 128) {
+    light.exponent = static_cast<float>(values[0]);
+  } else if (name == "attenuation" && count == 3 && from_zero && values[0] + values[1] + values[2] > 0) {
+    for (size_t i = 0; i < 3; ++i) light.attenuation[i] = static_cast<float>(values[i]);
+  } else {
+    refuse(what, text);
+  }
+}
+
+} // namespace
+
+std::array<uint8_t, 3> parse_colour(const std::string& text) {
+  static const std::string what = "a colour (#rrggbb, r,g,b from 0 to 1, or a name such as steelblue)";
+  const std::string name = lower(text);
+  for (const NamedColour& colour : kColours)
+    if (name == colour.name) return split(colour.rgb);
+  if (!name.empty() && name[0] == '#') {
+    if (name.find_first_not_of("0123456789abcdef", 1) != std::string::npos ||
+        (name.size() != 4 && name.size() != 7))
+      refuse(what, text);
+    uint32_t value = 0;
+    for (size_t i = 1; i < name.size(); ++i) {
+      const auto digit = static_cast<uint32_t>(name[i] <= '9' ? name[i] - '0' : name[i] - 'a' + 10);
+      value = name.size() == 4 ? value << 8 | digit * 17 : value << 4 | digit;
+    }
+    return split(value);
+  }
+  std::vector<double> values;
+  if (!parse_numbers(text, values) || values.size() != 3) refuse(what, text);
+  std::array<uint8_t, 3> result;
+  for (size_t i = 0; i < 3; ++i) {
+    if (values[i] < 0 || values[i] > 1) refuse(what, text);
+    result[i] = static_cast<uint8_t>(values[i] * 255 + 0.5);
+  }
+  return result;
+}
+
+void parse_size(const std::string& text, int& width, int& height) {
+  std::string commas = lower(text);
+  const size_t cross = commas.find('x');
+  if (cross != std::string::npos) commas[cross] = ',';
+  std::vector<double> values;
+  if (!parse_numbers(commas, values) || values.size() > 2) refuse("a size such as 800x600", text);
+  const double w = values[0], h = values.back();
+  if (w != std::floor(w) || h != std::floor(h) || w < 1 || h < 1 || w > 16384 || h > 16384)
+    refuse("a size from 1x1 to 16384x16384", text);
+  width = static_cast<int>(w);
+  height = static_cast<int>(h);
+}
+
+UpAxis parse_up_axis(const std::string& text) {
+  const std::string name = lower(text);
+  if (name == "auto") return UpAxis::kAuto;
+  const bool sign = !name.empty() && (name[0] == '+' || name[0] == '-');
+  const std::string axis = name.substr(sign ? 1 : 0);
+  if (axis.size() != 1 || axis[0] < 'x' || axis[0] > 'z') refuse("an axis such as +Y, -Z or auto", text);
+  return static_cast<UpAxis>(2 * (axis[0] - 'x') + (name[0] == '-'));
+}
+
+LightOptions parse_light(const std::string& text) {
+  size_t end = std::min(text.find('/'), text.size());
+  LightOptions light = parse_light_kind(text.substr(0, end));
+  while (end < text.size()) {
+    const size_t begin = end + 1;
+    end = std::min(text.find('/', begin), text.size());
+    parse_light_property(text.substr(begin, end - begin), light);
+  }
+  return light;
+}
+
+unsigned parse_terms(const std::string& text) {
+  static constexpr struct {
+    const char* name;
+    unsigned term;
+  } kTerms[] = {{"ambient", kAmbient},
+                {"diffuse", kDiffuse},
+                {"specular", kSpecular},
+                {"emission", kEmission},
+                {"all", kAllTerms}};
+  unsigned terms = 0;
+  for (size_t begin = 0; begin <= text.size();) {
+    const size_t comma = std::min(text.find(',', begin), text.size());
+    const std::string name = lower(text.substr(begin, comma - begin));
+    const auto* found =
+        std::find_if(std::begin(kTerms), std::end(kTerms), [&](const auto& t) { return name == t.name; });
+    if (found == std::end(kTerms))
+      refuse("a list of terms: ambient, diffuse, specular, emission or all", text);
+    terms |= found->term;
+    begin = comma + 1;
+  }
+  return terms;
+}
+
+std::array<float, 3> parse_reflectance(const std::string& text) {
+  std::vector<double> values;
+  if (!parse_numbers(text, values)) {
+    const std::array<uint8_t, 3> rgb = parse_colour(text);
+    return {static_cast<float>(rgb[0]) / 255, static_cast<float>(rgb[1]) / 255,
+            static_cast<float>(rgb[2]) / 255};
+  }
+  if (values.size() == 1) values.resize(3, values[0]);
+  const bool inside =
+      std::all_of(values.begin(), values.end(), [](double value) { return value >= 0 && value <= 1; });
+  if (values.size() != 3 || !inside) refuse("a number from 0 to 1, three of them (r,g,b), or a colour", text);
+  return {static_cast<float>(values[0]), static_cast<float>(values[1]), static_cast<float>(values[2])};
+}
+
+Background parse_background(const std::string& text) {
+  Background background;
+  if (lower(text) == "transparent" || lower(text) == "none") {
+    background.transparent = true;
+    return background;
+  }
+  const std::array<uint8_t, 3> colour = parse_colour(text);
+  for (size_t i = 0; i < 3; ++i) background.colour[i] = colour[i];
+  return background;
+}
+
+} // namespace softgl::cli

@@ -1,0 +1,223 @@
+#include "command/program.h"
+
+#include "mesh/face_triangulation.h"
+#include "command/figure.h"
+#include "command/model_loader.h"
+#include "command/options.h"
+#include "common/program_error.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <sys/resource.h>
+#include <thread>
+
+namespace softgl::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+class Program {
+public:
+  explicit Program(const ProgramOptions& options) : options(options) {}
+
+  int run() {
+    const auto start = Clock::now();
+    if (options.command == ProgramOptions::kFigure && options.model.empty()) {
+      FigureSubject sphere = sphere_subject(options.camera);
+      override_reflectances(sphere.materials);
+      write(draw_figure(sphere, options.render, warnings));
+      return kSuccess;
+    }
+    const SourceText text = SourceText::open(options.model);
+    RemarkList remarks;
+    LoadedModel loaded = load_model(text, threads(), remarks, warnings, notes);
+    times.read = since(start);
+    if (options.command == ProgramOptions::kInfo) {
+      info(loaded, text, remarks);
+    } else {
+      draw(loaded, text, remarks, start);
+    }
+    return options.strict && warnings.count() > 0 ? kCannotRead : kSuccess;
+  }
+
+  void print_messages() const {
+    if (!options.quiet)
+      for (const std::string& sentence : warnings.sentences())
+        std::fprintf(stderr, "softgl: warning: %s\n", sentence.c_str());
+    if (options.verbose)
+      for (const std::string& sentence : notes.sentences())
+        std::fprintf(stderr, "softgl: note: %s\n", sentence.c_str());
+  }
+
+private:
+  unsigned threads() const {
+    if (options.threads) return options.threads;
+    const unsigned count = std::thread::hardware_concurrency();
+    return count ? count : 1;
+  }
+
+  void info(LoadedModel& loaded, const SourceText& text, RemarkList& remarks) {
+    const ModelFrame frame = frame_model(loaded.model);
+    note_bounds(loaded.report, frame);
+    loaded.report.area = surface_area(loaded.model);
+    build_mesh_for_remarks(loaded, frame, remarks);
+    warnings.add(remarks, text);
+    const std::string out = options.json ? as_json(loaded.report, warnings) : as_text(loaded.report);
+    if (std::fwrite(out.data(), 1, out.size(), stdout) != out.size() || std::fflush(stdout) != 0)
+      throw ProgramError(kCannotWrite, "standard output: cannot write");
+  }
+
+  static void note_bounds(ModelReport& report, const ModelFrame& frame) {
+    for (int axis = 0; axis < 3; ++axis) {
+      report.low[axis] = frame.low[axis];
+      report.high[axis] = frame.high[axis];
+    }
+  }
+
+  // Materials are only looked up while the mesh is built.
+  void build_mesh_for_remarks(LoadedModel& loaded, const ModelFrame& frame, RemarkList& remarks) const {
+    MeshOptions mesh_options;
+    mesh_options.flat = true;
+    build_mesh(loaded.model, frame, loaded.library, mesh_options, remarks);
+  }
+
+  void draw(LoadedModel& loaded, const SourceText& text, RemarkList& remarks, Clock::time_point start) {
+    const auto prepare_start = Clock::now();
+    ObjModel& model = loaded.model;
+    paint_over(loaded);
+    const bool flat = options.render.lighting.shading == Shading::kFlat;
+    ModelFrame frame = frame_model(model);
+    note_bounds(loaded.report, frame);
+    if (options.verbose) loaded.report.area = surface_area(model);
+    if (!flat) generate_normals(model, frame, options.normals);
+    MeshOptions mesh_options;
+    mesh_options.flat = flat;
+    mesh_options.with_texcoords = loaded.report.textures > 0 && !options.materials.colour;
+    Mesh mesh = build_mesh(model, frame, loaded.library, mesh_options, remarks);
+    model = ObjModel(); // the mesh is all that is needed from here on
+    warnings.add(remarks, text);
+    CameraOptions camera_options = options.camera;
+    if (camera_options.up == UpAxis::kAuto) camera_options.up = guess_up_axis(mesh);
+    const Camera camera = fit_camera(mesh, camera_options);
+    times.prepare = since(prepare_start);
+
+    Picture picture;
+    if (options.command == ProgramOptions::kFigure) {
+      const auto subject = model_subject(text.name(), std::move(mesh), std::move(loaded.library.materials()),
+                                         std::move(frame), camera);
+      picture = draw_figure(subject, options.render, warnings);
+    } else {
+      picture = draw_picture(mesh, loaded.library.materials(), frame, camera, text.name());
+    }
+    refuse_warnings(text.name());
+    const auto write_start = Clock::now();
+    write(picture);
+    times.write = since(write_start);
+    times.total = since(start);
+    if (options.stats) print_stats(loaded.report);
+    if (options.verbose) std::fputs(as_text(loaded.report).c_str(), stderr);
+  }
+
+  Picture draw_picture(const Mesh& mesh, const std::vector<Material>& materials, const ModelFrame& frame,
+                       const Camera& camera, const std::string& name) {
+    RenderResult result = render(mesh, materials, frame, camera, options.render, warnings);
+    times.upload = result.upload_seconds;
+    times.draw = result.draw_seconds;
+    times.resolve = result.resolve_seconds;
+    if (!result.visible)
+      throw ProgramError(kCannotRead,
+                         name + ": nothing of the model is visible in this view; no picture written");
+    if (result.as_wireframe)
+      warnings.add(name, "its surfaces have no visible area in this view; their edges are drawn instead");
+    return std::move(result.picture);
+  }
+
+  void refuse_warnings(const std::string& name) const {
+    if (!options.strict || warnings.count() == 0) return;
+    throw ProgramError(kCannotRead, name + ": " + std::to_string(warnings.count()) +
+                                        (warnings.count() == 1 ? " warning" : " warnings") +
+                                        " with --strict; no picture written");
+  }
+
+  void write(const Picture& picture) const {
+    write_file(options.output, encode_image(picture, options.format, options.png));
+  }
+
+  void paint_over(LoadedModel& loaded) const {
+    const MaterialOptions& chosen = options.materials;
+    if (chosen.colour || chosen.ambient || chosen.diffuse) loaded.model.colours.release();
+    if (chosen.colour)
+      for (Material& material : loaded.library.materials()) {
+        replace(chosen.colour, material.ambient);
+        replace(chosen.colour, material.diffuse);
+        for (float& value : material.emission) value = 0;
+        material.diffuse_map = {};
+        material.opacity_map = {};
+        material.opacity = 1;
+      }
+    override_reflectances(loaded.library.materials());
+  }
+
+  void override_reflectances(std::vector<Material>& materials) const {
+    const MaterialOptions& chosen = options.materials;
+    for (Material& material : materials) {
+      replace(chosen.ambient, material.ambient);
+      replace(chosen.diffuse, material.diffuse);
+      replace(chosen.specular, material.specular);
+      material.shininess = chosen.shininess.value_or(material.shininess);
+    }
+  }
+
+  static void replace(const MaterialOptions::Reflectance& chosen, float* reflectance) {
+    if (chosen) std::copy(chosen->begin(), chosen->end(), reflectance);
+  }
+
+  void print_stats(const ModelReport& report) {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    times.peak_kib = usage.ru_maxrss;
+    times.cpu = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    const std::string out =
+        stats_as_json(report, times, options.render.width, options.render.height, warnings);
+    std::fputs(out.c_str(), options.output == "-" ? stderr : stdout);
+  }
+
+  const ProgramOptions& options;
+  Warnings warnings, notes;
+  RunTimes times;
+};
+
+} // namespace
+
+int run_program(int argc, const char* const* argv) {
+  try {
+    const ParsedOptions parsed = parse_options(argc, argv);
+    if (!parsed.options) return parsed.exit_code;
+    if (parsed.options->threads)
+      ::setenv("SOFTGL_THREADS", std::to_string(parsed.options->threads).c_str(), 1);
+    Program program(*parsed.options);
+    try {
+      const int code = program.run();
+      program.print_messages();
+      return code;
+    } catch (...) {
+      program.print_messages();
+      throw;
+    }
+  } catch (const ProgramError& error) {
+    std::fprintf(stderr, "softgl: error: %s\n", error.what());
+    return error.code;
+  } catch (const std::bad_alloc&) {
+    std::fputs("softgl: error: out of memory\n", stderr);
+    return kCannotRead;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "softgl: error: %s\n", error.what());
+    return kCannotRead;
+  }
+}
+
+} // namespace softgl::cli

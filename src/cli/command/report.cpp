@@ -1,0 +1,100 @@
+#include "command/report.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace softgl::cli {
+namespace {
+
+std::string number(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.9g", value);
+  return text;
+}
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\')
+      (result += '\\') += c;
+    else if (byte < 32 || byte == 127) {
+      char escape[8];
+      std::snprintf(escape, sizeof escape, "\\u%04x", byte);
+      result += escape;
+    } else
+      result += c;
+  }
+  return result + "\"";
+}
+
+std::string triple(const double* values) {
+  return "[" + number(values[0]) + ", " + number(values[1]) + ", " + number(values[2]) + "]";
+}
+
+std::string counts(const ModelReport& r) {
+  const auto item = [](const char* name, uint64_t value) {
+    return "  \"" + std::string(name) + "\": " + std::to_string(value) + ",\n";
+  };
+  return "  \"file\": " + quoted(r.name) + ",\n" + item("bytes", r.bytes) + item("vertices", r.positions) +
+         item("texture_coordinates", r.texcoords) + item("normals", r.normals) + item("faces", r.faces) +
+         item("triangles", r.triangles) + item("line_segments", r.segments) + item("points", r.points) +
+         item("objects", r.objects) + item("groups", r.groups) + item("materials", r.materials) +
+         item("textures", r.textures);
+}
+
+std::string warning_list(const Warnings& warnings) {
+  std::string text = "  \"warning_count\": " + std::to_string(warnings.count()) + ",\n  \"warnings\": [";
+  const char* separator = "\n    ";
+  for (const std::string& sentence : warnings.sentences()) {
+    text += separator + quoted(sentence);
+    separator = ",\n    ";
+  }
+  return text + (warnings.sentences().empty() ? "]" : "\n  ]");
+}
+
+} // namespace
+
+std::string as_text(const ModelReport& r) {
+  std::string text = r.name + ": " + std::to_string(r.triangles) + " triangles from " +
+                     std::to_string(r.faces) + " faces, " + std::to_string(r.positions) + " vertices";
+  const auto add = [&text](uint64_t count, const char* what) {
+    if (count) text += ", " + std::to_string(count) + " " + what;
+  };
+  add(r.segments, "line segments");
+  add(r.points, "points");
+  add(r.texcoords, "texture coordinates");
+  add(r.normals, "normals");
+  add(r.objects, "objects");
+  add(r.materials, "materials");
+  add(r.textures, "textures");
+  if (r.vertex_colours) text += ", vertex colours";
+  if (r.smoothing_groups) text += ", smoothing groups";
+  return text + "\n  from " + triple(r.low) + " to " + triple(r.high) + ", area " + number(r.area) + "\n";
+}
+
+std::string as_json(const ModelReport& r, const Warnings& warnings) {
+  return "{\n" + counts(r) + "  \"vertex_colours\": " + (r.vertex_colours ? "true" : "false") +
+         ",\n  \"smoothing_groups\": " + (r.smoothing_groups ? "true" : "false") +
+         ",\n  \"low\": " + triple(r.low) + ",\n  \"high\": " + triple(r.high) +
+         ",\n  \"area\": " + number(r.area) + ",\n" + warning_list(warnings) + "\n}\n";
+}
+
+std::string stats_as_json(const ModelReport& r, const RunTimes& t, int width, int height,
+                          const Warnings& warnings) {
+  const auto milliseconds = [](const char* name, double seconds) {
+    char text[80];
+    std::snprintf(text, sizeof text, "    \"%s\": %.3f,\n", name, seconds * 1000);
+    return std::string(text);
+  };
+  std::string times = milliseconds("read", t.read) + milliseconds("prepare", t.prepare) +
+                      milliseconds("upload", t.upload) + milliseconds("draw", t.draw) +
+                      milliseconds("resolve", t.resolve) + milliseconds("write", t.write) +
+                      milliseconds("total", t.total) + milliseconds("cpu", t.cpu);
+  times.erase(times.size() - 2, 1); // the last comma
+  return "{\n" + counts(r) + "  \"width\": " + std::to_string(width) +
+         ",\n  \"height\": " + std::to_string(height) + ",\n  \"milliseconds\": {\n" + times +
+         "  },\n  \"peak_kib\": " + std::to_string(t.peak_kib) + ",\n" + warning_list(warnings) + "\n}\n";
+}
+
+} // namespace softgl::cli

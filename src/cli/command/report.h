@@ -1,0 +1,35 @@
+// What the program says about a model: `softgl info` and --stats.
+#pragma once
+
+#include "obj/material_library.h"
+#include "mesh/model_frame.h"
+#include "obj/obj_reader.h"
+#include "common/warnings.h"
+
+#include <string>
+
+namespace softgl::cli {
+
+struct ModelReport {
+  std::string name;
+  uint64_t bytes = 0;
+  uint64_t positions = 0, texcoords = 0, normals = 0;
+  uint64_t faces = 0, triangles = 0, segments = 0, points = 0;
+  uint64_t objects = 0, groups = 0, materials = 0, textures = 0;
+  bool vertex_colours = false, smoothing_groups = false;
+  double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
+  double area = 0;
+};
+
+struct RunTimes {
+  double read = 0, prepare = 0, upload = 0, draw = 0, resolve = 0, write = 0, total = 0; // seconds
+  double cpu = 0;
+  long peak_kib = 0;
+};
+
+std::string as_text(const ModelReport& report);
+std::string as_json(const ModelReport& report, const Warnings& warnings);
+std::string stats_as_json(const ModelReport& report, const RunTimes& times, int width, int height,
+                          const Warnings& warnings);
+
+} // namespace softgl::cli

@@ -1,0 +1,115 @@
+#include "common/source_text.h"
+
+#include "common/program_error.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
+
+namespace softgl::cli {
+namespace {
+
+std::string read_everything(int descriptor, const std::string& name) {
+  std::string text;
+  size_t used = 0;
+  for (;;) {
+    if (text.size() - used < 65536) text.resize(text.size() * 2 + (1 << 20));
+    const ssize_t count = ::read(descriptor, text.data() + used, text.size() - used);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) throw ProgramError(kCannotRead, name + ": cannot read: " + std::strerror(errno));
+    if (count == 0) break;
+    used += static_cast<size_t>(count);
+  }
+  text.resize(used);
+  return text;
+}
+
+struct Descriptor {
+  int value;
+  ~Descriptor() {
+    if (value > STDIN_FILENO) ::close(value);
+  }
+};
+
+} // namespace
+
+SourceText SourceText::from_string(std::string text, std::string name) {
+  SourceText source;
+  source.name_ = std::move(name);
+  source.owned_ = std::move(text);
+  source.begin_ = source.owned_.c_str();
+  source.size_ = source.owned_.size();
+  return source;
+}
+
+SourceText SourceText::open(const std::string& path) {
+  if (path == "-") return from_string(read_everything(STDIN_FILENO, "standard input"), "standard input");
+  const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
+  if (file.value < 0) throw ProgramError(kCannotRead, path + ": cannot open: " + std::strerror(errno));
+  struct stat status {};
+  if (::fstat(file.value, &status) != 0)
+    throw ProgramError(kCannotRead, path + ": cannot read: " + std::strerror(errno));
+  if (S_ISDIR(status.st_mode)) throw ProgramError(kCannotRead, path + ": this is a folder, not a model");
+  const auto size = static_cast<size_t>(status.st_size);
+  if (!S_ISREG(status.st_mode) || size == 0) return from_string(read_everything(file.value, path), path);
+
+  // A page of zeros after the file, so that a scanner stops without looking at the end.
+  const size_t page = static_cast<size_t>(::sysconf(_SC_PAGESIZE));
+  const size_t mapping_size = (size / page + 2) * page;
+  void* mapping =
+      ::mmap(nullptr, mapping_size, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (mapping == MAP_FAILED) throw ProgramError(kCannotRead, path + ": cannot map: " + std::strerror(errno));
+  if (::mmap(mapping, size, PROT_READ, MAP_PRIVATE | MAP_FIXED, file.value, 0) == MAP_FAILED) {
+    ::munmap(mapping, mapping_size);
+    return from_string(read_everything(file.value, path), path);
+  }
+  ::madvise(mapping, size, MADV_SEQUENTIAL);
+  SourceText source;
+  source.name_ = path;
+  source.begin_ = static_cast<const char*>(mapping);
+  source.size_ = size;
+  source.mapping_ = mapping;
+  source.mapping_size_ = mapping_size;
+  return source;
+}
+
+SourceText::SourceText(SourceText&& other) noexcept
+    : name_(std::move(other.name_)), owned_(std::move(other.owned_)), size_(other.size_),
+      mapping_(std::exchange(other.mapping_, nullptr)), mapping_size_(other.mapping_size_) {
+  begin_ = mapping_ ? other.begin_ : owned_.c_str(); // a short string moves its bytes
+}
+
+void SourceText::forget(const char* first, const char* last) const {
+  constexpr size_t kWorthIt = size_t(32) << 20;
+  if (!mapping_ || size_ < kWorthIt) return;
+  const auto page = static_cast<size_t>(::sysconf(_SC_PAGESIZE));
+  const size_t begin = (static_cast<size_t>(first - begin_) + page - 1) / page * page;
+  const size_t end = static_cast<size_t>(last - begin_) / page * page;
+  if (begin < end) ::madvise(static_cast<char*>(mapping_) + begin, end - begin, MADV_DONTNEED);
+}
+
+SourceText::~SourceText() {
+  if (mapping_) ::munmap(mapping_, mapping_size_);
+}
+
+std::vector<uint64_t> line_numbers(const SourceText& text, const std::vector<const char*>& rising_positions) {
+  std::vector<uint64_t> lines;
+  uint64_t line = 1;
+  const char* p = text.begin();
+  for (const char* position : rising_positions) {
+    for (; p < position; ++p) line += *p == '\n' || (*p == '\r' && p[1] != '\n');
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+bool is_readable_file(const std::string& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) && ::access(path.c_str(), R_OK) == 0;
+}
+
+} // namespace softgl::cli

@@ -1,3 +1,0 @@
-#include "program.h"
-
-int main(int argc, char** argv) { return softgl::cli::run_program(argc, argv); }

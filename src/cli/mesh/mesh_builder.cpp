@@ -1,0 +1,275 @@
+#include "mesh/mesh_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <unordered_map>
+
+namespace softgl::cli {
+namespace {
+
+// Which material each element has, in file order.
+struct MaterialRun {
+  uint32_t chunk;
+  uint32_t material;
+  uint32_t first, last; // elements of the chunk
+};
+
+class MaterialResolver {
+public:
+  MaterialResolver(const ObjModel& model, const MaterialLibrary& library, RemarkList& remarks)
+      : model(model), library(library), remarks(remarks) {
+    bool any = false;
+    for (const ObjChunk& chunk : model.chunks)
+      for (const StateChange& change : chunk.changes) any |= change.kind == StateChange::kMaterial;
+    // A library of one material that nobody names is meant for the whole model.
+    if (!any && library.materials().size() == 2) start = 1;
+  }
+
+  std::vector<MaterialRun> runs(uint32_t StateChange::*element, uint32_t (*count_of)(const ObjChunk&)) {
+    std::vector<MaterialRun> result;
+    uint32_t material = start;
+    for (uint32_t c = 0; c < model.chunks.size(); ++c) {
+      const ObjChunk& chunk = model.chunks[c];
+      const uint32_t total = count_of(chunk);
+      uint32_t first = 0;
+      const auto close = [&](uint32_t last) {
+        if (last <= first) return;
+        if (!result.empty() && result.back().chunk == c && result.back().material == material)
+          result.back().last = last;
+        else
+          result.push_back({c, material, first, last});
+        first = last;
+      };
+      for (const StateChange& change : chunk.changes) {
+        if (change.kind != StateChange::kMaterial) continue;
+        close(change.*element);
+        material = resolve(change.name);
+      }
+      close(total);
+    }
+    return result;
+  }
+
+private:
+  uint32_t resolve(std::string_view name) {
+    if (name.empty()) return 0;
+    const auto known = resolved.find(name);
+    if (known != resolved.end()) return known->second;
+    const uint32_t material = library.find(name);
+    resolved.emplace(name, material);
+    if (material == 0) {
+      const char* kind = "unknown material: the default one is used";
+      if (remarks.count(kind))
+        remarks.describe(kind, name.data(),
+                         "material \"" + std::string(name.substr(0, 80)) +
+                             "\" is unknown; the default one is used");
+    }
+    return material;
+  }
+
+  const ObjModel& model;
+  const MaterialLibrary& library;
+  RemarkList& remarks;
+  uint32_t start = 0;
+  std::unordered_map<std::string_view, uint32_t> resolved;
+};
+
+class MeshBuilder {
+public:
+  MeshBuilder(const ObjModel& model, const ModelFrame& frame, const std::vector<Material>& materials,
+              const MeshOptions& options)
+      : model(model), frame(frame), materials(materials), options(options) {}
+
+  Mesh build(MaterialResolver& resolver) {
+    const auto triangle_runs = resolver.runs(&StateChange::face, [](const ObjChunk& c) {
+      return static_cast<uint32_t>(c.corner_vertices.values.size() / 3);
+    });
+    const auto segment_runs = resolver.runs(&StateChange::line, [](const ObjChunk& c) {
+      return static_cast<uint32_t>(c.line_vertices.values.size() / 2);
+    });
+    const auto point_runs = resolver.runs(&StateChange::point, [](const ObjChunk& c) {
+      return static_cast<uint32_t>(c.point_vertices.values.size());
+    });
+    add_triangles(triangle_runs);
+    add_elements(segment_runs, &ObjChunk::line_vertices, 2, mesh.segment_positions, mesh.segment_colours,
+                 mesh.segment_batches);
+    add_elements(point_runs, &ObjChunk::point_vertices, 1, mesh.point_positions, mesh.point_colours,
+                 mesh.point_batches);
+    return std::move(mesh);
+  }
+
+private:
+  // A batch per material in order of first use, and for each run the place in the batch.
+  static std::vector<Batch> lay_out(const std::vector<MaterialRun>& runs, uint32_t per_element,
+                                    std::vector<uint32_t>& places) {
+    std::vector<Batch> batches;
+    std::unordered_map<uint32_t, size_t> batch_of;
+    for (const MaterialRun& run : runs) {
+      const auto [found, added] = batch_of.emplace(run.material, batches.size());
+      if (added) batches.push_back({run.material, 0, 0});
+      batches[found->second].count += (run.last - run.first) * per_element;
+    }
+    uint32_t next = 0;
+    for (Batch& batch : batches) {
+      batch.first = next;
+      next += batch.count;
+    }
+    std::vector<uint32_t> filled(batches.size(), 0);
+    for (const MaterialRun& run : runs) {
+      const size_t b = batch_of[run.material];
+      places.push_back(batches[b].first + filled[b]);
+      filled[b] += (run.last - run.first) * per_element;
+    }
+    return batches;
+  }
+
+  void add_triangles(const std::vector<MaterialRun>& runs) {
+    std::vector<uint32_t> places;
+    mesh.triangle_batches = lay_out(runs, 3, places);
+    size_t total = 0;
+    for (const MaterialRun& run : runs) total += size_t(3) * (run.last - run.first);
+    if (total == 0) return;
+    mesh.triangles.extend(total);
+    with_texcoords = false;
+    for (const ObjChunk& chunk : model.chunks) with_texcoords |= !chunk.corner_texcoords.values.empty();
+    with_texcoords = with_texcoords && options.with_texcoords && model.texcoord_count > 0;
+    if (options.flat)
+      mesh.positions.room(3 * total);
+    else
+      head.fill(model.position_count, kNone);
+    for (size_t r = 0; r < runs.size(); ++r) {
+      const MaterialRun& run = runs[r];
+      const ObjChunk& chunk = model.chunks[run.chunk];
+      uint32_t* out = mesh.triangles.data() + places[r];
+      plain_colour = materials[run.material].diffuse;
+      if (options.flat)
+        add_flat_run(chunk, run, out);
+      else if (with_texcoords && !chunk.corner_texcoords.values.empty())
+        add_run<true>(chunk, run, out);
+      else
+        add_run<false>(chunk, run, out);
+    }
+  }
+
+  static constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
+
+  uint32_t add_vertex(int32_t vertex, int32_t texcoord) {
+    const auto index = static_cast<uint32_t>(mesh.positions.size() / 3);
+    mesh.positions.append(&frame.positions[3 * static_cast<size_t>(vertex)], 3);
+    if (with_texcoords) {
+      static constexpr float kZero[2] = {0, 0};
+      mesh.texcoords.append(texcoord == kAbsent ? kZero : &model.texcoords[2 * static_cast<size_t>(texcoord)],
+                            2);
+    }
+    if (!model.colours.empty()) add_colour(mesh.colours, vertex);
+    return index;
+  }
+
+  void add_colour(GrowingArray<float>& colours, int32_t vertex) {
+    const float* rgb = &model.colours[3 * static_cast<size_t>(vertex)];
+    for (int i = 0; i < 3; ++i) colours.append(std::isnan(rgb[i]) ? plain_colour[i] : rgb[i]);
+  }
+
+  void add_normal(const float* n) {
+    // Scaled first: the squares of a very short or long normal would leave the range of float.
+    const float largest = std::max({std::fabs(n[0]), std::fabs(n[1]), std::fabs(n[2])});
+    const float x = n[0] / largest, y = n[1] / largest, z = n[2] / largest;
+    const float length = std::sqrt(x * x + y * y + z * z);
+    float* out = mesh.normals.extend(3);
+    out[0] = x / length;
+    out[1] = y / length;
+    out[2] = z / length;
+  }
+
+  // Vertices with the same position, texture coordinate and normal are one; those of a position form a list.
+  template <bool kTexcoords> void add_run(const ObjChunk& chunk, const MaterialRun& run, uint32_t* out) {
+    const int32_t* vertices = chunk.corner_vertices.values.data();
+    const int32_t* texcoords = chunk.corner_texcoords.values.data();
+    const int32_t* normals = chunk.corner_normals.values.data();
+    for (size_t i = size_t(3) * run.first; i < size_t(3) * run.last; ++i) {
+      const int32_t vertex = vertices[i], normal = normals[i];
+      const int32_t texcoord = kTexcoords ? texcoords[i] : kAbsent;
+      uint32_t* link = &head[static_cast<size_t>(vertex)];
+      uint32_t index = *link;
+      // A position with very many variants: stop looking, a copy more does no harm.
+      for (int steps = 0; index != kNone && steps < 32; ++steps) {
+        const Variant& variant = variants[index];
+        if (variant.normal == normal && variant.texcoord == texcoord) break;
+        index = steps < 31 ? variant.next : kNone;
+      }
+      if (index == kNone) {
+        index = add_vertex(vertex, texcoord);
+        add_normal(&model.normals[3 * static_cast<size_t>(normal)]);
+        variants.append({texcoord, normal, *link});
+        *link = index;
+      }
+      *out++ = index;
+    }
+  }
+
+  void add_flat_run(const ObjChunk& chunk, const MaterialRun& run, uint32_t* out) {
+    const int32_t* vertices = chunk.corner_vertices.values.data();
+    const bool textured = with_texcoords && !chunk.corner_texcoords.values.empty();
+    for (size_t i = size_t(3) * run.first; i < size_t(3) * run.last; i += 3) {
+      const float* p[3];
+      for (size_t k = 0; k < 3; ++k) {
+        p[k] = &frame.positions[3 * static_cast<size_t>(vertices[i + k])];
+        *out++ = add_vertex(vertices[i + k], textured ? chunk.corner_texcoords.values[i + k] : kAbsent);
+      }
+      const double ax = double(p[1][0]) - p[0][0], ay = double(p[1][1]) - p[0][1],
+                   az = double(p[1][2]) - p[0][2];
+      const double bx = double(p[2][0]) - p[0][0], by = double(p[2][1]) - p[0][1],
+                   bz = double(p[2][2]) - p[0][2];
+      const double n[3] = {ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx};
+      const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+      for (int k = 0; k < 3; ++k)
+        for (int axis = 0; axis < 3; ++axis)
+          mesh.normals.append(length > 0 ? static_cast<float>(n[axis] / length) : axis == 2 ? 1.0f : 0.0f);
+    }
+  }
+
+  void add_elements(const std::vector<MaterialRun>& runs, IndexList ObjChunk::*list, uint32_t per_element,
+                    GrowingArray<float>& positions, GrowingArray<float>& colours,
+                    std::vector<Batch>& batches) {
+    std::vector<uint32_t> places;
+    batches = lay_out(runs, per_element, places);
+    // By material: a pass per batch keeps file order within it.
+    for (const Batch& batch : batches)
+      for (const MaterialRun& run : runs) {
+        if (run.material != batch.material) continue;
+        plain_colour = materials[run.material].diffuse;
+        const GrowingArray<int32_t>& vertices = (model.chunks[run.chunk].*list).values;
+        for (size_t i = size_t(run.first) * per_element; i < size_t(run.last) * per_element; ++i) {
+          positions.append(&frame.positions[3 * static_cast<size_t>(vertices[i])], 3);
+          if (!model.colours.empty()) add_colour(colours, vertices[i]);
+        }
+      }
+  }
+
+  struct Variant {
+    int32_t texcoord, normal;
+    uint32_t next;
+  };
+
+  const ObjModel& model;
+  const ModelFrame& frame;
+  const std::vector<Material>& materials;
+  const MeshOptions& options;
+  const float* plain_colour = nullptr; // the current run's, for vertices without a colour among coloured ones
+  Mesh mesh;
+  bool with_texcoords = false;
+  GrowingArray<uint32_t> head; // per position, the vertex added last
+  GrowingArray<Variant> variants;
+};
+
+} // namespace
+
+Mesh build_mesh(const ObjModel& model, const ModelFrame& frame, const MaterialLibrary& library,
+                const MeshOptions& options, RemarkList& remarks) {
+  MaterialResolver materials(model, library, remarks);
+  return MeshBuilder(model, frame, library.materials(), options).build(materials);
+}
+
+} // namespace softgl::cli

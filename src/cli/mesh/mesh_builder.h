@@ -1,0 +1,42 @@
+// The model as GL wants it: one array of vertices, triangles by material.
+#pragma once
+
+#include "obj/material_library.h"
+#include "mesh/model_frame.h"
+#include "obj/obj_reader.h"
+
+#include <vector>
+
+namespace softgl::cli {
+
+struct Batch {
+  uint32_t material;
+  uint32_t first, count; // in triangle indices, segment vertices or points
+};
+
+struct Mesh {
+  GrowingArray<float> positions; // x y z
+  GrowingArray<float> normals;   // x y z, unit
+  GrowingArray<float> texcoords; // u v; empty if no triangle has any
+  GrowingArray<float> colours;   // r g b; empty without vertex colours
+  GrowingArray<uint32_t> triangles;
+  std::vector<Batch> triangle_batches; // one per material in use
+
+  GrowingArray<float> segment_positions, segment_colours; // two vertices each
+  std::vector<Batch> segment_batches;
+  GrowingArray<float> point_positions, point_colours;
+  std::vector<Batch> point_batches;
+
+  bool empty() const { return triangles.empty() && segment_positions.empty() && point_positions.empty(); }
+};
+
+struct MeshOptions {
+  bool flat = false; // each triangle with its own normal
+  bool with_texcoords = true;
+};
+
+// `library` resolves usemtl; unknown names become material 0 with a remark.
+Mesh build_mesh(const ObjModel& model, const ModelFrame& frame, const MaterialLibrary& library,
+                const MeshOptions& options, RemarkList& remarks);
+
+} // namespace softgl::cli

@@ -1,0 +1,48 @@
+#include "mesh/model_frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace softgl::cli {
+
+ModelFrame frame_model(const ObjModel& model) {
+  ModelFrame frame;
+  const size_t count = model.position_count;
+  GrowingArray<uint8_t> used;
+  used.fill(count, 0);
+  uint8_t* mark = used.data();
+  for (const ObjChunk& chunk : model.chunks)
+    for (const IndexList* list : {&chunk.corner_vertices, &chunk.line_vertices, &chunk.point_vertices})
+      for (const int32_t vertex : list->values) mark[vertex] = 1;
+
+  double low[3] = {1e300, 1e300, 1e300}, high[3] = {-1e300, -1e300, -1e300};
+  const double* p = model.positions.data();
+  for (size_t i = 0; i < count; ++i) {
+    if (!mark[i]) continue;
+    for (size_t axis = 0; axis < 3; ++axis) {
+      const double value = p[3 * i + axis];
+      low[axis] = value < low[axis] ? value : low[axis];
+      high[axis] = value > high[axis] ? value : high[axis];
+    }
+  }
+  if (low[0] > high[0]) return frame;
+
+  double half = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    frame.low[axis] = low[axis];
+    frame.high[axis] = high[axis];
+    frame.centre[axis] = low[axis] / 2 + high[axis] / 2;
+    half = std::max(half, high[axis] / 2 - low[axis] / 2);
+  }
+  int exponent = 0;
+  if (half > 0) std::frexp(half, &exponent);
+  frame.scale = std::ldexp(1.0, -exponent);
+
+  float* out = frame.positions.extend(3 * count);
+  for (size_t i = 0; i < count; ++i)
+    for (size_t axis = 0; axis < 3; ++axis)
+      out[3 * i + axis] = static_cast<float>((p[3 * i + axis] - frame.centre[axis]) * frame.scale);
+  return frame;
+}
+
+} // namespace softgl::cli

@@ -1,0 +1,20 @@
+// Where a model stands: its bounds, and its positions moved to the origin and scaled to about 1 before they
+// become floats, so that neither size nor distance from the origin costs precision.
+#pragma once
+
+#include "obj/obj_reader.h"
+
+namespace softgl::cli {
+
+struct ModelFrame {
+  double low[3] = {0, 0, 0}, high[3] = {0, 0, 0}; // of everything that is drawn
+  double centre[3] = {0, 0, 0};
+  double scale = 1;              // a power of two: scaling rounds nothing
+  GrowingArray<float> positions; // (position - centre) * scale, for each vertex of the file
+
+  double to_frame(double value, int axis) const { return (value - centre[axis]) * scale; }
+};
+
+ModelFrame frame_model(const ObjModel& model);
+
+} // namespace softgl::cli

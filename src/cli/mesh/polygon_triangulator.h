@@ -1,0 +1,44 @@
+// Polygons of any shape in space as triangles.
+#pragma once
+
+#include "common/growing_array.h"
+
+#include <cstdint>
+
+namespace softgl::cli {
+
+// Ear clipping over the polygon's projection; only reflex corners can lie in an ear, and a grid finds those
+// near it, so that thousands of corners cost milliseconds. Always gives size - 2 triangles, whatever the
+// polygon: keyhole polygons (holes joined by a bridge), repeated corners, and self-intersecting ones too.
+class PolygonTriangulator {
+public:
+  // `corners`: x y z of each corner. Writes 3 * (size - 2) corner numbers.
+  void triangulate(const double* corners, uint32_t size, uint32_t* triangles);
+
+private:
+  bool project(const double* corners, uint32_t size);
+  bool is_convex() const;
+  double turn(uint32_t a, uint32_t b, uint32_t c) const;
+  int bend(uint32_t corner) const;
+  void build_grid();
+  bool is_ear(uint32_t corner, bool strictly);
+  void clip(uint32_t corner);
+  void clip_ears();
+  uint32_t cell_of(double value, int axis) const;
+
+  uint32_t size_ = 0;
+  GrowingArray<double> x_, y_;
+  double extent_ = 0;
+  GrowingArray<uint32_t> previous_, next_;
+  GrowingArray<int8_t> bend_; // 1 convex, 0 straight, -1 reflex
+  uint32_t reflex_count_ = 0;
+
+  // Reflex corners by cell: a start per cell, then the corners.
+  uint32_t columns_ = 1;
+  double grid_origin_[2] = {0, 0}, grid_scale_[2] = {0, 0};
+  GrowingArray<uint32_t> cell_start_, cell_corners_;
+  uint64_t tests_left_ = 0;
+  uint32_t* out_ = nullptr;
+};
+
+} // namespace softgl::cli

@@ -1,0 +1,52 @@
+#include "obj/file_search.h"
+
+#include "common/source_text.h"
+
+#include <algorithm>
+#include <dirent.h>
+#include <strings.h>
+
+namespace softgl::cli {
+
+std::string folder_of(const std::string& path) {
+  const size_t slash = path.rfind('/');
+  if (slash == std::string::npos) return ".";
+  return slash == 0 ? "/" : path.substr(0, slash);
+}
+
+namespace {
+
+std::string ignoring_case(const std::string& folder, const std::string& file) {
+  DIR* listing = ::opendir(folder.c_str());
+  if (!listing) return {};
+  std::string best; // the alphabetically first, so that the answer does not depend on the file system
+  while (const dirent* entry = ::readdir(listing))
+    if (::strcasecmp(entry->d_name, file.c_str()) == 0 && (best.empty() || best > entry->d_name))
+      best = entry->d_name;
+  ::closedir(listing);
+  if (best.empty() || !is_readable_file(folder + "/" + best)) return {};
+  return folder + "/" + best;
+}
+
+} // namespace
+
+std::string find_named_file(const std::string& folder, std::string_view name, bool any_case) {
+  if (name.size() >= 2 && name.front() == '"' && name.back() == '"') name = name.substr(1, name.size() - 2);
+  if (name.empty() || name.size() > 4096 || name.find('\0') != std::string_view::npos) return {};
+  std::string path(name);
+  std::replace(path.begin(), path.end(), '\\', '/');
+  const bool drive = path.size() > 2 && path[1] == ':' && path[2] == '/';
+  const bool absolute = path[0] == '/' || drive;
+  const std::string joined = absolute ? path : folder + "/" + path;
+  if (!drive && is_readable_file(joined)) return joined;
+  if (const std::string exact = folder + "/" + std::string(name); !absolute && is_readable_file(exact))
+    return exact;
+  const std::string last = path.substr(path.rfind('/') + 1); // npos + 1 = 0
+  if (last.empty() || last == "." || last == "..") return {};
+  if (!absolute && any_case)
+    if (std::string found = ignoring_case(folder_of(joined), last); !found.empty()) return found;
+  if (is_readable_file(folder + "/" + last)) return folder + "/" + last;
+  return any_case ? ignoring_case(folder, last) : std::string();
+}
+
+} // namespace softgl::cli

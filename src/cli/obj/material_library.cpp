@@ -1,0 +1,356 @@
+#include "obj/material_library.h"
+
+#include "obj/file_search.h"
+#include "obj/number_parser.h"
+#include "common/program_error.h"
+#include "obj/texture_option_parser.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <strings.h>
+#include <unordered_set>
+
+namespace softgl::cli {
+namespace {
+
+constexpr int kMostMissingPictures = 1000; // each costs a look into the folder
+constexpr size_t kLargestLibrary = size_t(256) << 20;
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && ends_token(text.front()) && text.front() != '#' && text.front() != '\\')
+    text.remove_prefix(1);
+  while (!text.empty() && ends_token(text.back()) && text.back() != '#' && text.back() != '\\')
+    text.remove_suffix(1);
+  return text;
+}
+
+std::string printable(std::string_view text, size_t limit = 80) {
+  std::string result;
+  for (const char c : text.substr(0, limit))
+    result += static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
+  return result;
+}
+
+bool is_key(std::string_view word) {
+  return !word.empty() && word.size() <= 32 && std::all_of(word.begin(), word.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '.' || c == '-';
+  });
+}
+
+// One MTL file: statements in order, values of the material that the last newmtl began.
+class LibraryReader {
+public:
+  LibraryReader(const SourceText& text, const std::string& folder) : text(text), folder(folder) {}
+
+  void read() {
+    const char* p = text.begin();
+    if (text.size() >= 3 && std::string_view(p, 3) == "\xef\xbb\xbf") p += 3;
+    std::string joined;
+    while (p < text.end()) {
+      statement = p;
+      std::string_view line = take_line(p);
+      if (!line.empty() && line.back() == '\\' &&
+          trimmed(line).substr(0, 1) != "#") { // a Windows folder ends so too
+        joined.assign(line.substr(0, line.size() - 1));
+        while (p < text.end()) {
+          std::string_view more = take_line(p);
+          const bool continued = !more.empty() && more.back() == '\\';
+          if (continued) more.remove_suffix(1);
+          joined += ' ';
+          joined += more;
+          if (!continued) break;
+        }
+        line = joined;
+      }
+      line = trimmed(line);
+      if (!line.empty() && line.front() != '#') read_statement(line);
+    }
+    finish_material();
+  }
+
+  std::vector<Material> found;
+  RemarkList remarks, notes;
+
+private:
+  std::string_view take_line(const char*& p) const {
+    const char* first = p;
+    while (p < text.end() && *p != '\n' && *p != '\r') ++p;
+    const std::string_view line(first, static_cast<size_t>(p - first));
+    if (p < text.end()) p += *p == '\r' && p[1] == '\n' ? 2 : 1;
+    return line;
+  }
+
+  void read_statement(std::string_view line) {
+    size_t length = 0;
+    while (length < line.size() && !ends_token(line[length])) ++length;
+    key = line.substr(0, length);
+    arguments = trimmed(line.substr(length));
+    if (is("newmtl")) {
+      finish_material();
+      current.emplace();
+      current->name = std::string(arguments);
+      has_ambient = false;
+      dissolve.reset();
+      transparency.reset();
+      illumination = 2;
+      if (arguments.empty()) remarks.add("newmtl without a name", statement, "newmtl needs a name");
+      return;
+    }
+    if (!current) {
+      before_first.add_once("statement before newmtl", statement,
+                            "statements before the first newmtl are ignored");
+      return;
+    }
+    if (is("Ka"))
+      has_ambient |= colour(current->ambient);
+    else if (is("Kd"))
+      colour(current->diffuse);
+    else if (is("Ks"))
+      colour(current->specular);
+    else if (is("Ke"))
+      colour(current->emission);
+    else if (is("Ns"))
+      shininess();
+    else if (is("d"))
+      opacity(dissolve);
+    else if (is("Tr"))
+      opacity(transparency);
+    else if (is("illum"))
+      illumination_model();
+    else if (is("map_Kd"))
+      map(current->diffuse_map);
+    else if (is("map_d") || is("map_opacity"))
+      map(current->opacity_map);
+    else
+      ignored();
+  }
+
+  bool is(const char* name) const {
+    return key.size() == std::string_view(name).size() && ::strncasecmp(key.data(), name, key.size()) == 0;
+  }
+
+  std::string quoted_key() const { return "\"" + printable(key, 32) + "\""; }
+
+  // Up to three numbers; the count, or -1 if something else stands there.
+  int numbers(float* values, int limit) const {
+    const std::string copy(arguments); // ends with a zero byte
+    const char* p = copy.c_str();
+    int count = 0;
+    while (count < limit) {
+      while (*p == ' ' || *p == '\t') ++p;
+      if (*p == '\0' || *p == '#') break;
+      if (!read_number(p, values[count]) || !std::isfinite(values[count])) return -1;
+      ++count;
+    }
+    return count;
+  }
+
+  bool colour(float* target) {
+    float values[3];
+    const int count = numbers(values, 3);
+    if (count < 1) {
+      const bool spectral = arguments.substr(0, 8) == "spectral" || arguments.substr(0, 3) == "xyz";
+      remarks.add("colour that is not r g b: ignored", statement,
+                  quoted_key() + (spectral
+                                      ? " is given as spectral or XYZ colour, which is not supported; ignored"
+                                      : " needs one or three numbers; ignored"));
+      return false;
+    }
+    if (count < 3) values[1] = values[2] = values[0]; // one number is a grey
+    for (int i = 0; i < 3; ++i) {
+      if (values[i] < 0 || values[i] > 1) {
+        const char* kind = "colour outside 0..1: clamped";
+        if (remarks.count(kind))
+          remarks.describe(kind, statement, quoted_key() + " is outside 0..1; clamped");
+        break;
+      }
+    }
+    for (int i = 0; i < 3; ++i) target[i] = std::clamp(values[i], 0.0f, 1.0f);
+    return true;
+  }
+
+  void shininess() {
+    float value;
+    if (numbers(&value, 1) < 1) {
+      remarks.add("Ns without a number: ignored", statement, "\"Ns\" needs a number; ignored");
+      return;
+    }
+    current->shininess = std::clamp(value, 0.0f, 128.0f); // the range of GL_SHININESS
+  }
+
+  void opacity(std::optional<float>& target) {
+    if (arguments.substr(0, 5) == "-halo") arguments = trimmed(arguments.substr(5));
+    float value;
+    if (numbers(&value, 1) < 1)
+      remarks.add("opacity without a number: ignored", statement, quoted_key() + " needs a number; ignored");
+    else
+      target = std::clamp(value, 0.0f, 1.0f);
+  }
+
+  void illumination_model() {
+    float value;
+    if (numbers(&value, 1) < 1) {
+      remarks.add("illum without a number: ignored", statement, "\"illum\" needs a number; ignored");
+      return;
+    }
+    if (value < 0 || value > 10) {
+      notes.add("unknown illumination model", statement, "unknown illumination model; 2 is used");
+      value = 2;
+    }
+    illumination = static_cast<int>(value);
+  }
+
+  void map(TextureReference& target) {
+    if (missing_pictures >= kMostMissingPictures) return;
+    const MapStatement map_statement = parse_map_statement(arguments, folder);
+    target = map_statement.texture;
+    missing_pictures += target.file.empty();
+    if (target.file.empty())
+      remarks.add("picture file not found", statement,
+                  map_statement.wanted.empty()
+                      ? quoted_key() + " names no file"
+                      : "picture \"" + printable(map_statement.wanted) + "\" not found");
+  }
+
+  void ignored() {
+    // Quiet: what has no meaning for the fixed-function pipeline but is common and correct.
+    static constexpr const char* kQuiet[] = {
+        "Ni",      "Tf",    "sharpness", "Pr",        "Pm",         "Ps",      "Pc",
+        "Pcr",     "aniso", "anisor",    "map_Pr",    "map_Pm",     "map_Ps",  "map_Pc",
+        "map_Pcr", "norm",  "map_aat",   "map_aniso", "map_anisor", "map_RMA", "map_ORM"};
+    static constexpr const char* kNoted[] = {"map_Ka",   "map_Ks", "map_Ke",    "map_Ns", "map_Bump",
+                                             "bump",     "disp",   "map_disp",  "decal",  "refl",
+                                             "map_refl", "map_Tr", "map_normal"};
+    for (const char* name : kQuiet)
+      if (is(name)) return;
+    for (const char* name : kNoted)
+      if (is(name)) {
+        notes.add_once("map " + std::string(name), statement,
+                       quoted_key() + " has no place in the fixed-function pipeline; ignored");
+        return;
+      }
+    const std::string shown = is_key(key) ? quoted_key() : "statement";
+    remarks.add_once("key " + shown, statement, "unknown " + shown + " ignored");
+  }
+
+  void finish_material() {
+    if (!current) return;
+    Material& material = *current;
+    if (!has_ambient) std::copy_n(material.diffuse, 3, material.ambient);
+    // d is the opacity, Tr = 1 - d. A lone `Tr 1` is what some exporters write for opaque.
+    if (dissolve)
+      material.opacity = *dissolve;
+    else if (transparency)
+      material.opacity = *transparency == 1.0f ? 1.0f : 1.0f - *transparency;
+    if (illumination == 0) material.lit = false;
+    if (illumination < 2 || material.shininess == 0) std::fill_n(material.specular, 3, 0.0f);
+    found.push_back(std::move(material));
+    current.reset();
+  }
+
+  const SourceText& text;
+  const std::string& folder;
+  const char* statement = nullptr;
+  std::string_view key, arguments;
+  std::optional<Material> current;
+  bool has_ambient = false;
+  std::optional<float> dissolve, transparency;
+  int illumination = 2;
+  int missing_pictures = 0;
+
+public:
+  RemarkList before_first;
+};
+
+// The files a mtllib statement names: the whole line if there is such a file, else its parts. Names may hold
+// spaces.
+std::vector<std::string> library_names(std::string_view line, const std::string& folder) {
+  if (!find_named_file(folder, line).empty()) return {std::string(line)};
+  std::vector<std::string> names;
+  std::string_view rest = line;
+  while (!(rest = trimmed(rest)).empty() && names.size() < 64) {
+    // Up to the next ".mtl" before a blank, or the next word.
+    size_t length = 0;
+    for (size_t i = 4; i <= rest.size() && length == 0; ++i)
+      if ((i == rest.size() || rest[i] == ' ' || rest[i] == '\t') &&
+          ::strncasecmp(&rest[i - 4], ".mtl", 4) == 0)
+        length = i;
+    const size_t word = std::min(rest.find_first_of(" \t"), rest.size());
+    if (length == 0 || (length > word && find_named_file(folder, rest.substr(0, length)).empty()))
+      length = word;
+    names.emplace_back(rest.substr(0, length));
+    rest.remove_prefix(length);
+  }
+  return names;
+}
+
+} // namespace
+
+void MaterialLibrary::read(const SourceText& text, const std::string& folder, Warnings& warnings,
+                           Warnings& notes) {
+  LibraryReader reader(text, folder);
+  reader.read();
+  ++library_count_;
+  if (reader.found.empty()) { // not a library: say nothing of what stands in it
+    warnings.add(text.name(), "this file has no materials; ignored");
+    return;
+  }
+  reader.remarks.append(reader.before_first);
+  for (Material& material : reader.found) {
+    const auto known = by_name_.find(material.name);
+    if (known != by_name_.end()) {
+      const std::string kind = "material defined again: the later one is used";
+      if (reader.remarks.count(kind))
+        reader.remarks.describe(kind, nullptr,
+                                "material \"" + printable(material.name) +
+                                    "\" is defined again; the later one is used");
+      materials_[known->second] = std::move(material);
+    } else {
+      by_name_.emplace(material.name, static_cast<uint32_t>(materials_.size()));
+      materials_.push_back(std::move(material));
+    }
+  }
+  warnings.add(reader.remarks, text);
+  notes.add(reader.notes, text);
+}
+
+uint32_t MaterialLibrary::find(std::string_view name) const {
+  auto found = by_name_.find(std::string(name));
+  if (found == by_name_.end()) { // perhaps a comment behind the name
+    const size_t comment = name.find(" #");
+    if (comment != std::string_view::npos)
+      found = by_name_.find(std::string(trimmed(name.substr(0, comment))));
+  }
+  return found == by_name_.end() ? 0 : found->second;
+}
+
+void MaterialLibrary::load_for(const ObjModel& model, const SourceText& model_text, RemarkList& model_remarks,
+                               Warnings& warnings, Warnings& notes) {
+  const std::string folder = folder_of(model_text.name());
+  std::unordered_set<std::string> seen, tried;
+  for (const ObjChunk& chunk : model.chunks) {
+    for (const StateChange& change : chunk.changes) {
+      if (change.kind != StateChange::kLibrary) continue;
+      if (seen.size() >= 256 || !seen.insert(std::string(change.name)).second) continue;
+      for (const std::string& name : library_names(change.name, folder)) {
+        const std::string path = find_named_file(folder, name);
+        if (path.empty()) {
+          model_remarks.add("material library not found", change.name.data(),
+                            "material library \"" + printable(name) + "\" not found");
+          continue;
+        }
+        if (!tried.insert(path).second) continue;
+        try {
+          const SourceText text = SourceText::open(path);
+          if (text.size() > kLargestLibrary)
+            throw ProgramError(kCannotRead, path + ": too large for a material library");
+          read(text, folder_of(path), warnings, notes);
+        } catch (const ProgramError& error) { warnings.add(path, error.what()); }
+      }
+    }
+  }
+}
+
+} // namespace softgl::cli

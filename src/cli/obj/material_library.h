@@ -1,0 +1,41 @@
+// MTL files: the materials a model names.
+#pragma once
+
+#include "obj/material.h"
+#include "obj/obj_reader.h"
+#include "common/source_text.h"
+#include "common/warnings.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace softgl::cli {
+
+class MaterialLibrary {
+public:
+  MaterialLibrary() : materials_(1) {}
+
+  // Reads all libraries that the model names, from the model's folder. Missing ones are warned of, never an
+  // error.
+  void load_for(const ObjModel& model, const SourceText& model_text, RemarkList& model_remarks,
+                Warnings& warnings, Warnings& notes);
+  // Adds the materials of one library. Of two materials with one name the later wins.
+  void read(const SourceText& text, const std::string& folder, Warnings& warnings, Warnings& notes);
+
+  // Number 0 is the default material, for faces without a known one.
+  const std::vector<Material>& materials() const { return materials_; }
+  std::vector<Material>& materials() { return materials_; }
+  // 0 if there is no such material.
+  uint32_t find(std::string_view name) const;
+  size_t library_count() const { return library_count_; }
+
+private:
+  std::vector<Material> materials_;
+  std::unordered_map<std::string, uint32_t> by_name_;
+  size_t library_count_ = 0;
+};
+
+} // namespace softgl::cli

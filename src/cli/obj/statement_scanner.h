@@ -1,0 +1,119 @@
+// Reads one statement of an OBJ file after the other: blanks, continued lines, comments, numbers.
+#pragma once
+
+#include "obj/number_parser.h"
+
+#include <cstring>
+#include <limits>
+#include <string>
+#include <string_view>
+
+namespace softgl::cli {
+
+struct StatementScanner {
+  const char* p; // the text ends with a zero byte behind `end`
+  const char* end;
+  const char* statement = nullptr; // where the present one begins, for messages
+
+  static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\0' || c == '\\'; }
+  static bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+
+  // Blanks, NUL bytes inside the text and line continuations.
+  void skip_blanks() {
+    for (;;) {
+      if (*p == ' ' || *p == '\t') {
+        ++p;
+      } else if (*p == '\\' && p + 1 < end && is_line_end(p[1])) {
+        p += p[1] == '\r' && p[2] == '\n' ? 3 : 2;
+      } else if ((*p == '\0' && p < end) || *p == '\v' || *p == '\f') {
+        ++p;
+      } else {
+        return;
+      }
+    }
+  }
+
+  bool at_statement_end() const { return is_line_end(*p) || *p == '#' || p >= end; }
+
+  void skip_token() {
+    if (*p == '\\' || *p == '#') ++p;
+    while (!ends_token(*p)) ++p;
+  }
+
+  // To the next line; a comment is not continued by a backslash.
+  void finish_line() {
+    const auto rest = static_cast<size_t>(end - p);
+    const char* line_feed = static_cast<const char*>(std::memchr(p, '\n', rest));
+    const char* limit = line_feed ? line_feed : end;
+    if (const auto* carriage_return =
+            static_cast<const char*>(std::memchr(p, '\r', static_cast<size_t>(limit - p))))
+      limit = carriage_return;
+    p = limit;
+    if (p < end) ++p;
+  }
+
+  void end_statement() {
+    if (*p == '\n' && p < end) {
+      ++p;
+      return;
+    }
+    skip_tokens(); // more than the statement needs, such as a fourth texture coordinate
+    if (p >= end) return;
+    finish_line();
+  }
+
+  // Up to `limit` numbers; the rest is left. A token that is no number sets `bad`.
+  template <class T> int numbers(T* values, int limit, bool& bad) {
+    int count = 0;
+    for (; count < limit; ++count) {
+      skip_blanks();
+      if (at_statement_end()) break;
+      const char* token = p;
+      if (!read_number(p, values[count])) {
+        if (p == token) skip_token();
+        values[count] = std::numeric_limits<T>::quiet_NaN();
+        bad = true;
+      }
+    }
+    return count;
+  }
+
+  // The rest of the line, without blanks at its ends, continued lines included as they stand.
+  std::string_view rest_of_line() {
+    skip_blanks();
+    const char* first = p;
+    while (p < end && !is_line_end(*p)) {
+      if (*p == '\\' && p + 1 < end && is_line_end(p[1])) p += p[1] == '\r' && p[2] == '\n' ? 2 : 1;
+      ++p;
+    }
+    if (p > end) p = end;
+    const char* last = p;
+    while (last > first && ends_token(last[-1]) && last[-1] != '#' && last[-1] != '\\') --last;
+    return {first, static_cast<size_t>(last - first)};
+  }
+
+  void skip_rest() {
+    while (p < end && !is_line_end(*p)) {
+      if (*p == '\\' && p + 1 < end && is_line_end(p[1])) p += p[1] == '\r' && p[2] == '\n' ? 2 : 1;
+      ++p;
+    }
+  }
+
+  // The rest of the statement, which is of no use.
+  void skip_tokens() {
+    while (!at_statement_end()) {
+      skip_token();
+      skip_blanks();
+    }
+  }
+
+  // Text of the file, fit for a message.
+  static std::string printable(const char* first, const char* last) {
+    std::string text;
+    for (; first < last && text.size() < 40; ++first)
+      text += static_cast<unsigned char>(*first) < 32 || *first == 127 ? '?' : *first;
+    return text;
+  }
+};
+
+} // namespace softgl::cli

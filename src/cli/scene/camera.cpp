@@ -1,0 +1,243 @@
+#include "scene/camera.h"
+
+#include "common/trigonometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace softgl::cli {
+namespace {
+
+struct Axes {
+  double right[3], up[3], back[3]; // back: from the model to the viewer
+};
+
+void cross(const double* a, const double* b, double* result) {
+  result[0] = a[1] * b[2] - a[2] * b[1];
+  result[1] = a[2] * b[0] - a[0] * b[2];
+  result[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+// Axes of the upright model: its right, its up, and its front (towards the viewer of the front view).
+Axes model_axes(UpAxis up) {
+  Axes axes{};
+  const int axis = static_cast<int>(up) / 2;
+  const double sign = static_cast<int>(up) % 2 ? -1 : 1;
+  axes.up[axis] = sign;
+  // +Y up: front is +Z. +Z up: front is -Y, as CAD programs have it. +X up: front is +Z.
+  if (axis == 2)
+    axes.back[1] = -sign;
+  else
+    axes.back[2] = 1;
+  cross(axes.up, axes.back, axes.right);
+  return axes;
+}
+
+Axes camera_axes(const CameraOptions& options) {
+  const Axes model = model_axes(options.up);
+  const double sa = sine(options.azimuth), ca = cosine(options.azimuth);
+  const double se = sine(options.elevation), ce = cosine(options.elevation);
+  Axes level{}, axes{};
+  double right[3], up[3];
+  for (int i = 0; i < 3; ++i) {
+    level.back[i] = ca * model.back[i] + sa * model.right[i];
+    right[i] = ca * model.right[i] - sa * model.back[i];
+    axes.back[i] = ce * level.back[i] + se * model.up[i];
+    up[i] = ce * model.up[i] - se * level.back[i];
+  }
+  const double sr = sine(options.roll), cr = cosine(options.roll);
+  for (int i = 0; i < 3; ++i) {
+    axes.right[i] = cr * right[i] + sr * up[i];
+    axes.up[i] = cr * up[i] - sr * right[i];
+  }
+  return axes;
+}
+
+template <class Visit> void for_each_position(const Mesh& mesh, const Visit& visit) {
+  for (const GrowingArray<float>* positions :
+       {&mesh.positions, &mesh.segment_positions, &mesh.point_positions})
+    for (size_t i = 0; i < positions->size(); i += 3) visit(positions->data() + i);
+}
+
+double along(const double* axis, const float* p) { return axis[0] * p[0] + axis[1] * p[1] + axis[2] * p[2]; }
+
+struct Extremes {
+  double low[3] = {1e300, 1e300, 1e300}, high[3] = {-1e300, -1e300, -1e300};
+};
+
+struct Placement {
+  double x, y, distance;
+};
+
+// The bounds between which the camera may move sideways without cutting the model.
+struct Interval {
+  double low, high;
+};
+
+struct Fit {
+  Placement place;
+  Interval x, y;
+};
+
+// Centre and distance from which the view pyramid of slopes tx, ty just holds all points: two opposite sides
+// of the pyramid touch a point each, so the answer is exact and needs no search.
+Fit place_perspective(const Mesh& mesh, const Axes& axes, double tx, double ty) {
+  double right = -1e300, left = -1e300, top = -1e300, bottom = -1e300;
+  for_each_position(mesh, [&](const float* p) {
+    const double x = along(axes.right, p), y = along(axes.up, p), z = along(axes.back, p);
+    right = std::max(right, x + z * tx);
+    left = std::max(left, -x + z * tx);
+    top = std::max(top, y + z * ty);
+    bottom = std::max(bottom, -y + z * ty);
+  });
+  const double distance = std::max((right + left) / (2 * tx), (top + bottom) / (2 * ty));
+  return {{(right - left) / 2, (top - bottom) / 2, distance},
+          {right - distance * tx, distance * tx - left},
+          {top - distance * ty, distance * ty - bottom}};
+}
+
+// The axis that does not fill the picture is centred as seen: both outermost points at the same distance from
+// the middle. Their two lines cross where the next guess lies; bisection where that leaves the interval.
+double centred(const Mesh& mesh, const double* axis, const double* back, double distance, double slope,
+               double start, Interval bounds) {
+  double place = start;
+  for (int step = 0; step < 16 && bounds.high - bounds.low > 0.001 * slope * distance; ++step) {
+    double low = 1e300, high = -1e300, low_inverse = 1, high_inverse = 1;
+    for_each_position(mesh, [&](const float* p) {
+      const double inverse = 1 / (distance - along(back, p));
+      const double seen = (along(axis, p) - place) * inverse;
+      if (seen < low) low = seen, low_inverse = inverse;
+      if (seen > high) high = seen, high_inverse = inverse;
+    });
+    if (std::fabs(low + high) < 0.004 * slope) break;
+    (low + high > 0 ? bounds.low : bounds.high) = place;
+    place += (low + high) / (low_inverse + high_inverse);
+    if (!(place > bounds.low && place < bounds.high)) place = (bounds.low + bounds.high) / 2;
+  }
+  return place;
+}
+
+void set_view(Camera& camera, const Axes& axes, double x, double y, double z) {
+  const double* rows[3] = {axes.right, axes.up, axes.back};
+  const double offset[3] = {-x, -y, -z};
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) camera.view[4 * column + row] = rows[row][column];
+    camera.view[12 + row] = offset[row];
+    camera.view[4 * row + 3] = 0;
+    camera.eye[row] = axes.back[row];
+  }
+  camera.view[15] = 1;
+}
+
+} // namespace
+
+bool named_view(const std::string& name, double& azimuth, double& elevation) {
+  static constexpr struct {
+    const char* name;
+    double azimuth, elevation;
+  } kViews[] = {{"iso", 35, 25},  {"front", 0, 0}, {"back", 180, 0},  {"left", -90, 0},
+                {"right", 90, 0}, {"top", 0, 90},  {"bottom", 0, -90}};
+  for (const auto& view : kViews)
+    if (name == view.name) {
+      azimuth = view.azimuth;
+      elevation = view.elevation;
+      return true;
+    }
+  return false;
+}
+
+Camera fit_camera(const Mesh& mesh, const CameraOptions& options) {
+  Camera camera{};
+  const Axes axes = camera_axes(options);
+  const double aspect = static_cast<double>(options.width) / options.height;
+  Extremes box;
+  for_each_position(mesh, [&](const float* p) {
+    const double values[3] = {along(axes.right, p), along(axes.up, p), along(axes.back, p)};
+    for (int i = 0; i < 3; ++i) {
+      box.low[i] = std::min(box.low[i], values[i]);
+      box.high[i] = std::max(box.high[i], values[i]);
+    }
+  });
+  if (box.low[0] > box.high[0]) std::fill_n(box.low, 3, 0.0), std::fill_n(box.high, 3, 0.0);
+  const bool single_place =
+      box.high[0] - box.low[0] + box.high[1] - box.low[1] + box.high[2] - box.low[2] < 1e-9;
+  const double fill = 1 - 2 * kMargin;
+
+  if (options.orthographic) {
+    double half_height =
+        std::max((box.high[1] - box.low[1]) / 2, (box.high[0] - box.low[0]) / 2 / aspect) / fill;
+    if (!(half_height > 1e-9)) half_height = single_place ? 1 : (box.high[2] - box.low[2]) / 2;
+    half_height /= options.zoom;
+    const double depth = std::max(box.high[2] - box.low[2], half_height * 1e-3) * 1.01;
+    set_view(camera, axes, (box.low[0] + box.high[0]) / 2, (box.low[1] + box.high[1]) / 2,
+             (box.low[2] + box.high[2]) / 2 + depth);
+    camera.projection[0] = 1 / (half_height * aspect);
+    camera.projection[5] = 1 / half_height;
+    const double near_plane = depth / 4, far_plane = depth * 7 / 4;
+    camera.projection[10] = -2 / (far_plane - near_plane);
+    camera.projection[14] = -(far_plane + near_plane) / (far_plane - near_plane);
+    camera.projection[15] = 1;
+    return camera;
+  }
+
+  const double ty = tangent(options.field_of_view / 2), tx = ty * aspect;
+  const Fit fit = place_perspective(mesh, axes, tx * fill, ty * fill);
+  Placement place = fit.place;
+  if (single_place || mesh.empty()) {
+    place = {(box.low[0] + box.high[0]) / 2, (box.low[1] + box.high[1]) / 2, box.high[2] + 1 / ty};
+  } else if (!(place.distance - box.high[2] > 1e-6)) { // seen exactly along a line
+    place.distance = box.high[2] + (box.high[2] - box.low[2]) / ty + 1e-3;
+  } else {
+    place.x = centred(mesh, axes.right, axes.back, place.distance, tx, place.x, fit.x);
+    place.y = centred(mesh, axes.up, axes.back, place.distance, ty, place.y, fit.y);
+  }
+  set_view(camera, axes, place.x, place.y, place.distance);
+  double near_plane = place.distance - box.high[2], far_plane = place.distance - box.low[2];
+  const double slack = std::max((far_plane - near_plane) * 0.01, near_plane * 0.01);
+  near_plane = std::max(near_plane - slack, near_plane * 0.5);
+  far_plane += slack;
+  camera.projection[0] = options.zoom / tx;
+  camera.projection[5] = options.zoom / ty;
+  camera.projection[10] = -(far_plane + near_plane) / (far_plane - near_plane);
+  camera.projection[14] = -2 * far_plane * near_plane / (far_plane - near_plane);
+  camera.projection[11] = -1;
+  return camera;
+}
+
+UpAxis guess_up_axis(const Mesh& mesh) {
+  // Area that faces straight down within the lowest 2 % of the model, per axis, as a share of the box's
+  // underside.
+  float low[3] = {1e30f, 1e30f, 1e30f}, high[3] = {-1e30f, -1e30f, -1e30f};
+  for_each_position(mesh, [&](const float* p) {
+    for (int i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], p[i]);
+      high[i] = std::max(high[i], p[i]);
+    }
+  });
+  double area[3] = {0, 0, 0};
+  for (size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
+    const float* p[3];
+    for (size_t k = 0; k < 3; ++k) p[k] = &mesh.positions[3 * static_cast<size_t>(mesh.triangles[i + k])];
+    double a[3], b[3], n[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      a[axis] = double(p[1][axis]) - p[0][axis];
+      b[axis] = double(p[2][axis]) - p[0][axis];
+    }
+    cross(a, b, n);
+    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    for (int axis = 1; axis < 3; ++axis) {
+      const float border = low[axis] + 0.02f * (high[axis] - low[axis]);
+      if (std::fabs(n[axis]) > 0.95 * length && p[0][axis] <= border && p[1][axis] <= border &&
+          p[2][axis] <= border)
+        area[axis] += length / 2;
+    }
+  }
+  const double side_x = double(high[0]) - low[0], side_y = double(high[1]) - low[1],
+               side_z = double(high[2]) - low[2];
+  const double share_y = side_x * side_z > 0 ? area[1] / (side_x * side_z) : 0;
+  const double share_z = side_x * side_y > 0 ? area[2] / (side_x * side_y) : 0;
+  return share_z > share_y * 1.5 && share_z > 0.02 ? UpAxis::kPlusZ : UpAxis::kPlusY;
+}
+
+} // namespace softgl::cli

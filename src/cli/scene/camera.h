@@ -1,0 +1,40 @@
+// Where the picture is taken from: a direction and a frame that the model just fills.
+#pragma once
+
+#include "mesh/mesh_builder.h"
+
+#include <string>
+
+namespace softgl::cli {
+
+enum class UpAxis { kPlusX, kMinusX, kPlusY, kMinusY, kPlusZ, kMinusZ, kAuto };
+
+struct CameraOptions {
+  double azimuth = 35;   // degrees to the right of the model's front
+  double elevation = 25; // degrees above the horizon
+  double roll = 0;
+  double zoom = 1;
+  double field_of_view = 30; // degrees, of the picture's height
+  bool orthographic = false;
+  UpAxis up = UpAxis::kPlusY;
+  int width = 1024, height = 1024;
+};
+
+// Angles of a named view; false if the name is unknown.
+bool named_view(const std::string& name, double& azimuth, double& elevation);
+
+struct Camera {
+  double view[16];       // column-major, a rotation and a translation
+  double projection[16]; // column-major
+  double eye[3];         // direction from the model to the camera, in model coordinates
+};
+
+// Part of the picture left free on each side of the tighter dimension.
+inline constexpr double kMargin = 0.01;
+
+Camera fit_camera(const Mesh& mesh, const CameraOptions& options);
+
+// The axis that most probably points up: the one along which the model stands on a flat underside.
+UpAxis guess_up_axis(const Mesh& mesh);
+
+} // namespace softgl::cli

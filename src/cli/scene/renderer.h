@@ -1,0 +1,38 @@
+// The picture of a mesh, drawn through the GL and OSMesa functions.
+#pragma once
+
+#include "scene/camera.h"
+#include "scene/lighting_options.h"
+#include "mesh/mesh_builder.h"
+#include "image/picture.h"
+#include "common/warnings.h"
+
+#include <cstdint>
+#include <string>
+
+namespace softgl::cli {
+
+struct Background {
+  uint8_t colour[3] = {0x2e, 0x33, 0x3a};
+  bool transparent = false;
+};
+
+struct RenderOptions {
+  int width = 1024, height = 1024;
+  int samples_per_side = 1; // 2: 4 samples per pixel
+  LightingOptions lighting;
+  Background background;
+};
+
+struct RenderResult {
+  Picture picture;
+  bool visible = false;      // something was drawn
+  bool as_wireframe = false; // the surfaces have no visible area, so their edges were drawn
+  double upload_seconds = 0, draw_seconds = 0, resolve_seconds = 0;
+};
+
+// Throws ProgramError if there is no GL context for such a picture.
+RenderResult render(const Mesh& mesh, const std::vector<Material>& materials, const ModelFrame& frame,
+                    const Camera& camera, const RenderOptions& options, Warnings& warnings);
+
+} // namespace softgl::cli
