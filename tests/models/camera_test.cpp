@@ -3,8 +3,8 @@
 #include "models/program_runner.h"
 #include "test_paths.h"
 
-#include "scene/camera.h"
 #include "common/trigonometry.h"
+#include "scene/camera.h"
 
 #include <cmath>
 #include <filesystem>
@@ -73,9 +73,9 @@ TEST_CASE("camera: every model fills its frame and none is cut", "[models][camer
     options.roll = pick(-180, 180);
     options.field_of_view = pick(5, 120);
     options.orthographic = seed % 4 == 0;
-    options.up = static_cast<UpAxis>(random() % 6);
-    options.width = static_cast<int>(pick(100, 2000));
-    options.height = static_cast<int>(pick(100, 2000));
+    options.up = UpAxis(random() % 6);
+    options.width = int(pick(100, 2000));
+    options.height = int(pick(100, 2000));
     INFO("seed " << seed);
     const Extent e = project(mesh, fit_camera(mesh, options));
     CHECK(e.left >= -border - 1e-6);
@@ -84,7 +84,7 @@ TEST_CASE("camera: every model fills its frame and none is cut", "[models][camer
     CHECK(e.top <= border + 1e-6);
     CHECK(e.near_z >= -1);
     CHECK(e.far_z <= 1);
-    // One dimension is filled from side to side, the other is centred.
+    // One dimension is filled from side to side, the other is centered.
     CHECK(std::max(e.right - e.left, e.top - e.bottom) >= 2 * border - 0.004);
     CHECK(std::fabs(e.left + e.right) < 0.02);
     CHECK(std::fabs(e.bottom + e.top) < 0.02);

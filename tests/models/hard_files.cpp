@@ -51,7 +51,7 @@ std::string utf16(const std::string& text) {
 
 std::string rubbish() {
   std::string bytes;
-  for (int i = 0; i < 5000; ++i) bytes += static_cast<char>((i * 151 + 29) % 256);
+  for (int i = 0; i < 5000; ++i) bytes += char((i * 151 + 29) % 256);
   return bytes;
 }
 
@@ -128,7 +128,7 @@ std::vector<HardFile> make_files() {
       good("10_partial_normals", kSquare + "vn 0 0 1\nf 1//1 2//1 3//1\nf 1 3 4\n", 2),
       good("11_zero_normals", kSquare + "vn 0 0 0\nf 1//1 2//1 3//1\nf 1//1 3//1 4//1\n", 2,
            {":5: this normal has no direction"}),
-      good("12_unnormalised_normals", kSquare + "vn 0 0 5\nvn 0 0 0.01\nf 1//1 2//1 3//1\nf 1//2 3//2 4//2\n",
+      good("12_unnormalized_normals", kSquare + "vn 0 0 5\nvn 0 0 0.01\nf 1//1 2//1 3//1\nf 1//2 3//2 4//2\n",
            2),
       good("13_mtllib_missing", "mtllib nowhere.mtl\n" + kSquare + "usemtl red\n" + kFace, 2,
            {":1: material library \"nowhere.mtl\" not found", "\"red\" is unknown"}),
@@ -154,8 +154,7 @@ std::vector<HardFile> make_files() {
            2, {"free-form geometry ignored"}),
       elements("26_lines", kSquare + "l 1 2 3 4 1\n", 4, 0),
       elements("27_points", kSquare + "p 1 2 3 4\n", 0, 4),
-      good("28_vertex_colours", "v -1 -1 0 1 0 0\nv 1 -1 0 0 1 0\nv 1 1 0 0 0 1\nv -1 1 0 1 1 1\n" + kFace,
-           2),
+      good("28_vertex_colors", "v -1 -1 0 1 0 0\nv 1 -1 0 0 1 0\nv 1 1 0 0 0 1\nv -1 1 0 1 1 1\n" + kFace, 2),
       good("29_vertex_w", replaced(kSquare, "0\n", "0 1.0\n") + kFace, 2),
       good("30_index_out_of_range", kSquare + "f 1 2 3\nf 1 2 9\nf 1 2 -9\n", 1,
            {":6: a corner names a vertex", ":7: a corner names a vertex"}),

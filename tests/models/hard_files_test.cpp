@@ -4,11 +4,11 @@
 #include "models/hard_files.h"
 #include "models/program_runner.h"
 
+#include "command/model_loader.h"
+#include "common/program_error.h"
 #include "mesh/face_triangulation.h"
 #include "mesh/mesh_builder.h"
-#include "command/model_loader.h"
 #include "mesh/normal_generator.h"
-#include "common/program_error.h"
 
 #include <cmath>
 #include <filesystem>
@@ -115,7 +115,7 @@ TEST_CASE("hard files: the program draws them or says why not", "[models][progra
     CHECK(run.errors.find(file.error) != std::string::npos);
     CHECK(std::filesystem::exists(picture) == (file.exit_code == 0));
     CHECK(run.errors.size() < 4000); // a summary, not a flood
-    if (file.exit_code == 0) CHECK(read_ppm(picture).colours() > 1);
+    if (file.exit_code == 0) CHECK(read_ppm(picture).colors() > 1);
   }
   CHECK_FALSE(std::filesystem::exists("executed.txt"));
   CHECK_FALSE(std::filesystem::exists(folder() + "executed.txt"));
@@ -177,12 +177,12 @@ TEST_CASE("hard files: textures", "[models]") {
   CHECK(contains(bump.notes.sentences(), "ump\" has no place"));
 }
 
-TEST_CASE("hard files: vertex colours and w", "[models]") {
-  const Reading coloured = read("28_vertex_colours");
-  REQUIRE(coloured.mesh.colours.size() == 12);
+TEST_CASE("hard files: vertex colors and w", "[models]") {
+  const Reading colored = read("28_vertex_colors");
+  REQUIRE(colored.mesh.colors.size() == 12);
   const float expected[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1};
-  for (size_t i = 0; i < 12; ++i) CHECK(coloured.mesh.colours[i] == expected[i]);
-  CHECK(read("29_vertex_w").mesh.colours.empty());
+  for (size_t i = 0; i < 12; ++i) CHECK(colored.mesh.colors[i] == expected[i]);
+  CHECK(read("29_vertex_w").mesh.colors.empty());
 }
 
 TEST_CASE("hard files: normals", "[models]") {
@@ -198,7 +198,7 @@ TEST_CASE("hard files: normals", "[models]") {
     const float y = std::fabs(flat.mesh.normals[i + 1]), z = std::fabs(flat.mesh.normals[i + 2]);
     CHECK((y == Approx(1) || z == Approx(1)));
   }
-  for (const char* name : {"10_partial_normals", "11_zero_normals", "12_unnormalised_normals"}) {
+  for (const char* name : {"10_partial_normals", "11_zero_normals", "12_unnormalized_normals"}) {
     const Reading reading = read(name);
     for (size_t i = 0; i < reading.mesh.normals.size(); i += 3)
       CHECK(reading.mesh.normals[i + 2] == Approx(1));

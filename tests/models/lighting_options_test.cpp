@@ -16,15 +16,15 @@ TEST_CASE("lighting options: lights and their properties", "[models][program]") 
       parse_light("at:1,2,-3/color:1,0.5,0/spot:0,0,-8/cutoff:25/exponent:6/attenuation:1,0.5,0.25");
   CHECK(place.kind == LightOptions::kModelPosition);
   CHECK(place.value[2] == -3);
-  CHECK(place.colour[1] == 0.5f);
+  CHECK(place.color[1] == 0.5f);
   CHECK(place.spot_direction[2] == -1);
   CHECK(place.cutoff == 25);
   CHECK(place.exponent == 6);
   CHECK(place.attenuation[2] == 0.25f);
   CHECK(parse_light("at:0,0,5/spot:0,0,-1").cutoff < 90);
   CHECK(parse_light("at:0,0,5").cutoff == 180);
-  CHECK(parse_light("headlight/color:red").colour[0] == 1);
-  CHECK(parse_light("+Y/colour:0.3").colour[2] == 0.3f);
+  CHECK(parse_light("headlight/color:red").color[0] == 1);
+  CHECK(parse_light("+Y/colour:0.3").color[2] == 0.3f);
   for (const char* wrong :
        {"at:0,0,5/", "at:0,0,5/spot:0,0,0", "at:0,0,5/cutoff:91", "at:0,0,5/cutoff:-1",
         "at:0,0,5/exponent:129", "at:0,0,5/attenuation:0,0,0", "at:0,0,5/attenuation:1,2",

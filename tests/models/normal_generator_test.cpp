@@ -1,9 +1,9 @@
 #include <catch2/catch.hpp>
 
-#include "mesh/mesh_builder.h"
 #include "command/model_loader.h"
-#include "mesh/normal_generator.h"
 #include "common/trigonometry.h"
+#include "mesh/mesh_builder.h"
+#include "mesh/normal_generator.h"
 
 #include <cmath>
 #include <cstdio>

@@ -45,13 +45,13 @@ TEST_CASE("number parser: correctly rounded", "[models][numbers]") {
   std::mt19937_64 random(5);
   for (int i = 0; i < 20000; ++i) {
     std::string text = random() % 2 ? "-" : "";
-    const int whole = static_cast<int>(random() % 10), decimals = static_cast<int>(random() % 14);
+    const int whole = int(random() % 10), decimals = int(random() % 14);
     text += std::to_string(random() % 10);
-    for (int k = 0; k < whole; ++k) text += static_cast<char>('0' + random() % 10);
+    for (int k = 0; k < whole; ++k) text += char('0' + random() % 10);
     if (random() % 8) text += ".";
     for (int k = 0; k < decimals && text.find('.') != std::string::npos; ++k)
-      text += static_cast<char>('0' + random() % 10);
-    if (random() % 4 == 0) text += "e" + std::to_string(static_cast<int>(random() % 80) - 40);
+      text += char('0' + random() % 10);
+    if (random() % 4 == 0) text += "e" + std::to_string(int(random() % 80) - 40);
     check_against_c_library(text);
   }
 }

@@ -7,12 +7,12 @@
 #include "models/program_runner.h"
 #include "test_paths.h"
 
-#include "scene/camera.h"
+#include "command/model_loader.h"
+#include "common/program_error.h"
 #include "mesh/face_triangulation.h"
 #include "mesh/mesh_builder.h"
-#include "command/model_loader.h"
 #include "mesh/normal_generator.h"
-#include "common/program_error.h"
+#include "scene/camera.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -56,12 +56,12 @@ const char* const kTokens[] = {"v ",         "vn ",
 
 std::string damaged(std::string text, Random& random) {
   const auto place = [&](size_t size) { return size ? random() % size : 0; };
-  const int wounds = 1 + static_cast<int>(random() % 12);
+  const int wounds = 1 + int(random() % 12);
   for (int i = 0; i < wounds; ++i) {
     const size_t at = place(text.size() + 1);
     switch (random() % 8) {
     case 0:
-      if (at < text.size()) text[at] = static_cast<char>(random() % 256);
+      if (at < text.size()) text[at] = char(random() % 256);
       break;
     case 1: text.insert(at, kTokens[random() % std::size(kTokens)]); break;
     case 2: text.erase(at, random() % 20); break;
@@ -69,7 +69,7 @@ std::string damaged(std::string text, Random& random) {
     case 4: text.resize(at); break;
     case 5: text.insert(at, 1, '\0'); break;
     case 6:
-      if (at < text.size()) text[at] = static_cast<char>(text[at] ^ (1 << random() % 8));
+      if (at < text.size()) text[at] = char(text[at] ^ (1 << random() % 8));
       break;
     default:
       for (int k = 0; k < 5; ++k) text.insert(at, kTokens[random() % std::size(kTokens)]);
@@ -81,7 +81,7 @@ std::string damaged(std::string text, Random& random) {
 
 std::string soup(Random& random) {
   std::string text = random() % 2 ? "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nvt 0 0\nvn 0 0 1\n" : "";
-  const int tokens = static_cast<int>(random() % 400);
+  const int tokens = int(random() % 400);
   for (int i = 0; i < tokens; ++i) text += kTokens[random() % std::size(kTokens)];
   return text;
 }
@@ -102,7 +102,7 @@ void read_and_check(const std::string& text, const std::string& name, unsigned t
     for (const float value : mesh.positions) good &= std::fabs(value) <= 1.0f;
     for (const float value : mesh.normals) good &= std::fabs(value) <= 1.001f;
     for (const float value : mesh.texcoords) good &= std::isfinite(value);
-    for (const float value : mesh.colours) good &= value >= 0 && value <= 1;
+    for (const float value : mesh.colors) good &= value >= 0 && value <= 1;
     const cli::Camera camera = cli::fit_camera(mesh, {});
     for (const double value : camera.view) good &= std::isfinite(value);
     for (const double value : camera.projection) good &= std::isfinite(value);
@@ -125,7 +125,7 @@ TEST_CASE("damaged OBJ files", "[models][fuzz]") {
     if (file.text.size() < 20000) seeds.push_back(file.text);
   seeds.push_back(read_bytes(std::string(SOFTGL_TEST_SOURCE_DIR) + "/reference/models/lantern.obj"));
   for (int round = 0; round < rounds(1500); ++round) {
-    Random random(static_cast<uint32_t>(round));
+    Random random{uint32_t(round)};
     INFO("round " << round);
     const std::string text = round % 5 == 0 ? soup(random) : damaged(seeds[random() % seeds.size()], random);
     read_and_check(text, folder + "damaged.obj", 1 + round % 2);
@@ -138,7 +138,7 @@ TEST_CASE("damaged MTL files", "[models][fuzz]") {
   for (const auto& [name, bytes] : hard_file_companions())
     if (name.ends_with(".mtl")) seeds.push_back(bytes);
   for (int round = 0; round < rounds(1500); ++round) {
-    Random random(static_cast<uint32_t>(round));
+    Random random{uint32_t(round)};
     INFO("round " << round);
     cli::MaterialLibrary library;
     cli::Warnings warnings, notes;
@@ -146,8 +146,8 @@ TEST_CASE("damaged MTL files", "[models][fuzz]") {
     library.read(cli::SourceText::from_string(text, "damaged.mtl"), folder, warnings, notes);
     bool good = true;
     for (const cli::Material& material : library.materials()) {
-      for (const float* colour : {material.ambient, material.diffuse, material.specular, material.emission})
-        for (int i = 0; i < 3; ++i) good &= colour[i] >= 0 && colour[i] <= 1;
+      for (const float* color : {material.ambient, material.diffuse, material.specular, material.emission})
+        for (int i = 0; i < 3; ++i) good &= color[i] >= 0 && color[i] <= 1;
       good &= material.opacity >= 0 && material.opacity <= 1 && material.shininess >= 0 &&
               material.shininess <= 128;
     }

@@ -27,7 +27,7 @@ double signed_area(const Polygon& p, uint32_t a, uint32_t b, uint32_t c) {
 }
 
 Result triangulate(const Polygon& polygon) {
-  const auto size = static_cast<uint32_t>(polygon.size() / 3);
+  const auto size = uint32_t(polygon.size() / 3);
   Result result;
   result.triangles.assign(3 * (size - 2), size);
   PolygonTriangulator().triangulate(polygon.data(), size, result.triangles.data());

@@ -77,8 +77,8 @@ TestPicture parse_ppm(const std::string& bytes) {
   int used = 0;
   if (std::sscanf(bytes.c_str(), "P6 %d %d 255%n", &picture.width, &picture.height, &used) != 2)
     throw std::runtime_error("not a PPM picture");
-  const auto size = size_t(3) * static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height);
-  const auto start = static_cast<size_t>(used) + 1;
+  const auto size = size_t(3) * size_t(picture.width) * size_t(picture.height);
+  const auto start = size_t(used) + 1;
   if (bytes.size() != start + size) throw std::runtime_error("a PPM picture of the wrong size");
   picture.rgb.assign(bytes.begin() + static_cast<long>(start), bytes.end());
   return picture;
@@ -86,7 +86,7 @@ TestPicture parse_ppm(const std::string& bytes) {
 
 TestPicture read_ppm(const std::string& path) { return parse_ppm(read_bytes(path)); }
 
-size_t TestPicture::colours() const {
+size_t TestPicture::colors() const {
   std::set<std::tuple<uint8_t, uint8_t, uint8_t>> seen;
   for (size_t i = 0; i < rgb.size(); i += 3) seen.emplace(rgb[i], rgb[i + 1], rgb[i + 2]);
   return seen.size();

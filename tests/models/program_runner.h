@@ -22,10 +22,8 @@ struct TestPicture {
   int width = 0, height = 0;
   std::vector<uint8_t> rgb;
 
-  const uint8_t* at(int x, int y) const {
-    return &rgb[3 * (static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x))];
-  }
-  size_t colours() const; // how many different ones
+  const uint8_t* at(int x, int y) const { return &rgb[3 * (size_t(y) * size_t(width) + size_t(x))]; }
+  size_t colors() const; // how many different ones
   // First and last column and row that differ from the top left pixel.
   struct Box {
     int left, right, top, bottom;

@@ -31,9 +31,7 @@ ProgramRun draw(const std::string& text, std::vector<std::string> options = {}) 
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-size_t lines(const std::string& text) {
-  return static_cast<size_t>(std::count(text.begin(), text.end(), '\n'));
-}
+size_t lines(const std::string& text) { return size_t(std::count(text.begin(), text.end(), '\n')); }
 
 } // namespace
 
@@ -50,7 +48,7 @@ TEST_CASE("program: wrong usage is exit code 2 and one sentence", "[models][prog
                                                {model, "-o", "x.png", "--view", "sideways"},
                                                {model, "-o", "x.png", "--up", "W"},
                                                {model, "-o", "x.png", "--bg", "#12"},
-                                               {model, "-o", "x.png", "--bg", "nocolour"},
+                                               {model, "-o", "x.png", "--bg", "nocolor"},
                                                {model, "-o", "x.png", "--color", "2,0,0"},
                                                {model, "-o", "x.png", "--light", "0,0,0"},
                                                {model, "-o", "x.png", "--aa", "3"},
@@ -123,7 +121,7 @@ TEST_CASE("program: messages name file and line", "[models][program]") {
   CHECK(has(run.errors,
             "model.obj:5: a corner names a vertex that does not exist (the file has 3); face skipped\n"));
   CHECK(has(run.errors, "model.obj:6: unknown statement \"nonsense\" ignored (2 times)\n"));
-  CHECK(parse_ppm(run.output).colours() > 1);
+  CHECK(parse_ppm(run.output).colors() > 1);
   const ProgramRun quiet = draw(kTriangle + "f 1 2 7\n", {"--quiet"});
   CHECK(quiet.errors.empty());
   CHECK(quiet.exit_code == 0);
@@ -180,7 +178,7 @@ TEST_CASE("program: backgrounds", "[models][program]") {
   REQUIRE(transparent.output.size() == header.size() + 60 * 40 * 4);
   size_t clear = 0, solid = 0, edge = 0;
   for (size_t i = header.size() + 3; i < transparent.output.size(); i += 4) {
-    const auto alpha = static_cast<uint8_t>(transparent.output[i]);
+    const auto alpha = uint8_t(transparent.output[i]);
     (alpha == 0 ? clear : alpha == 255 ? solid : edge)++;
   }
   CHECK(clear > 500);
@@ -195,8 +193,8 @@ TEST_CASE("program: antialiasing changes edges only", "[models][program]") {
     return parse_ppm(draw(quad, {"--aa", samples, "--shading", "flat"}).output);
   };
   const TestPicture one = picture("1"), four = picture("4"), sixteen = picture("16");
-  CHECK(four.colours() > one.colours());
-  CHECK(sixteen.colours() >= four.colours());
+  CHECK(four.colors() > one.colors());
+  CHECK(sixteen.colors() >= four.colors());
   size_t different = 0;
   for (size_t i = 0; i < one.rgb.size(); i += 3)
     different += !std::equal(&one.rgb[i], &one.rgb[i] + 3, &four.rgb[i]);
@@ -207,7 +205,7 @@ TEST_CASE("program: a surface seen from its edge is not a blank picture", "[mode
   const ProgramRun edge_on = draw("v -1 0 -1\nv 1 0 -1\nv 1 0 1\nf 1 2 3\n", {"--view", "front"});
   CHECK(edge_on.exit_code == 0);
   CHECK(has(edge_on.errors, "their edges are drawn instead"));
-  CHECK(parse_ppm(edge_on.output).colours() > 1);
+  CHECK(parse_ppm(edge_on.output).colors() > 1);
   CHECK(draw("v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n").exit_code == 0);
 }
 
@@ -217,7 +215,7 @@ TEST_CASE("program: two-sided, so that mixed winding does not show", "[models][p
   const ProgramRun mixed = draw("v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3\nf 1 4 3\n",
                                 {"--view", "front", "--shading", "flat"});
   CHECK(parse_ppm(same.output).drawn().right == parse_ppm(mixed.output).drawn().right);
-  CHECK(parse_ppm(mixed.output).colours() == 2);
+  CHECK(parse_ppm(mixed.output).colors() == 2);
 }
 
 TEST_CASE("program: transparent faces let the others through", "[models][program]") {
@@ -263,7 +261,7 @@ TEST_CASE("program: the model that comes with softgl", "[models][program]") {
   CHECK(run.exit_code == 0);
   CHECK(run.errors.empty());
   const TestPicture picture = parse_ppm(run.output);
-  CHECK(picture.colours() > 2000); // texture, glass and highlights are all there
+  CHECK(picture.colors() > 2000); // texture, glass and highlights are all there
   const auto box = picture.drawn();
   CHECK(box.top <= 6);
   CHECK(box.bottom >= 375 - 7);
@@ -273,5 +271,5 @@ TEST_CASE("program: a file of vertices only is a point cloud", "[models][program
   const ProgramRun cloud = draw("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\n");
   CHECK(cloud.exit_code == 0);
   CHECK(has(cloud.errors, "the vertices are drawn as points"));
-  CHECK(parse_ppm(cloud.output).colours() == 2);
+  CHECK(parse_ppm(cloud.output).colors() == 2);
 }

@@ -10,7 +10,7 @@ using namespace softgl::cli;
 namespace {
 
 const float* position(const Mesh& mesh, size_t index) {
-  return &mesh.positions[3 * static_cast<size_t>(mesh.triangles[index])];
+  return &mesh.positions[3 * size_t(mesh.triangles[index])];
 }
 
 double area(const Mesh& mesh) {
@@ -52,7 +52,7 @@ TEST_CASE("tessellation: spheres are closed, face outwards and come near the tru
   for (const int slices : {8, 16, 32, 64}) {
     const Mesh mesh = sphere_mesh(slices);
     INFO(slices);
-    CHECK(mesh.triangles.size() / 3 == static_cast<size_t>(2 * slices * (slices / 2 - 1)));
+    CHECK(mesh.triangles.size() / 3 == size_t(2 * slices * (slices / 2 - 1)));
     CHECK(closed(mesh));
     for (size_t i = 0; i < mesh.triangles.size(); i += 3) {
       const float *a = position(mesh, i), *b = position(mesh, i + 1), *c = position(mesh, i + 2);
@@ -69,7 +69,7 @@ TEST_CASE("tessellation: spheres are closed, face outwards and come near the tru
 
 TEST_CASE("tessellation: cutting triangles keeps surface, batches and unit normals", "[models]") {
   Mesh mesh = sphere_mesh(8);
-  mesh.triangle_batches = {{3, 0, 30}, {5, 30, static_cast<uint32_t>(mesh.triangles.size()) - 30}};
+  mesh.triangle_batches = {{3, 0, 30}, {5, 30, uint32_t(mesh.triangles.size()) - 30}};
   const Mesh fine = subdivide(mesh);
   CHECK(fine.triangles.size() == 4 * mesh.triangles.size());
   CHECK(area(fine) == Approx(area(mesh)).epsilon(1e-6)); // sums of floats' middles

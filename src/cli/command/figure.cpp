@@ -1,12 +1,12 @@
 #include "command/figure.h"
 
-#include "common/program_error.h"
-#include "scene/sheet.h"
-#include "mesh/tessellation.h"
-
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+
+#include "common/program_error.h"
+#include "mesh/tessellation.h"
+#include "scene/sheet.h"
 
 namespace softgl::cli {
 namespace {
@@ -31,23 +31,22 @@ SheetEntry difference(const Picture& a, const Picture& b) {
   double sum = 0;
   for (size_t i = 0; i < a.pixels.size(); ++i) {
     const int d = std::abs(a.pixels[i] - b.pixels[i]);
-    entry.picture.pixels.append(static_cast<uint8_t>(std::min(255, kAmplification * d)));
+    entry.picture.pixels.append(uint8_t(std::min(255, kAmplification * d)));
     largest = std::max(largest, d);
     sum += d;
   }
   entry.label = "difference x" + std::to_string(kAmplification) + "\nlargest " + std::to_string(largest) +
-                " of 255, " +
-                format("mean %.2f", a.pixels.empty() ? 0 : sum / static_cast<double>(a.pixels.size()));
+                " of 255, " + format("mean %.2f", a.pixels.empty() ? 0 : sum / double(a.pixels.size()));
   return entry;
 }
 
 class FigureDrawer {
 public:
   FigureDrawer(const FigureSubject& subject, const RenderOptions& options, Warnings& warnings)
-      : subject(subject), options(options), warnings(warnings), finest(subject.levels.back().mesh),
-        materials(subject.materials) {
-    this->options.lighting.shading = Shading::kPhong;
-    this->options.lighting.terms = kAllTerms;
+      : subject_(subject), options_(options), warnings_(warnings), finest_(subject.levels.back().mesh),
+        materials_(subject.materials) {
+    this->options_.lighting.shading = Shading::kPhong;
+    this->options_.lighting.terms = kAllTerms;
   }
 
   std::vector<SheetRow> rows() {
@@ -63,31 +62,32 @@ private:
   Picture draw(const Mesh& mesh) {
     Warnings repeated; // what is said about textures was said with the first picture
     RenderResult result =
-        render(mesh, materials, subject.frame, subject.camera, options, first ? warnings : repeated);
-    if (first && !result.visible)
-      throw ProgramError(kCannotRead, subject.name + ": nothing is visible in this view; no picture written");
-    first = false;
+        render(mesh, materials_, subject_.frame, subject_.camera, options_, first_ ? warnings_ : repeated);
+    if (first_ && !result.visible)
+      throw ProgramError(kCannotRead,
+                         subject_.name + ": nothing is visible in this view; no picture written");
+    first_ = false;
     return std::move(result.picture);
   }
 
   const char* specular_formula() const {
-    return options.lighting.reflection_vector ? "ks (v.r)^n" : "ks (n.h)^n";
+    return options_.lighting.reflection_vector ? "ks (v.r)^n" : "ks (n.h)^n";
   }
 
   // The exponent of the part in which a figure speaks of one.
   float exponent() const {
     float largest = 0;
-    for (const Material& material : materials) largest = std::max(largest, material.shininess);
+    for (const Material& material : materials_) largest = std::max(largest, material.shininess);
     return largest;
   }
 
   void set_exponent(float value) {
-    for (Material& material : materials) material.shininess = value;
+    for (Material& material : materials_) material.shininess = value;
   }
 
   SheetRow terms() {
     SheetRow row{"Terms: light = ambient + diffuse + specular", {}};
-    const bool emits = std::any_of(materials.begin(), materials.end(), [](const Material& material) {
+    const bool emits = std::any_of(materials_.begin(), materials_.end(), [](const Material& material) {
       return material.emission[0] > 0 || material.emission[1] > 0 || material.emission[2] > 0;
     });
     const struct {
@@ -100,8 +100,8 @@ private:
                  {kAllTerms, "the sum"}};
     for (const auto& part : parts) {
       if (part.term == kEmission && !emits) continue;
-      options.lighting.terms = part.term;
-      row.entries.push_back({draw(finest), part.label});
+      options_.lighting.terms = part.term;
+      row.entries.push_back({draw(finest_), part.label});
     }
     if (emits) row.title += " + emission";
     return row;
@@ -109,24 +109,24 @@ private:
 
   SheetRow exponents() {
     SheetRow row{std::string("Exponent n of the specular term ") + specular_formula(), {}};
-    const std::vector<Material> kept = materials;
+    const std::vector<Material> kept = materials_;
     for (const float value : {1.0f, 4.0f, 16.0f, 64.0f, 128.0f}) {
       set_exponent(value);
-      row.entries.push_back({draw(finest), format("n = %g", value)});
+      row.entries.push_back({draw(finest_), format("n = %g", value)});
     }
-    materials = kept;
+    materials_ = kept;
     return row;
   }
 
   void shading(std::vector<SheetRow>& all) {
-    SheetRow gouraud{"Gouraud shading: lit at the vertices, colours interpolated", {}};
+    SheetRow gouraud{"Gouraud shading: lit at the vertices, colors interpolated", {}};
     SheetRow phong{"Phong shading: normals interpolated, lit at every pixel", {}};
     SheetRow differences{"Gouraud against Phong", {}};
-    for (const auto& [mesh, name] : subject.levels) {
+    for (const auto& [mesh, name] : subject_.levels) {
       const std::string label = name + "\n" + std::to_string(mesh.triangles.size() / 3) + " triangles";
-      options.lighting.shading = Shading::kGouraud;
+      options_.lighting.shading = Shading::kGouraud;
       gouraud.entries.push_back({draw(mesh), label});
-      options.lighting.shading = Shading::kPhong;
+      options_.lighting.shading = Shading::kPhong;
       phong.entries.push_back({draw(mesh), label});
       differences.entries.push_back(difference(gouraud.entries.back().picture, phong.entries.back().picture));
     }
@@ -135,35 +135,35 @@ private:
 
   SheetRow vectors() {
     SheetRow row{"Reflection vector (v.r)^n against half vector (n.h)^n", {}};
-    const std::vector<Material> kept = materials;
-    const bool kept_vector = options.lighting.reflection_vector;
+    const std::vector<Material> kept = materials_;
+    const bool kept_vector = options_.lighting.reflection_vector;
     const float n = std::clamp(exponent(), 1.0f, 32.0f); // GL's exponents end at 128 = 4 * 32
     set_exponent(n);
-    options.lighting.reflection_vector = true;
-    Picture reflection = draw(finest);
-    options.lighting.reflection_vector = false;
-    Picture half = draw(finest);
+    options_.lighting.reflection_vector = true;
+    Picture reflection = draw(finest_);
+    options_.lighting.reflection_vector = false;
+    Picture half = draw(finest_);
     // The angle between n and h is about half of that between v and r, so four times the exponent gives about
     // the same.
     set_exponent(4 * n);
-    Picture sharper = draw(finest);
+    Picture sharper = draw(finest_);
     SheetEntry far = difference(reflection, half), near = difference(reflection, sharper);
     row.entries.push_back({std::move(reflection), "reflection vector\n" + format("(v.r)^%g", n)});
     row.entries.push_back({std::move(half), "half vector\n" + format("(n.h)^%g", n)});
     row.entries.push_back(std::move(far));
     row.entries.push_back({std::move(sharper), "half vector, four times n\n" + format("(n.h)^%g", 4 * n)});
     row.entries.push_back(std::move(near));
-    materials = kept;
-    options.lighting.reflection_vector = kept_vector;
+    materials_ = kept;
+    options_.lighting.reflection_vector = kept_vector;
     return row;
   }
 
-  const FigureSubject& subject;
-  RenderOptions options;
-  Warnings& warnings;
-  const Mesh& finest;
-  std::vector<Material> materials;
-  bool first = true;
+  const FigureSubject& subject_;
+  RenderOptions options_;
+  Warnings& warnings_;
+  const Mesh& finest_;
+  std::vector<Material> materials_;
+  bool first_ = true;
 };
 
 } // namespace

@@ -1,9 +1,9 @@
 #include "command/model_loader.h"
 
-#include "mesh/face_triangulation.h"
-#include "common/program_error.h"
-
 #include <cmath>
+
+#include "common/program_error.h"
+#include "mesh/face_triangulation.h"
 
 namespace softgl::cli {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 void draw_vertices_as_points(ObjModel& model) {
   GrowingArray<int32_t>& points = model.chunks.back().point_vertices.values;
   for (size_t i = 0; i < model.position_count; ++i)
-    if (!std::isnan(model.positions[3 * i])) points.append(static_cast<int32_t>(i));
+    if (!std::isnan(model.positions[3 * i])) points.append(int32_t(i));
   model.point_count = points.size();
 }
 
@@ -49,7 +49,7 @@ LoadedModel load_model(const SourceText& text, unsigned threads, RemarkList& rem
   report.materials = loaded.library.materials().size() - 1;
   for (const Material& material : loaded.library.materials())
     report.textures += !material.diffuse_map.file.empty();
-  report.vertex_colours = !model.colours.empty();
+  report.vertex_colors = !model.colors.empty();
   report.smoothing_groups = model.has_smoothing_groups;
   triangulate_faces(model);
   report.triangles = triangle_count(model);

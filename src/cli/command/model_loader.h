@@ -1,9 +1,9 @@
 // A model file and all it names, read and triangulated.
 #pragma once
 
+#include "command/report.h"
 #include "obj/material_library.h"
 #include "obj/obj_reader.h"
-#include "command/report.h"
 
 namespace softgl::cli {
 

@@ -1,11 +1,11 @@
 #include "command/option_values.h"
 
-#include "obj/number_parser.h"
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
+
+#include "obj/number_parser.h"
 
 namespace softgl::cli {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 }
 
 std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
+  for (char& c : text) c = char(c >= 'A' && c <= 'Z' ? c + 32 : c);
   return text;
 }
 
@@ -35,11 +35,11 @@ bool parse_numbers(const std::string& text, std::vector<double>& values) {
   }
 }
 
-struct NamedColour {
+struct NamedColor {
   const char* name;
   uint32_t rgb;
 };
-constexpr NamedColour kColours[] = {
+constexpr NamedColor kColors[] = {
     {"black", 0x000000},      {"white", 0xffffff},     {"red", 0xff0000},       {"green", 0x008000},
     {"lime", 0x00ff00},       {"blue", 0x0000ff},      {"yellow", 0xffff00},    {"cyan", 0x00ffff},
     {"magenta", 0xff00ff},    {"gray", 0x808080},      {"grey", 0x808080},      {"silver", 0xc0c0c0},
@@ -55,9 +55,7 @@ constexpr NamedColour kColours[] = {
     {"chocolate", 0xd2691e},  {"khaki", 0xf0e68c},     {"plum", 0xdda0dd},      {"orchid", 0xda70d6},
 };
 
-std::array<uint8_t, 3> split(uint32_t rgb) {
-  return {static_cast<uint8_t>(rgb >> 16), static_cast<uint8_t>(rgb >> 8), static_cast<uint8_t>(rgb)};
-}
+std::array<uint8_t, 3> split(uint32_t rgb) { return {uint8_t(rgb >> 16), uint8_t(rgb >> 8), uint8_t(rgb)}; }
 
 constexpr float kDefaultCutoff = 30; // degrees, of a spot that does not say
 
@@ -97,14 +95,14 @@ LightOptions parse_light_kind(const std::string& text) {
 
 void parse_light_property(const std::string& text, LightOptions& light) {
   static const std::string what =
-      "a property of a light: color:COLOUR for any; for at:x,y,z also spot:x,y,z, cutoff:0..90, "
+      "a property of a light: color:COLOR for any; for at:x,y,z also spot:x,y,z, cutoff:0..90, "
       "exponent:0..128 and attenuation:constant,linear,quadratic";
   const size_t colon = text.find(':');
   if (colon == std::string::npos) refuse(what, text);
   const std::string name = lower(text.substr(0, colon)), value = text.substr(colon + 1);
   if (name == "color" || name == "colour") {
-    const std::array<float, 3> colour = parse_reflectance(value);
-    std::copy(colour.begin(), colour.end(), light.colour);
+    const std::array<float, 3> color = parse_reflectance(value);
+    std::copy(color.begin(), color.end(), light.color);
     return;
   }
   std::vector<double> values;
@@ -116,11 +114,11 @@ void parse_light_property(const std::string& text, LightOptions& light) {
     for (size_t i = 0; i < 3; ++i) light.spot_direction[i] = values[i] / largest;
     if (light.cutoff == 180) light.cutoff = kDefaultCutoff;
   } else if (name == "cutoff" && count == 1 && from_zero && values[0] <= 90) {
-    light.cutoff = static_cast<float>(values[0]);
+    light.cutoff = float(values[0]);
   } else if (name == "exponent" && count == 1 && from_zero && values[0] <= 128) {
-    light.exponent = static_cast<float>(values[0]);
+    light.exponent = float(values[0]);
   } else if (name == "attenuation" && count == 3 && from_zero && values[0] + values[1] + values[2] > 0) {
-    for (size_t i = 0; i < 3; ++i) light.attenuation[i] = static_cast<float>(values[i]);
+    for (size_t i = 0; i < 3; ++i) light.attenuation[i] = float(values[i]);
   } else {
     refuse(what, text);
   }
@@ -128,18 +126,18 @@ void parse_light_property(const std::string& text, LightOptions& light) {
 
 } // namespace
 
-std::array<uint8_t, 3> parse_colour(const std::string& text) {
-  static const std::string what = "a colour (#rrggbb, r,g,b from 0 to 1, or a name such as steelblue)";
+std::array<uint8_t, 3> parse_color(const std::string& text) {
+  static const std::string what = "a color (#rrggbb, r,g,b from 0 to 1, or a name such as steelblue)";
   const std::string name = lower(text);
-  for (const NamedColour& colour : kColours)
-    if (name == colour.name) return split(colour.rgb);
+  for (const NamedColor& color : kColors)
+    if (name == color.name) return split(color.rgb);
   if (!name.empty() && name[0] == '#') {
     if (name.find_first_not_of("0123456789abcdef", 1) != std::string::npos ||
         (name.size() != 4 && name.size() != 7))
       refuse(what, text);
     uint32_t value = 0;
     for (size_t i = 1; i < name.size(); ++i) {
-      const auto digit = static_cast<uint32_t>(name[i] <= '9' ? name[i] - '0' : name[i] - 'a' + 10);
+      const auto digit = uint32_t(name[i] <= '9' ? name[i] - '0' : name[i] - 'a' + 10);
       value = name.size() == 4 ? value << 8 | digit * 17 : value << 4 | digit;
     }
     return split(value);
@@ -149,7 +147,7 @@ std::array<uint8_t, 3> parse_colour(const std::string& text) {
   std::array<uint8_t, 3> result;
   for (size_t i = 0; i < 3; ++i) {
     if (values[i] < 0 || values[i] > 1) refuse(what, text);
-    result[i] = static_cast<uint8_t>(values[i] * 255 + 0.5);
+    result[i] = uint8_t(values[i] * 255 + 0.5);
   }
   return result;
 }
@@ -163,8 +161,8 @@ void parse_size(const std::string& text, int& width, int& height) {
   const double w = values[0], h = values.back();
   if (w != std::floor(w) || h != std::floor(h) || w < 1 || h < 1 || w > 16384 || h > 16384)
     refuse("a size from 1x1 to 16384x16384", text);
-  width = static_cast<int>(w);
-  height = static_cast<int>(h);
+  width = int(w);
+  height = int(h);
 }
 
 UpAxis parse_up_axis(const std::string& text) {
@@ -173,7 +171,7 @@ UpAxis parse_up_axis(const std::string& text) {
   const bool sign = !name.empty() && (name[0] == '+' || name[0] == '-');
   const std::string axis = name.substr(sign ? 1 : 0);
   if (axis.size() != 1 || axis[0] < 'x' || axis[0] > 'z') refuse("an axis such as +Y, -Z or auto", text);
-  return static_cast<UpAxis>(2 * (axis[0] - 'x') + (name[0] == '-'));
+  return UpAxis(2 * (axis[0] - 'x') + (name[0] == '-'));
 }
 
 LightOptions parse_light(const std::string& text) {
@@ -213,15 +211,14 @@ unsigned parse_terms(const std::string& text) {
 std::array<float, 3> parse_reflectance(const std::string& text) {
   std::vector<double> values;
   if (!parse_numbers(text, values)) {
-    const std::array<uint8_t, 3> rgb = parse_colour(text);
-    return {static_cast<float>(rgb[0]) / 255, static_cast<float>(rgb[1]) / 255,
-            static_cast<float>(rgb[2]) / 255};
+    const std::array<uint8_t, 3> rgb = parse_color(text);
+    return {float(rgb[0]) / 255, float(rgb[1]) / 255, float(rgb[2]) / 255};
   }
   if (values.size() == 1) values.resize(3, values[0]);
   const bool inside =
       std::all_of(values.begin(), values.end(), [](double value) { return value >= 0 && value <= 1; });
-  if (values.size() != 3 || !inside) refuse("a number from 0 to 1, three of them (r,g,b), or a colour", text);
-  return {static_cast<float>(values[0]), static_cast<float>(values[1]), static_cast<float>(values[2])};
+  if (values.size() != 3 || !inside) refuse("a number from 0 to 1, three of them (r,g,b), or a color", text);
+  return {float(values[0]), float(values[1]), float(values[2])};
 }
 
 Background parse_background(const std::string& text) {
@@ -230,8 +227,8 @@ Background parse_background(const std::string& text) {
     background.transparent = true;
     return background;
   }
-  const std::array<uint8_t, 3> colour = parse_colour(text);
-  for (size_t i = 0; i < 3; ++i) background.colour[i] = colour[i];
+  const std::array<uint8_t, 3> color = parse_color(text);
+  for (size_t i = 0; i < 3; ++i) background.color[i] = color[i];
   return background;
 }
 

@@ -1,22 +1,22 @@
-// Values of options as text: colours, sizes, axes, lights. Each throws std::invalid_argument with a sentence.
+// Values of options as text: colors, sizes, axes, lights. Each throws std::invalid_argument with a sentence.
 #pragma once
+
+#include <array>
+#include <string>
 
 #include "scene/camera.h"
 #include "scene/lighting_options.h"
 #include "scene/renderer.h"
 
-#include <array>
-#include <string>
-
 namespace softgl::cli {
 
-std::array<uint8_t, 3> parse_colour(const std::string& text);      // #rgb, #rrggbb, a CSS name, r,g,b in 0..1
+std::array<uint8_t, 3> parse_color(const std::string& text);       // #rgb, #rrggbb, a CSS name, r,g,b in 0..1
 void parse_size(const std::string& text, int& width, int& height); // WxH, W,H or one number
 UpAxis parse_up_axis(const std::string& text);
 // KIND[/PROPERTY:VALUE...], as LightOptions describes them.
 LightOptions parse_light(const std::string& text);
 unsigned parse_terms(const std::string& text); // names of terms with commas between them
-// A reflectance: one number or r,g,b, each from 0 to 1, or a colour.
+// A reflectance: one number or r,g,b, each from 0 to 1, or a color.
 std::array<float, 3> parse_reflectance(const std::string& text);
 Background parse_background(const std::string& text);
 

@@ -1,14 +1,14 @@
 #include "command/options.h"
 
-#include "scene/lighting_setup.h"
-#include "command/option_values.h"
-
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+
+#include "command/option_values.h"
+#include "scene/lighting_setup.h"
 
 #ifndef SOFTGL_VERSION
 #define SOFTGL_VERSION "unknown"
@@ -143,13 +143,13 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
          },
          "key, headlight, x,y,z (direction as seen), model:x,y,z or +Y (direction in the model's axes), "
          "at:x,y,z (place in "
-         "the model); then /color:COLOUR, and for a place "
+         "the model); then /color:COLOR, and for a place "
          "/spot:x,y,z/cutoff:DEG/exponent:N/attenuation:C,L,Q; may be "
          "repeated [key]")
       ->allow_extra_args(false)
       ->type_name("LIGHT");
   add_reflectance(app, "--ambient-light",
-                  "light that comes from everywhere: a number, r,g,b or a colour [0.2]",
+                  "light that comes from everywhere: a number, r,g,b or a color [0.2]",
                   [&](const auto& rgb) { std::copy(rgb.begin(), rgb.end(), lighting.ambient); });
   add_reflectance(app, "--ka", "ambient reflectance of all materials",
                   [&](const auto& rgb) { options.materials.ambient = rgb; });
@@ -163,13 +163,13 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   app.add_option_function<std::string>(
          "--bg", checked([&](const std::string& t) { options.render.background = parse_background(t); }),
          "background: #rrggbb, name, r,g,b from 0 to 1, or transparent [#2e333a]")
-      ->type_name("COLOUR");
+      ->type_name("COLOR");
   app.add_option_function<std::string>("--color,--colour", checked([&](const std::string& t) {
-                                         parse_colour(t); // three numbers or a name; one number is no colour
-                                         options.materials.colour = parse_reflectance(t);
+                                         parse_color(t); // three numbers or a name; one number is no color
+                                         options.materials.color = parse_reflectance(t);
                                        }),
-                                       "one colour for the whole model instead of its materials")
-      ->type_name("COLOUR");
+                                       "one color for the whole model instead of its materials")
+      ->type_name("COLOR");
   int samples = 1;
   app.add_option("--aa", samples, "samples per pixel: 1, 4 or 16 [1]")
       ->check(CLI::IsMember({1, 4, 16}))

@@ -1,21 +1,21 @@
 // The command line.
 #pragma once
 
-#include "scene/camera.h"
-#include "image/image_writer.h"
-#include "mesh/normal_generator.h"
-#include "scene/renderer.h"
-
 #include <array>
 #include <optional>
 #include <string>
+
+#include "image/image_writer.h"
+#include "mesh/normal_generator.h"
+#include "scene/camera.h"
+#include "scene/renderer.h"
 
 namespace softgl::cli {
 
 // What replaces the reflectances of all materials.
 struct MaterialOptions {
   using Reflectance = std::optional<std::array<float, 3>>;
-  Reflectance colour; // ambient and diffuse, and no textures
+  Reflectance color; // ambient and diffuse, and no textures
   Reflectance ambient, diffuse, specular;
   std::optional<float> shininess;
 };

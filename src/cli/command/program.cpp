@@ -1,11 +1,5 @@
 #include "command/program.h"
 
-#include "mesh/face_triangulation.h"
-#include "command/figure.h"
-#include "command/model_loader.h"
-#include "command/options.h"
-#include "common/program_error.h"
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -13,6 +7,12 @@
 #include <ctime>
 #include <sys/resource.h>
 #include <thread>
+
+#include "command/figure.h"
+#include "command/model_loader.h"
+#include "command/options.h"
+#include "common/program_error.h"
+#include "mesh/face_triangulation.h"
 
 namespace softgl::cli {
 namespace {
@@ -22,40 +22,40 @@ double since(Clock::time_point start) { return std::chrono::duration<double>(Clo
 
 class Program {
 public:
-  explicit Program(const ProgramOptions& options) : options(options) {}
+  explicit Program(const ProgramOptions& options) : options_(options) {}
 
   int run() {
     const auto start = Clock::now();
-    if (options.command == ProgramOptions::kFigure && options.model.empty()) {
-      FigureSubject sphere = sphere_subject(options.camera);
+    if (options_.command == ProgramOptions::kFigure && options_.model.empty()) {
+      FigureSubject sphere = sphere_subject(options_.camera);
       override_reflectances(sphere.materials);
-      write(draw_figure(sphere, options.render, warnings));
+      write(draw_figure(sphere, options_.render, warnings_));
       return kSuccess;
     }
-    const SourceText text = SourceText::open(options.model);
+    const SourceText text = SourceText::open(options_.model);
     RemarkList remarks;
-    LoadedModel loaded = load_model(text, threads(), remarks, warnings, notes);
-    times.read = since(start);
-    if (options.command == ProgramOptions::kInfo) {
+    LoadedModel loaded = load_model(text, threads(), remarks, warnings_, notes_);
+    times_.read = since(start);
+    if (options_.command == ProgramOptions::kInfo) {
       info(loaded, text, remarks);
     } else {
       draw(loaded, text, remarks, start);
     }
-    return options.strict && warnings.count() > 0 ? kCannotRead : kSuccess;
+    return options_.strict && warnings_.count() > 0 ? kCannotRead : kSuccess;
   }
 
   void print_messages() const {
-    if (!options.quiet)
-      for (const std::string& sentence : warnings.sentences())
+    if (!options_.quiet)
+      for (const std::string& sentence : warnings_.sentences())
         std::fprintf(stderr, "softgl: warning: %s\n", sentence.c_str());
-    if (options.verbose)
-      for (const std::string& sentence : notes.sentences())
+    if (options_.verbose)
+      for (const std::string& sentence : notes_.sentences())
         std::fprintf(stderr, "softgl: note: %s\n", sentence.c_str());
   }
 
 private:
   unsigned threads() const {
-    if (options.threads) return options.threads;
+    if (options_.threads) return options_.threads;
     const unsigned count = std::thread::hardware_concurrency();
     return count ? count : 1;
   }
@@ -65,8 +65,8 @@ private:
     note_bounds(loaded.report, frame);
     loaded.report.area = surface_area(loaded.model);
     build_mesh_for_remarks(loaded, frame, remarks);
-    warnings.add(remarks, text);
-    const std::string out = options.json ? as_json(loaded.report, warnings) : as_text(loaded.report);
+    warnings_.add(remarks, text);
+    const std::string out = options_.json ? as_json(loaded.report, warnings_) : as_text(loaded.report);
     if (std::fwrite(out.data(), 1, out.size(), stdout) != out.size() || std::fflush(stdout) != 0)
       throw ProgramError(kCannotWrite, "standard output: cannot write");
   }
@@ -89,71 +89,71 @@ private:
     const auto prepare_start = Clock::now();
     ObjModel& model = loaded.model;
     paint_over(loaded);
-    const bool flat = options.render.lighting.shading == Shading::kFlat;
+    const bool flat = options_.render.lighting.shading == Shading::kFlat;
     ModelFrame frame = frame_model(model);
     note_bounds(loaded.report, frame);
-    if (options.verbose) loaded.report.area = surface_area(model);
-    if (!flat) generate_normals(model, frame, options.normals);
+    if (options_.verbose) loaded.report.area = surface_area(model);
+    if (!flat) generate_normals(model, frame, options_.normals);
     MeshOptions mesh_options;
     mesh_options.flat = flat;
-    mesh_options.with_texcoords = loaded.report.textures > 0 && !options.materials.colour;
+    mesh_options.with_texcoords = loaded.report.textures > 0 && !options_.materials.color;
     Mesh mesh = build_mesh(model, frame, loaded.library, mesh_options, remarks);
     model = ObjModel(); // the mesh is all that is needed from here on
-    warnings.add(remarks, text);
-    CameraOptions camera_options = options.camera;
+    warnings_.add(remarks, text);
+    CameraOptions camera_options = options_.camera;
     if (camera_options.up == UpAxis::kAuto) camera_options.up = guess_up_axis(mesh);
     const Camera camera = fit_camera(mesh, camera_options);
-    times.prepare = since(prepare_start);
+    times_.prepare = since(prepare_start);
 
     Picture picture;
-    if (options.command == ProgramOptions::kFigure) {
+    if (options_.command == ProgramOptions::kFigure) {
       const auto subject = model_subject(text.name(), std::move(mesh), std::move(loaded.library.materials()),
                                          std::move(frame), camera);
-      picture = draw_figure(subject, options.render, warnings);
+      picture = draw_figure(subject, options_.render, warnings_);
     } else {
       picture = draw_picture(mesh, loaded.library.materials(), frame, camera, text.name());
     }
     refuse_warnings(text.name());
     const auto write_start = Clock::now();
     write(picture);
-    times.write = since(write_start);
-    times.total = since(start);
-    if (options.stats) print_stats(loaded.report);
-    if (options.verbose) std::fputs(as_text(loaded.report).c_str(), stderr);
+    times_.write = since(write_start);
+    times_.total = since(start);
+    if (options_.stats) print_stats(loaded.report);
+    if (options_.verbose) std::fputs(as_text(loaded.report).c_str(), stderr);
   }
 
   Picture draw_picture(const Mesh& mesh, const std::vector<Material>& materials, const ModelFrame& frame,
                        const Camera& camera, const std::string& name) {
-    RenderResult result = render(mesh, materials, frame, camera, options.render, warnings);
-    times.upload = result.upload_seconds;
-    times.draw = result.draw_seconds;
-    times.resolve = result.resolve_seconds;
+    RenderResult result = render(mesh, materials, frame, camera, options_.render, warnings_);
+    times_.upload = result.upload_seconds;
+    times_.draw = result.draw_seconds;
+    times_.resolve = result.resolve_seconds;
     if (!result.visible)
       throw ProgramError(kCannotRead,
                          name + ": nothing of the model is visible in this view; no picture written");
     if (result.as_wireframe)
-      warnings.add(name, "its surfaces have no visible area in this view; their edges are drawn instead");
+      warnings_.add(name, "its surfaces have no visible area in this view; their edges are drawn instead");
     return std::move(result.picture);
   }
 
   void refuse_warnings(const std::string& name) const {
-    if (!options.strict || warnings.count() == 0) return;
-    throw ProgramError(kCannotRead, name + ": " + std::to_string(warnings.count()) +
-                                        (warnings.count() == 1 ? " warning" : " warnings") +
+    if (!options_.strict || warnings_.count() == 0) return;
+    throw ProgramError(kCannotRead, name + ": " + std::to_string(warnings_.count()) +
+                                        (warnings_.count() == 1 ? " warning" : " warnings") +
                                         " with --strict; no picture written");
   }
 
   void write(const Picture& picture) const {
-    write_file(options.output, encode_image(picture, options.format, options.png));
+    write_file(options_.output, encode_image(picture, options_.format, options_.png));
   }
 
   void paint_over(LoadedModel& loaded) const {
-    const MaterialOptions& chosen = options.materials;
-    if (chosen.colour || chosen.ambient || chosen.diffuse) loaded.model.colours.release();
-    if (chosen.colour)
+    const MaterialOptions& chosen = options_.materials;
+    if (chosen.color || chosen.ambient || chosen.diffuse) loaded.model.colors.release();
+    if (chosen.color)
       for (Material& material : loaded.library.materials()) {
-        replace(chosen.colour, material.ambient);
-        replace(chosen.colour, material.diffuse);
+        replace(chosen.color, material.ambient);
+        replace(chosen.color, material.diffuse);
         for (float& value : material.emission) value = 0;
         material.diffuse_map = {};
         material.opacity_map = {};
@@ -163,7 +163,7 @@ private:
   }
 
   void override_reflectances(std::vector<Material>& materials) const {
-    const MaterialOptions& chosen = options.materials;
+    const MaterialOptions& chosen = options_.materials;
     for (Material& material : materials) {
       replace(chosen.ambient, material.ambient);
       replace(chosen.diffuse, material.diffuse);
@@ -179,16 +179,16 @@ private:
   void print_stats(const ModelReport& report) {
     rusage usage{};
     ::getrusage(RUSAGE_SELF, &usage);
-    times.peak_kib = usage.ru_maxrss;
-    times.cpu = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    times_.peak_kib = usage.ru_maxrss;
+    times_.cpu = double(std::clock()) / CLOCKS_PER_SEC;
     const std::string out =
-        stats_as_json(report, times, options.render.width, options.render.height, warnings);
-    std::fputs(out.c_str(), options.output == "-" ? stderr : stdout);
+        stats_as_json(report, times_, options_.render.width, options_.render.height, warnings_);
+    std::fputs(out.c_str(), options_.output == "-" ? stderr : stdout);
   }
 
-  const ProgramOptions& options;
-  Warnings warnings, notes;
-  RunTimes times;
+  const ProgramOptions& options_;
+  Warnings warnings_, notes_;
+  RunTimes times_;
 };
 
 } // namespace

@@ -15,7 +15,7 @@ std::string number(double value) {
 std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
+    const auto byte = uint8_t(c);
     if (c == '"' || c == '\\')
       (result += '\\') += c;
     else if (byte < 32 || byte == 127) {
@@ -68,13 +68,13 @@ std::string as_text(const ModelReport& r) {
   add(r.objects, "objects");
   add(r.materials, "materials");
   add(r.textures, "textures");
-  if (r.vertex_colours) text += ", vertex colours";
+  if (r.vertex_colors) text += ", vertex colors";
   if (r.smoothing_groups) text += ", smoothing groups";
   return text + "\n  from " + triple(r.low) + " to " + triple(r.high) + ", area " + number(r.area) + "\n";
 }
 
 std::string as_json(const ModelReport& r, const Warnings& warnings) {
-  return "{\n" + counts(r) + "  \"vertex_colours\": " + (r.vertex_colours ? "true" : "false") +
+  return "{\n" + counts(r) + "  \"vertex_colors\": " + (r.vertex_colors ? "true" : "false") +
          ",\n  \"smoothing_groups\": " + (r.smoothing_groups ? "true" : "false") +
          ",\n  \"low\": " + triple(r.low) + ",\n  \"high\": " + triple(r.high) +
          ",\n  \"area\": " + number(r.area) + ",\n" + warning_list(warnings) + "\n}\n";

@@ -1,12 +1,12 @@
 // What the program says about a model: `softgl info` and --stats.
 #pragma once
 
-#include "obj/material_library.h"
-#include "mesh/model_frame.h"
-#include "obj/obj_reader.h"
-#include "common/warnings.h"
-
 #include <string>
+
+#include "common/warnings.h"
+#include "mesh/model_frame.h"
+#include "obj/material_library.h"
+#include "obj/obj_reader.h"
 
 namespace softgl::cli {
 
@@ -16,7 +16,7 @@ struct ModelReport {
   uint64_t positions = 0, texcoords = 0, normals = 0;
   uint64_t faces = 0, triangles = 0, segments = 0, points = 0;
   uint64_t objects = 0, groups = 0, materials = 0, textures = 0;
-  bool vertex_colours = false, smoothing_groups = false;
+  bool vertex_colors = false, smoothing_groups = false;
   double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
   double area = 0;
 };

@@ -1,7 +1,5 @@
 #include "common/source_text.h"
 
-#include "common/program_error.h"
-
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -9,6 +7,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
+
+#include "common/program_error.h"
 
 namespace softgl::cli {
 namespace {
@@ -22,7 +22,7 @@ std::string read_everything(int descriptor, const std::string& name) {
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) throw ProgramError(kCannotRead, name + ": cannot read: " + std::strerror(errno));
     if (count == 0) break;
-    used += static_cast<size_t>(count);
+    used += size_t(count);
   }
   text.resize(used);
   return text;
@@ -54,11 +54,11 @@ SourceText SourceText::open(const std::string& path) {
   if (::fstat(file.value, &status) != 0)
     throw ProgramError(kCannotRead, path + ": cannot read: " + std::strerror(errno));
   if (S_ISDIR(status.st_mode)) throw ProgramError(kCannotRead, path + ": this is a folder, not a model");
-  const auto size = static_cast<size_t>(status.st_size);
+  const auto size = size_t(status.st_size);
   if (!S_ISREG(status.st_mode) || size == 0) return from_string(read_everything(file.value, path), path);
 
   // A page of zeros after the file, so that a scanner stops without looking at the end.
-  const size_t page = static_cast<size_t>(::sysconf(_SC_PAGESIZE));
+  const size_t page = size_t(::sysconf(_SC_PAGESIZE));
   const size_t mapping_size = (size / page + 2) * page;
   void* mapping =
       ::mmap(nullptr, mapping_size, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
@@ -86,9 +86,9 @@ SourceText::SourceText(SourceText&& other) noexcept
 void SourceText::forget(const char* first, const char* last) const {
   constexpr size_t kWorthIt = size_t(32) << 20;
   if (!mapping_ || size_ < kWorthIt) return;
-  const auto page = static_cast<size_t>(::sysconf(_SC_PAGESIZE));
-  const size_t begin = (static_cast<size_t>(first - begin_) + page - 1) / page * page;
-  const size_t end = static_cast<size_t>(last - begin_) / page * page;
+  const auto page = size_t(::sysconf(_SC_PAGESIZE));
+  const size_t begin = (size_t(first - begin_) + page - 1) / page * page;
+  const size_t end = size_t(last - begin_) / page * page;
   if (begin < end) ::madvise(static_cast<char*>(mapping_) + begin, end - begin, MADV_DONTNEED);
 }
 

@@ -28,7 +28,7 @@ double sine(double degrees) {
   double angle = std::remainder(degrees, 360.0); // exact
   const double quarter = std::nearbyint(angle / 90);
   angle = (angle - 90 * quarter) * kRadians; // exact difference
-  switch (static_cast<int>(quarter) & 3) {
+  switch (int(quarter) & 3) {
   case 0: return sine_series(angle);
   case 1: return cosine_series(angle);
   case 2: return -sine_series(angle);

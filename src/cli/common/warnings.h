@@ -1,14 +1,14 @@
 // What is worth saying about the input files: a few examples of each kind, and how many there were.
 #pragma once
 
-#include "common/source_text.h"
-
 #include <array>
 #include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "common/source_text.h"
 
 namespace softgl::cli {
 

@@ -1,14 +1,14 @@
 #include "image/image_writer.h"
 
-#include "image/png_encoder.h"
-#include "common/program_error.h"
-
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "common/program_error.h"
+#include "image/png_encoder.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
@@ -25,20 +25,18 @@ namespace {
 constexpr const char* kFormats[] = {"png", "ppm", "pam", "jpg", "jpeg", "bmp", "tga"};
 
 void append_bytes(void* context, void* data, int size) {
-  static_cast<GrowingArray<uint8_t>*>(context)->append(static_cast<const uint8_t*>(data),
-                                                       static_cast<size_t>(size));
+  static_cast<GrowingArray<uint8_t>*>(context)->append(static_cast<const uint8_t*>(data), size_t(size));
 }
 
 Picture over_white(const Picture& picture) {
   Picture result;
   result.width = picture.width;
   result.height = picture.height;
-  const size_t count = static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height);
+  const size_t count = size_t(picture.width) * size_t(picture.height);
   uint8_t* out = result.pixels.extend(3 * count);
   for (size_t i = 0; i < count; ++i) {
     const uint8_t* p = &picture.pixels[4 * i];
-    for (size_t c = 0; c < 3; ++c)
-      out[3 * i + c] = static_cast<uint8_t>((p[c] * p[3] + 255 * (255 - p[3]) + 127) / 255);
+    for (size_t c = 0; c < 3; ++c) out[3 * i + c] = uint8_t((p[c] * p[3] + 255 * (255 - p[3]) + 127) / 255);
   }
   return result;
 }
@@ -57,7 +55,7 @@ std::string image_format_of(const std::string& path) {
   const size_t dot = path.rfind('.');
   if (dot == std::string::npos || path.find('/', dot) != std::string::npos) return {};
   std::string end = path.substr(dot + 1);
-  for (char& c : end) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
+  for (char& c : end) c = char(c >= 'A' && c <= 'Z' ? c + 32 : c);
   return is_image_format(end) ? end : std::string();
 }
 
@@ -100,7 +98,7 @@ void write_file(const std::string& path, const GrowingArray<uint8_t>& bytes) {
   while (written < bytes.size() && problem == 0) {
     const ssize_t count = ::write(file, bytes.data() + written, bytes.size() - written);
     if (count >= 0)
-      written += static_cast<size_t>(count);
+      written += size_t(count);
     else if (errno != EINTR)
       problem = errno;
   }

@@ -1,9 +1,9 @@
 // Pictures as files.
 #pragma once
 
-#include "image/picture.h"
-
 #include <string>
+
+#include "image/picture.h"
 
 namespace softgl::cli {
 

@@ -4,11 +4,11 @@
 // 186-246, level 1 with UP 13-17 / 217-256.
 #include "image/png_encoder.h"
 
-#include "common/program_error.h"
-
 #include <cstdlib>
 #include <libdeflate.h>
 #include <memory>
+
+#include "common/program_error.h"
 
 namespace softgl::cli {
 namespace {
@@ -18,11 +18,11 @@ struct FreeCompressor {
 };
 
 void append_number(GrowingArray<uint8_t>& out, uint32_t value) {
-  for (int shift = 24; shift >= 0; shift -= 8) out.append(static_cast<uint8_t>(value >> shift));
+  for (int shift = 24; shift >= 0; shift -= 8) out.append(uint8_t(value >> shift));
 }
 
 void append_chunk(GrowingArray<uint8_t>& out, const char* type, const uint8_t* data, size_t size) {
-  append_number(out, static_cast<uint32_t>(size));
+  append_number(out, uint32_t(size));
   const size_t start = out.size();
   out.append(reinterpret_cast<const uint8_t*>(type), 4);
   out.append(data, size);
@@ -34,13 +34,13 @@ enum Filter : uint8_t { kNone, kSub, kUp, kAverage, kPaeth };
 uint8_t predict(Filter filter, int left, int above, int above_left) {
   switch (filter) {
   case kNone: return 0;
-  case kSub: return static_cast<uint8_t>(left);
-  case kUp: return static_cast<uint8_t>(above);
-  case kAverage: return static_cast<uint8_t>((left + above) / 2);
+  case kSub: return uint8_t(left);
+  case kUp: return uint8_t(above);
+  case kAverage: return uint8_t((left + above) / 2);
   default: {
     const int p = left + above - above_left;
     const int pa = std::abs(p - left), pb = std::abs(p - above), pc = std::abs(p - above_left);
-    return static_cast<uint8_t>(pa <= pb && pa <= pc ? left : pb <= pc ? above : above_left);
+    return uint8_t(pa <= pb && pa <= pc ? left : pb <= pc ? above : above_left);
   }
   }
 }
@@ -53,20 +53,20 @@ uint64_t filter_row(const uint8_t* row, const uint8_t* above, size_t size, size_
     const int left = i >= bytes ? row[i - bytes] : 0;
     const int up = above ? above[i] : 0;
     const int corner = above && i >= bytes ? above[i - bytes] : 0;
-    out[i] = static_cast<uint8_t>(row[i] - predict(filter, left, up, corner));
-    sum += static_cast<uint64_t>(std::abs(static_cast<int8_t>(out[i])));
+    out[i] = uint8_t(row[i] - predict(filter, left, up, corner));
+    sum += uint64_t(std::abs(int8_t(out[i])));
   }
   return sum;
 }
 
 GrowingArray<uint8_t> filtered(const Picture& picture, PngEffort effort) {
-  const auto bytes = static_cast<size_t>(picture.channels);
-  const size_t row_size = static_cast<size_t>(picture.width) * bytes;
+  const auto bytes = size_t(picture.channels);
+  const size_t row_size = size_t(picture.width) * bytes;
   GrowingArray<uint8_t> rows, candidate;
-  rows.room((row_size + 1) * static_cast<size_t>(picture.height));
+  rows.room((row_size + 1) * size_t(picture.height));
   candidate.extend(row_size);
   for (int y = 0; y < picture.height; ++y) {
-    const uint8_t* row = picture.pixels.data() + static_cast<size_t>(y) * row_size;
+    const uint8_t* row = picture.pixels.data() + size_t(y) * row_size;
     const uint8_t* above = y ? row - row_size : nullptr;
     uint8_t* out = rows.extend(row_size + 1);
     if (effort != PngEffort::kSmall && !above) {
@@ -74,7 +74,7 @@ GrowingArray<uint8_t> filtered(const Picture& picture, PngEffort effort) {
       std::memcpy(out + 1, row, row_size);
     } else if (effort != PngEffort::kSmall) {
       out[0] = kUp;
-      for (size_t i = 0; i < row_size; ++i) out[1 + i] = static_cast<uint8_t>(row[i] - above[i]);
+      for (size_t i = 0; i < row_size; ++i) out[1 + i] = uint8_t(row[i] - above[i]);
     } else {
       uint64_t best = UINT64_MAX;
       for (const Filter filter : {kNone, kSub, kUp, kAverage, kPaeth}) {
@@ -109,9 +109,9 @@ GrowingArray<uint8_t> encode_png(const Picture& picture, PngEffort effort) {
   static constexpr uint8_t kSignature[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
   out.append(kSignature, sizeof kSignature);
   GrowingArray<uint8_t> header;
-  append_number(header, static_cast<uint32_t>(picture.width));
-  append_number(header, static_cast<uint32_t>(picture.height));
-  const uint8_t kind[] = {8, static_cast<uint8_t>(picture.channels == 4 ? 6 : 2), 0, 0, 0};
+  append_number(header, uint32_t(picture.width));
+  append_number(header, uint32_t(picture.height));
+  const uint8_t kind[] = {8, uint8_t(picture.channels == 4 ? 6 : 2), 0, 0, 0};
   header.append(kind, sizeof kind);
   append_chunk(out, "IHDR", header.data(), header.size());
   append_chunk(out, "IDAT", packed.data(), packed_size);

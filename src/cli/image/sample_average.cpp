@@ -9,9 +9,9 @@ Picture resolve(GrowingArray<uint8_t> samples, int width, int height, int per_si
   picture.width = width;
   picture.height = height;
   picture.channels = transparent ? 4 : 3;
-  const auto columns = static_cast<size_t>(width), rows = static_cast<size_t>(height);
-  const auto side = static_cast<size_t>(per_side), stride = columns * side * 4;
-  const auto channels = static_cast<size_t>(picture.channels);
+  const auto columns = size_t(width), rows = size_t(height);
+  const auto side = size_t(per_side), stride = columns * side * 4;
+  const auto channels = size_t(picture.channels);
   const auto count = static_cast<unsigned>(per_side * per_side);
   const uint8_t* in = samples.data();
   uint8_t* out = samples.data(); // never ahead of what is still to be read
@@ -33,13 +33,13 @@ Picture resolve(GrowingArray<uint8_t> samples, int width, int height, int per_si
             for (size_t c = 0; c < 4; ++c) sum[c] += p[i + c];
         }
         if (!transparent) {
-          for (size_t c = 0; c < 3; ++c) out[c] = static_cast<uint8_t>((sum[c] + count / 2) / count);
+          for (size_t c = 0; c < 3; ++c) out[c] = uint8_t((sum[c] + count / 2) / count);
         } else if (sum[3] == 0) {
           out[0] = out[1] = out[2] = out[3] = 0;
         } else {
           for (size_t c = 0; c < 3; ++c)
-            out[c] = static_cast<uint8_t>(std::min(255u, (sum[c] * 255 + sum[3] / 2) / sum[3]));
-          out[3] = static_cast<uint8_t>((sum[3] + count / 2) / count);
+            out[c] = uint8_t(std::min(255u, (sum[c] * 255 + sum[3] / 2) / sum[3]));
+          out[3] = uint8_t((sum[3] + count / 2) / count);
         }
       }
     }

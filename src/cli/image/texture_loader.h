@@ -1,11 +1,11 @@
 // Picture files as textures: PNG, JPEG, BMP, TGA.
 #pragma once
 
-#include "common/growing_array.h"
-#include "obj/material.h"
-
 #include <cstdint>
 #include <string>
+
+#include "common/growing_array.h"
+#include "obj/material.h"
 
 namespace softgl::cli {
 

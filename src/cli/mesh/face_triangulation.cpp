@@ -1,8 +1,8 @@
 #include "mesh/face_triangulation.h"
 
-#include "mesh/polygon_triangulator.h"
-
 #include <cmath>
+
+#include "mesh/polygon_triangulator.h"
 
 namespace softgl::cli {
 namespace {
@@ -18,14 +18,14 @@ double dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.
 
 class FaceTriangulator {
 public:
-  explicit FaceTriangulator(const GrowingArray<double>& positions) : positions(positions) {}
+  explicit FaceTriangulator(const GrowingArray<double>& positions) : positions_(positions) {}
 
   void triangulate(ObjChunk& chunk) {
     if (chunk.face_sizes.empty()) return;
-    places.truncate(0);
+    places_.truncate(0);
     size_t total = 0;
     for (const uint32_t size : chunk.face_sizes) total += size_t(3) * (size - 2);
-    places.room(total);
+    places_.room(total);
     uint32_t first = 0, change = 0, triangles = 0;
     for (uint32_t face = 0; face < chunk.face_count; ++face) {
       while (change < chunk.changes.size() && chunk.changes[change].face <= face)
@@ -45,12 +45,12 @@ public:
 
 private:
   Vector position(int32_t vertex) const {
-    const double* p = &positions[3 * static_cast<size_t>(vertex)];
+    const double* p = &positions_[3 * size_t(vertex)];
     return {p[0], p[1], p[2]};
   }
 
   void add_face(const int32_t* vertices, uint32_t first, uint32_t size) {
-    uint32_t* out = places.extend(size_t(3) * (size - 2));
+    uint32_t* out = places_.extend(size_t(3) * (size - 2));
     if (size == 3) {
       for (uint32_t i = 0; i < 3; ++i) out[i] = first + i;
       return;
@@ -65,30 +65,30 @@ private:
       for (uint32_t i = 0; i < 6; ++i) out[i] = first + corners[i];
       return;
     }
-    polygon.truncate(0);
-    double* xyz = polygon.extend(size_t(3) * size);
+    polygon_.truncate(0);
+    double* xyz = polygon_.extend(size_t(3) * size);
     for (uint32_t i = 0; i < size; ++i) {
       const Vector p = position(vertices[i]);
       xyz[3 * i] = p.x;
       xyz[3 * i + 1] = p.y;
       xyz[3 * i + 2] = p.z;
     }
-    triangulator.triangulate(xyz, size, out);
+    triangulator_.triangulate(xyz, size, out);
     for (uint32_t i = 0; i < 3 * (size - 2); ++i) out[i] += first;
   }
 
   void reorder(GrowingArray<int32_t>& values) const {
     if (values.empty()) return;
     GrowingArray<int32_t> ordered;
-    int32_t* out = ordered.extend(places.size());
-    for (size_t i = 0; i < places.size(); ++i) out[i] = values[places[i]];
+    int32_t* out = ordered.extend(places_.size());
+    for (size_t i = 0; i < places_.size(); ++i) out[i] = values[places_[i]];
     values = std::move(ordered);
   }
 
-  const GrowingArray<double>& positions;
-  GrowingArray<uint32_t> places; // the corner that stands at each place of the triangles
-  GrowingArray<double> polygon;
-  PolygonTriangulator triangulator;
+  const GrowingArray<double>& positions_;
+  GrowingArray<uint32_t> places_; // the corner that stands at each place of the triangles
+  GrowingArray<double> polygon_;
+  PolygonTriangulator triangulator_;
 };
 
 } // namespace
@@ -110,7 +110,7 @@ double surface_area(const ObjModel& model) {
     const GrowingArray<int32_t>& vertices = chunk.corner_vertices.values;
     for (size_t i = 0; i + 2 < vertices.size(); i += 3) {
       const double* p[3];
-      for (size_t k = 0; k < 3; ++k) p[k] = &model.positions[3 * static_cast<size_t>(vertices[i + k])];
+      for (size_t k = 0; k < 3; ++k) p[k] = &model.positions[3 * size_t(vertices[i + k])];
       const Vector a{p[0][0], p[0][1], p[0][2]}, b{p[1][0], p[1][1], p[1][2]}, c{p[2][0], p[2][1], p[2][2]};
       const Vector n = cross(b - a, c - a);
       area += std::sqrt(dot(n, n)) / 2;

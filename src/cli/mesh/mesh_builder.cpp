@@ -19,19 +19,19 @@ struct MaterialRun {
 class MaterialResolver {
 public:
   MaterialResolver(const ObjModel& model, const MaterialLibrary& library, RemarkList& remarks)
-      : model(model), library(library), remarks(remarks) {
+      : model_(model), library_(library), remarks_(remarks) {
     bool any = false;
     for (const ObjChunk& chunk : model.chunks)
       for (const StateChange& change : chunk.changes) any |= change.kind == StateChange::kMaterial;
     // A library of one material that nobody names is meant for the whole model.
-    if (!any && library.materials().size() == 2) start = 1;
+    if (!any && library.materials().size() == 2) start_ = 1;
   }
 
   std::vector<MaterialRun> runs(uint32_t StateChange::*element, uint32_t (*count_of)(const ObjChunk&)) {
     std::vector<MaterialRun> result;
-    uint32_t material = start;
-    for (uint32_t c = 0; c < model.chunks.size(); ++c) {
-      const ObjChunk& chunk = model.chunks[c];
+    uint32_t material = start_;
+    for (uint32_t c = 0; c < model_.chunks.size(); ++c) {
+      const ObjChunk& chunk = model_.chunks[c];
       const uint32_t total = count_of(chunk);
       uint32_t first = 0;
       const auto close = [&](uint32_t last) {
@@ -55,49 +55,46 @@ public:
 private:
   uint32_t resolve(std::string_view name) {
     if (name.empty()) return 0;
-    const auto known = resolved.find(name);
-    if (known != resolved.end()) return known->second;
-    const uint32_t material = library.find(name);
-    resolved.emplace(name, material);
+    const auto known = resolved_.find(name);
+    if (known != resolved_.end()) return known->second;
+    const uint32_t material = library_.find(name);
+    resolved_.emplace(name, material);
     if (material == 0) {
       const char* kind = "unknown material: the default one is used";
-      if (remarks.count(kind))
-        remarks.describe(kind, name.data(),
-                         "material \"" + std::string(name.substr(0, 80)) +
-                             "\" is unknown; the default one is used");
+      if (remarks_.count(kind))
+        remarks_.describe(kind, name.data(),
+                          "material \"" + std::string(name.substr(0, 80)) +
+                              "\" is unknown; the default one is used");
     }
     return material;
   }
 
-  const ObjModel& model;
-  const MaterialLibrary& library;
-  RemarkList& remarks;
-  uint32_t start = 0;
-  std::unordered_map<std::string_view, uint32_t> resolved;
+  const ObjModel& model_;
+  const MaterialLibrary& library_;
+  RemarkList& remarks_;
+  uint32_t start_ = 0;
+  std::unordered_map<std::string_view, uint32_t> resolved_;
 };
 
 class MeshBuilder {
 public:
   MeshBuilder(const ObjModel& model, const ModelFrame& frame, const std::vector<Material>& materials,
               const MeshOptions& options)
-      : model(model), frame(frame), materials(materials), options(options) {}
+      : model_(model), frame_(frame), materials_(materials), options_(options) {}
 
   Mesh build(MaterialResolver& resolver) {
-    const auto triangle_runs = resolver.runs(&StateChange::face, [](const ObjChunk& c) {
-      return static_cast<uint32_t>(c.corner_vertices.values.size() / 3);
-    });
-    const auto segment_runs = resolver.runs(&StateChange::line, [](const ObjChunk& c) {
-      return static_cast<uint32_t>(c.line_vertices.values.size() / 2);
-    });
-    const auto point_runs = resolver.runs(&StateChange::point, [](const ObjChunk& c) {
-      return static_cast<uint32_t>(c.point_vertices.values.size());
-    });
+    const auto triangle_runs = resolver.runs(
+        &StateChange::face, [](const ObjChunk& c) { return uint32_t(c.corner_vertices.values.size() / 3); });
+    const auto segment_runs = resolver.runs(
+        &StateChange::line, [](const ObjChunk& c) { return uint32_t(c.line_vertices.values.size() / 2); });
+    const auto point_runs = resolver.runs(
+        &StateChange::point, [](const ObjChunk& c) { return uint32_t(c.point_vertices.values.size()); });
     add_triangles(triangle_runs);
-    add_elements(segment_runs, &ObjChunk::line_vertices, 2, mesh.segment_positions, mesh.segment_colours,
-                 mesh.segment_batches);
-    add_elements(point_runs, &ObjChunk::point_vertices, 1, mesh.point_positions, mesh.point_colours,
-                 mesh.point_batches);
-    return std::move(mesh);
+    add_elements(segment_runs, &ObjChunk::line_vertices, 2, mesh_.segment_positions, mesh_.segment_colors,
+                 mesh_.segment_batches);
+    add_elements(point_runs, &ObjChunk::point_vertices, 1, mesh_.point_positions, mesh_.point_colors,
+                 mesh_.point_batches);
+    return std::move(mesh_);
   }
 
 private:
@@ -127,26 +124,26 @@ private:
 
   void add_triangles(const std::vector<MaterialRun>& runs) {
     std::vector<uint32_t> places;
-    mesh.triangle_batches = lay_out(runs, 3, places);
+    mesh_.triangle_batches = lay_out(runs, 3, places);
     size_t total = 0;
     for (const MaterialRun& run : runs) total += size_t(3) * (run.last - run.first);
     if (total == 0) return;
-    mesh.triangles.extend(total);
-    with_texcoords = false;
-    for (const ObjChunk& chunk : model.chunks) with_texcoords |= !chunk.corner_texcoords.values.empty();
-    with_texcoords = with_texcoords && options.with_texcoords && model.texcoord_count > 0;
-    if (options.flat)
-      mesh.positions.room(3 * total);
+    mesh_.triangles.extend(total);
+    with_texcoords_ = false;
+    for (const ObjChunk& chunk : model_.chunks) with_texcoords_ |= !chunk.corner_texcoords.values.empty();
+    with_texcoords_ = with_texcoords_ && options_.with_texcoords && model_.texcoord_count > 0;
+    if (options_.flat)
+      mesh_.positions.room(3 * total);
     else
-      head.fill(model.position_count, kNone);
+      head_.fill(model_.position_count, kNone);
     for (size_t r = 0; r < runs.size(); ++r) {
       const MaterialRun& run = runs[r];
-      const ObjChunk& chunk = model.chunks[run.chunk];
-      uint32_t* out = mesh.triangles.data() + places[r];
-      plain_colour = materials[run.material].diffuse;
-      if (options.flat)
+      const ObjChunk& chunk = model_.chunks[run.chunk];
+      uint32_t* out = mesh_.triangles.data() + places[r];
+      plain_color_ = materials_[run.material].diffuse;
+      if (options_.flat)
         add_flat_run(chunk, run, out);
-      else if (with_texcoords && !chunk.corner_texcoords.values.empty())
+      else if (with_texcoords_ && !chunk.corner_texcoords.values.empty())
         add_run<true>(chunk, run, out);
       else
         add_run<false>(chunk, run, out);
@@ -156,20 +153,19 @@ private:
   static constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
 
   uint32_t add_vertex(int32_t vertex, int32_t texcoord) {
-    const auto index = static_cast<uint32_t>(mesh.positions.size() / 3);
-    mesh.positions.append(&frame.positions[3 * static_cast<size_t>(vertex)], 3);
-    if (with_texcoords) {
+    const auto index = uint32_t(mesh_.positions.size() / 3);
+    mesh_.positions.append(&frame_.positions[3 * size_t(vertex)], 3);
+    if (with_texcoords_) {
       static constexpr float kZero[2] = {0, 0};
-      mesh.texcoords.append(texcoord == kAbsent ? kZero : &model.texcoords[2 * static_cast<size_t>(texcoord)],
-                            2);
+      mesh_.texcoords.append(texcoord == kAbsent ? kZero : &model_.texcoords[2 * size_t(texcoord)], 2);
     }
-    if (!model.colours.empty()) add_colour(mesh.colours, vertex);
+    if (!model_.colors.empty()) add_color(mesh_.colors, vertex);
     return index;
   }
 
-  void add_colour(GrowingArray<float>& colours, int32_t vertex) {
-    const float* rgb = &model.colours[3 * static_cast<size_t>(vertex)];
-    for (int i = 0; i < 3; ++i) colours.append(std::isnan(rgb[i]) ? plain_colour[i] : rgb[i]);
+  void add_color(GrowingArray<float>& colors, int32_t vertex) {
+    const float* rgb = &model_.colors[3 * size_t(vertex)];
+    for (int i = 0; i < 3; ++i) colors.append(std::isnan(rgb[i]) ? plain_color_[i] : rgb[i]);
   }
 
   void add_normal(const float* n) {
@@ -177,7 +173,7 @@ private:
     const float largest = std::max({std::fabs(n[0]), std::fabs(n[1]), std::fabs(n[2])});
     const float x = n[0] / largest, y = n[1] / largest, z = n[2] / largest;
     const float length = std::sqrt(x * x + y * y + z * z);
-    float* out = mesh.normals.extend(3);
+    float* out = mesh_.normals.extend(3);
     out[0] = x / length;
     out[1] = y / length;
     out[2] = z / length;
@@ -191,18 +187,18 @@ private:
     for (size_t i = size_t(3) * run.first; i < size_t(3) * run.last; ++i) {
       const int32_t vertex = vertices[i], normal = normals[i];
       const int32_t texcoord = kTexcoords ? texcoords[i] : kAbsent;
-      uint32_t* link = &head[static_cast<size_t>(vertex)];
+      uint32_t* link = &head_[size_t(vertex)];
       uint32_t index = *link;
       // A position with very many variants: stop looking, a copy more does no harm.
       for (int steps = 0; index != kNone && steps < 32; ++steps) {
-        const Variant& variant = variants[index];
+        const Variant& variant = variants_[index];
         if (variant.normal == normal && variant.texcoord == texcoord) break;
         index = steps < 31 ? variant.next : kNone;
       }
       if (index == kNone) {
         index = add_vertex(vertex, texcoord);
-        add_normal(&model.normals[3 * static_cast<size_t>(normal)]);
-        variants.append({texcoord, normal, *link});
+        add_normal(&model_.normals[3 * size_t(normal)]);
+        variants_.append({texcoord, normal, *link});
         *link = index;
       }
       *out++ = index;
@@ -211,11 +207,11 @@ private:
 
   void add_flat_run(const ObjChunk& chunk, const MaterialRun& run, uint32_t* out) {
     const int32_t* vertices = chunk.corner_vertices.values.data();
-    const bool textured = with_texcoords && !chunk.corner_texcoords.values.empty();
+    const bool textured = with_texcoords_ && !chunk.corner_texcoords.values.empty();
     for (size_t i = size_t(3) * run.first; i < size_t(3) * run.last; i += 3) {
       const float* p[3];
       for (size_t k = 0; k < 3; ++k) {
-        p[k] = &frame.positions[3 * static_cast<size_t>(vertices[i + k])];
+        p[k] = &frame_.positions[3 * size_t(vertices[i + k])];
         *out++ = add_vertex(vertices[i + k], textured ? chunk.corner_texcoords.values[i + k] : kAbsent);
       }
       const double ax = double(p[1][0]) - p[0][0], ay = double(p[1][1]) - p[0][1],
@@ -226,12 +222,12 @@ private:
       const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
       for (int k = 0; k < 3; ++k)
         for (int axis = 0; axis < 3; ++axis)
-          mesh.normals.append(length > 0 ? static_cast<float>(n[axis] / length) : axis == 2 ? 1.0f : 0.0f);
+          mesh_.normals.append(length > 0 ? float(n[axis] / length) : axis == 2 ? 1.0f : 0.0f);
     }
   }
 
   void add_elements(const std::vector<MaterialRun>& runs, IndexList ObjChunk::*list, uint32_t per_element,
-                    GrowingArray<float>& positions, GrowingArray<float>& colours,
+                    GrowingArray<float>& positions, GrowingArray<float>& colors,
                     std::vector<Batch>& batches) {
     std::vector<uint32_t> places;
     batches = lay_out(runs, per_element, places);
@@ -239,11 +235,11 @@ private:
     for (const Batch& batch : batches)
       for (const MaterialRun& run : runs) {
         if (run.material != batch.material) continue;
-        plain_colour = materials[run.material].diffuse;
-        const GrowingArray<int32_t>& vertices = (model.chunks[run.chunk].*list).values;
+        plain_color_ = materials_[run.material].diffuse;
+        const GrowingArray<int32_t>& vertices = (model_.chunks[run.chunk].*list).values;
         for (size_t i = size_t(run.first) * per_element; i < size_t(run.last) * per_element; ++i) {
-          positions.append(&frame.positions[3 * static_cast<size_t>(vertices[i])], 3);
-          if (!model.colours.empty()) add_colour(colours, vertices[i]);
+          positions.append(&frame_.positions[3 * size_t(vertices[i])], 3);
+          if (!model_.colors.empty()) add_color(colors, vertices[i]);
         }
       }
   }
@@ -253,15 +249,15 @@ private:
     uint32_t next;
   };
 
-  const ObjModel& model;
-  const ModelFrame& frame;
-  const std::vector<Material>& materials;
-  const MeshOptions& options;
-  const float* plain_colour = nullptr; // the current run's, for vertices without a colour among coloured ones
-  Mesh mesh;
-  bool with_texcoords = false;
-  GrowingArray<uint32_t> head; // per position, the vertex added last
-  GrowingArray<Variant> variants;
+  const ObjModel& model_;
+  const ModelFrame& frame_;
+  const std::vector<Material>& materials_;
+  const MeshOptions& options_;
+  const float* plain_color_ = nullptr; // the current run's, for vertices without a color among colored ones
+  Mesh mesh_;
+  bool with_texcoords_ = false;
+  GrowingArray<uint32_t> head_; // per position, the vertex added last
+  GrowingArray<Variant> variants_;
 };
 
 } // namespace

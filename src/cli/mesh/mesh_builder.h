@@ -1,11 +1,11 @@
 // The model as GL wants it: one array of vertices, triangles by material.
 #pragma once
 
-#include "obj/material_library.h"
-#include "mesh/model_frame.h"
-#include "obj/obj_reader.h"
-
 #include <vector>
+
+#include "mesh/model_frame.h"
+#include "obj/material_library.h"
+#include "obj/obj_reader.h"
 
 namespace softgl::cli {
 
@@ -18,13 +18,13 @@ struct Mesh {
   GrowingArray<float> positions; // x y z
   GrowingArray<float> normals;   // x y z, unit
   GrowingArray<float> texcoords; // u v; empty if no triangle has any
-  GrowingArray<float> colours;   // r g b; empty without vertex colours
+  GrowingArray<float> colors;    // r g b; empty without vertex colors
   GrowingArray<uint32_t> triangles;
   std::vector<Batch> triangle_batches; // one per material in use
 
-  GrowingArray<float> segment_positions, segment_colours; // two vertices each
+  GrowingArray<float> segment_positions, segment_colors; // two vertices each
   std::vector<Batch> segment_batches;
-  GrowingArray<float> point_positions, point_colours;
+  GrowingArray<float> point_positions, point_colors;
   std::vector<Batch> point_batches;
 
   bool empty() const { return triangles.empty() && segment_positions.empty() && point_positions.empty(); }

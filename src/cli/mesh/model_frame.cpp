@@ -31,7 +31,7 @@ ModelFrame frame_model(const ObjModel& model) {
   for (int axis = 0; axis < 3; ++axis) {
     frame.low[axis] = low[axis];
     frame.high[axis] = high[axis];
-    frame.centre[axis] = low[axis] / 2 + high[axis] / 2;
+    frame.center[axis] = low[axis] / 2 + high[axis] / 2;
     half = std::max(half, high[axis] / 2 - low[axis] / 2);
   }
   int exponent = 0;
@@ -41,7 +41,7 @@ ModelFrame frame_model(const ObjModel& model) {
   float* out = frame.positions.extend(3 * count);
   for (size_t i = 0; i < count; ++i)
     for (size_t axis = 0; axis < 3; ++axis)
-      out[3 * i + axis] = static_cast<float>((p[3 * i + axis] - frame.centre[axis]) * frame.scale);
+      out[3 * i + axis] = float((p[3 * i + axis] - frame.center[axis]) * frame.scale);
   return frame;
 }
 

@@ -8,11 +8,11 @@ namespace softgl::cli {
 
 struct ModelFrame {
   double low[3] = {0, 0, 0}, high[3] = {0, 0, 0}; // of everything that is drawn
-  double centre[3] = {0, 0, 0};
+  double center[3] = {0, 0, 0};
   double scale = 1;              // a power of two: scaling rounds nothing
-  GrowingArray<float> positions; // (position - centre) * scale, for each vertex of the file
+  GrowingArray<float> positions; // (position - center) * scale, for each vertex of the file
 
-  double to_frame(double value, int axis) const { return (value - centre[axis]) * scale; }
+  double to_frame(double value, int axis) const { return (value - center[axis]) * scale; }
 };
 
 ModelFrame frame_model(const ObjModel& model);

@@ -1,10 +1,10 @@
 #include "mesh/normal_generator.h"
 
-#include "common/trigonometry.h"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
+
+#include "common/trigonometry.h"
 
 namespace softgl::cli {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 constexpr int32_t kNoGroup = -1; // before the first `s`
 constexpr size_t kLanes = 64;
 
-// Normals and corner angles of up to 64 triangles, as arrays the compiler vectorises.
+// Normals and corner angles of up to 64 triangles, as arrays the compiler vectorizes.
 struct TriangleBlock {
   float x[3][kLanes], y[3][kLanes], z[3][kLanes];
   float nx[kLanes], ny[kLanes], nz[kLanes]; // unit, or 0 for a triangle without area
@@ -21,7 +21,7 @@ struct TriangleBlock {
   void load(const float* positions, const int32_t* vertices, size_t count) {
     for (size_t i = 0; i < count; ++i)
       for (size_t k = 0; k < 3; ++k) {
-        const float* p = positions + 3 * static_cast<size_t>(vertices[3 * i + k]);
+        const float* p = positions + 3 * size_t(vertices[3 * i + k]);
         x[k][i] = p[0];
         y[k][i] = p[1];
         z[k][i] = p[2];
@@ -78,23 +78,23 @@ struct Incidence { // a corner at a position whose faces are not all smooth
 class NormalGenerator {
 public:
   NormalGenerator(ObjModel& model, const ModelFrame& frame, const NormalOptions& options)
-      : model(model), positions(frame.positions.data()), use_groups(!options.ignore_groups) {
+      : model_(model), positions_(frame.positions.data()), use_groups_(!options.ignore_groups) {
     const double crease = std::clamp(options.crease_angle, 0.0, 180.0);
-    cos_crease = static_cast<float>(cosine(crease)) - 1e-6f; // an angle just as large is smooth
+    cos_crease_ = float(cosine(crease)) - 1e-6f; // an angle just as large is smooth
     // Faces within half the angle of the mean are within the angle of each other.
-    cos_half_crease = static_cast<float>(cosine(crease / 2)) + 1e-6f;
+    cos_half_crease_ = float(cosine(crease / 2)) + 1e-6f;
   }
 
   uint64_t run() {
     const uint64_t missing = prepare_corners();
     if (missing == 0) return 0;
-    const size_t count = model.position_count;
+    const size_t count = model_.position_count;
     find_places();
-    sums.fill(3 * count, 0.0f);
-    sharp.fill(count, 0);
-    if (use_groups && model.has_smoothing_groups) groups.fill(count, kUnseen);
+    sums_.fill(3 * count, 0.0f);
+    sharp_.fill(count, 0);
+    if (use_groups_ && model_.has_smoothing_groups) groups_.fill(count, kUnseen);
     accumulate();
-    normalise_sums();
+    normalize_sums();
     mark_creases();
     write_smooth_normals();
     split_sharp_positions();
@@ -106,16 +106,16 @@ private:
 
   // Vertices at one place, of exactly the same coordinates, are one for the normals.
   void find_places() {
-    const size_t count = model.position_count;
+    const size_t count = model_.position_count;
     size_t slots = 64;
     while (slots < 2 * count) slots *= 2;
     GrowingArray<int32_t> table;
     table.fill(slots, -1);
     bool any = false;
-    places.extend(count);
+    places_.extend(count);
     for (size_t i = 0; i < count; ++i) {
-      places[i] = static_cast<int32_t>(i);
-      const float* p = positions + 3 * i;
+      places_[i] = int32_t(i);
+      const float* p = positions_ + 3 * i;
       uint32_t bits[3];
       for (size_t axis = 0; axis < 3; ++axis) bits[axis] = std::bit_cast<uint32_t>(p[axis] + 0.0f); // no -0
       uint64_t hash = (bits[0] | uint64_t(bits[1]) << 32) * 0x9e3779b97f4a7c15u;
@@ -124,27 +124,25 @@ private:
       for (int probes = 0; probes < 64; ++probes, slot = (slot + 1) & (slots - 1)) {
         int32_t& entry = table[slot];
         if (entry < 0) {
-          entry = static_cast<int32_t>(i);
+          entry = int32_t(i);
           break;
         }
-        const float* q = positions + 3 * static_cast<size_t>(entry);
+        const float* q = positions_ + 3 * size_t(entry);
         if (p[0] == q[0] && p[1] == q[1] && p[2] == q[2]) {
-          places[i] = entry;
+          places_[i] = entry;
           any = true;
           break;
         }
       }
     }
-    if (!any) places.release();
+    if (!any) places_.release();
   }
 
-  size_t place_of(int32_t vertex) const {
-    return static_cast<size_t>(places.empty() ? vertex : places[static_cast<size_t>(vertex)]);
-  }
+  size_t place_of(int32_t vertex) const { return size_t(places_.empty() ? vertex : places_[size_t(vertex)]); }
 
   uint64_t prepare_corners() {
     uint64_t missing = 0;
-    for (ObjChunk& chunk : model.chunks) {
+    for (ObjChunk& chunk : model_.chunks) {
       GrowingArray<int32_t>& normals = chunk.corner_normals.values;
       if (normals.empty()) normals.fill(chunk.corner_vertices.values.size(), kAbsent);
       uint64_t absent = 0;
@@ -157,13 +155,13 @@ private:
   // Calls visit(chunk, first triangle, count <= 64, group) over all triangles in file order.
   template <class Visit> void for_each_block(const Visit& visit) {
     int32_t group = kNoGroup;
-    for (ObjChunk& chunk : model.chunks) {
+    for (ObjChunk& chunk : model_.chunks) {
       const size_t total = chunk.corner_vertices.values.size() / 3;
       size_t change = 0;
       for (size_t first = 0; first < total;) {
         while (change < chunk.changes.size() && chunk.changes[change].face <= first) {
           const StateChange& c = chunk.changes[change++];
-          if (use_groups && c.kind == StateChange::kSmoothingGroup) group = c.group;
+          if (use_groups_ && c.kind == StateChange::kSmoothingGroup) group = c.group;
         }
         size_t last = std::min(total, first + kLanes);
         for (size_t next = change; next < chunk.changes.size() && chunk.changes[next].face < last; ++next)
@@ -173,7 +171,7 @@ private:
         first = last;
       }
       for (; change < chunk.changes.size(); ++change)
-        if (use_groups && chunk.changes[change].kind == StateChange::kSmoothingGroup)
+        if (use_groups_ && chunk.changes[change].kind == StateChange::kSmoothingGroup)
           group = chunk.changes[change].group;
     }
   }
@@ -181,39 +179,39 @@ private:
   void accumulate() {
     for_each_block([&](ObjChunk& chunk, size_t first, size_t count, int32_t group) {
       const int32_t* vertices = chunk.corner_vertices.values.data() + 3 * first;
-      block.load(positions, vertices, count);
-      block.compute_normals();
-      block.compute_angles();
+      block_.load(positions_, vertices, count);
+      block_.compute_normals();
+      block_.compute_angles();
       for (size_t i = 0; i < count; ++i)
         for (size_t k = 0; k < 3; ++k) {
-          float* sum = &sums[3 * place_of(vertices[3 * i + k])];
-          const float weight = block.angle[k][i];
-          sum[0] += weight * block.nx[i];
-          sum[1] += weight * block.ny[i];
-          sum[2] += weight * block.nz[i];
+          float* sum = &sums_[3 * place_of(vertices[3 * i + k])];
+          const float weight = block_.angle[k][i];
+          sum[0] += weight * block_.nx[i];
+          sum[1] += weight * block_.ny[i];
+          sum[2] += weight * block_.nz[i];
         }
-      if (groups.empty()) return;
+      if (groups_.empty()) return;
       for (size_t i = 0; i < 3 * count; ++i) {
         const size_t vertex = place_of(vertices[i]);
-        if (groups[vertex] == kUnseen) groups[vertex] = group;
-        if (groups[vertex] != group || group == 0) sharp[vertex] = 1;
+        if (groups_[vertex] == kUnseen) groups_[vertex] = group;
+        if (groups_[vertex] != group || group == 0) sharp_[vertex] = 1;
       }
     });
   }
 
-  static bool normalise(float* n) {
+  static bool normalize(float* n) {
     const float length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     if (!(length > 1e-12f)) return false;
     for (int axis = 0; axis < 3; ++axis) n[axis] /= length;
     return true;
   }
 
-  void normalise_sums() {
-    for (size_t i = 0; i < sums.size(); i += 3)
-      if (!normalise(&sums[i])) { // no face with area, or faces that cancel each other
-        sums[i] = sums[i + 1] = 0;
-        sums[i + 2] = 1;
-        sharp[i / 3] = 1;
+  void normalize_sums() {
+    for (size_t i = 0; i < sums_.size(); i += 3)
+      if (!normalize(&sums_[i])) { // no face with area, or faces that cancel each other
+        sums_[i] = sums_[i + 1] = 0;
+        sums_[i + 2] = 1;
+        sharp_[i / 3] = 1;
       }
   }
 
@@ -221,27 +219,26 @@ private:
     for_each_block([&](ObjChunk& chunk, size_t first, size_t count, int32_t group) {
       if (group > 0) return; // a smoothing group needs no angle
       const int32_t* vertices = chunk.corner_vertices.values.data() + 3 * first;
-      block.load(positions, vertices, count);
-      block.compute_normals();
+      block_.load(positions_, vertices, count);
+      block_.compute_normals();
       for (size_t i = 0; i < count; ++i)
         for (size_t k = 0; k < 3; ++k) {
           const size_t vertex = place_of(vertices[3 * i + k]);
-          const float* mean = &sums[3 * vertex];
-          const float towards = mean[0] * block.nx[i] + mean[1] * block.ny[i] + mean[2] * block.nz[i];
-          const bool flat = block.nx[i] == 0 && block.ny[i] == 0 && block.nz[i] == 0;
-          sharp[vertex] |= static_cast<uint8_t>(!(towards >= cos_half_crease) & !flat);
+          const float* mean = &sums_[3 * vertex];
+          const float towards = mean[0] * block_.nx[i] + mean[1] * block_.ny[i] + mean[2] * block_.nz[i];
+          const bool flat = block_.nx[i] == 0 && block_.ny[i] == 0 && block_.nz[i] == 0;
+          sharp_[vertex] |= uint8_t(!(towards >= cos_half_crease_) & !flat);
         }
     });
   }
 
   void write_smooth_normals() {
-    base = static_cast<int32_t>(model.normals.size() / 3);
-    model.normals.append(sums.data(), sums.size());
-    for (ObjChunk& chunk : model.chunks)
+    base_ = int32_t(model_.normals.size() / 3);
+    model_.normals.append(sums_.data(), sums_.size());
+    for (ObjChunk& chunk : model_.chunks)
       for (size_t i = 0; i < chunk.corner_normals.values.size(); ++i) {
         int32_t& normal = chunk.corner_normals.values[i];
-        if (normal == kAbsent)
-          normal = base + static_cast<int32_t>(place_of(chunk.corner_vertices.values[i]));
+        if (normal == kAbsent) normal = base_ + int32_t(place_of(chunk.corner_vertices.values[i]));
       }
   }
 
@@ -249,38 +246,38 @@ private:
   void split_sharp_positions() {
     GrowingArray<uint32_t> start; // of each sharp position's incidences
     size_t total = 0;
-    for (const ObjChunk& chunk : model.chunks)
-      for (const int32_t vertex : chunk.corner_vertices.values) total += sharp[place_of(vertex)];
+    for (const ObjChunk& chunk : model_.chunks)
+      for (const int32_t vertex : chunk.corner_vertices.values) total += sharp_[place_of(vertex)];
     if (total == 0) return;
-    start.fill(model.position_count + 1, 0);
-    for (const ObjChunk& chunk : model.chunks)
+    start.fill(model_.position_count + 1, 0);
+    for (const ObjChunk& chunk : model_.chunks)
       for (const int32_t vertex : chunk.corner_vertices.values)
-        start[place_of(vertex) + 1] += sharp[place_of(vertex)];
-    for (size_t i = 0; i < model.position_count; ++i) start[i + 1] += start[i];
+        start[place_of(vertex) + 1] += sharp_[place_of(vertex)];
+    for (size_t i = 0; i < model_.position_count; ++i) start[i + 1] += start[i];
     GrowingArray<Incidence> incidences;
     incidences.extend(total);
     for_each_block([&](ObjChunk& chunk, size_t first, size_t count, int32_t group) {
       const int32_t* vertices = chunk.corner_vertices.values.data() + 3 * first;
       int32_t* normals = chunk.corner_normals.values.data() + 3 * first;
       bool any = false;
-      for (size_t i = 0; i < 3 * count; ++i) any |= sharp[place_of(vertices[i])] != 0;
+      for (size_t i = 0; i < 3 * count; ++i) any |= sharp_[place_of(vertices[i])] != 0;
       if (!any) return;
-      block.load(positions, vertices, count);
-      block.compute_normals();
-      block.compute_angles();
+      block_.load(positions_, vertices, count);
+      block_.compute_normals();
+      block_.compute_angles();
       for (size_t i = 0; i < count; ++i)
         for (size_t k = 0; k < 3; ++k) {
           const size_t vertex = place_of(vertices[3 * i + k]);
-          if (!sharp[vertex]) continue;
+          if (!sharp_[vertex]) continue;
           int32_t* normal = normals + 3 * i + k;
-          incidences[start[vertex]++] = {{block.nx[i], block.ny[i], block.nz[i]},
-                                         block.angle[k][i],
+          incidences[start[vertex]++] = {{block_.nx[i], block_.ny[i], block_.nz[i]},
+                                         block_.angle[k][i],
                                          group,
-                                         *normal >= base ? normal : nullptr};
+                                         *normal >= base_ ? normal : nullptr};
         }
     });
     size_t begin = 0;
-    for (size_t vertex = 0; vertex < model.position_count; ++vertex) {
+    for (size_t vertex = 0; vertex < model_.position_count; ++vertex) {
       const size_t end = start[vertex];
       if (end > begin) split(incidences.data() + begin, end - begin);
       begin = std::max(begin, end);
@@ -290,19 +287,19 @@ private:
   bool belong_together(const Incidence& a, const Incidence& b) const {
     if (a.group != b.group || a.group == 0) return false;
     if (a.group > 0) return true;
-    return a.n[0] * b.n[0] + a.n[1] * b.n[1] + a.n[2] * b.n[2] >= cos_crease;
+    return a.n[0] * b.n[0] + a.n[1] * b.n[1] + a.n[2] * b.n[2] >= cos_crease_;
   }
 
   int32_t add_normal(const float* n, size_t first_of_position) {
-    const size_t count = model.normals.size() / 3;
+    const size_t count = model_.normals.size() / 3;
     for (size_t i = first_of_position; i < count && i < first_of_position + 16; ++i)
-      if (std::equal(n, n + 3, &model.normals[3 * i])) return static_cast<int32_t>(i);
-    model.normals.append(n, 3);
-    return static_cast<int32_t>(count);
+      if (std::equal(n, n + 3, &model_.normals[3 * i])) return int32_t(i);
+    model_.normals.append(n, 3);
+    return int32_t(count);
   }
 
   void split(const Incidence* around, size_t count) {
-    const size_t first_of_position = model.normals.size() / 3;
+    const size_t first_of_position = model_.normals.size() / 3;
     if (count > 128) {
       split_hub(around, count, first_of_position);
       return;
@@ -314,7 +311,7 @@ private:
         if (j != i && !belong_together(around[i], around[j])) continue;
         for (int axis = 0; axis < 3; ++axis) sum[axis] += around[j].angle * around[j].n[axis];
       }
-      if (!normalise(sum)) std::copy_n(around[i].n, 3, sum);
+      if (!normalize(sum)) std::copy_n(around[i].n, 3, sum);
       set_normal(around[i], sum, first_of_position);
     }
   }
@@ -346,7 +343,7 @@ private:
         for (int axis = 0; axis < 3; ++axis) bundles[b].sum[axis] += around[i].angle * around[i].n[axis];
     }
     for (Bundle& bundle : bundles)
-      if (!normalise(bundle.sum)) std::copy_n(bundle.first->n, 3, bundle.sum);
+      if (!normalize(bundle.sum)) std::copy_n(bundle.first->n, 3, bundle.sum);
     for (size_t i = 0; i < count; ++i) {
       if (!around[i].normal) continue;
       float n[3];
@@ -355,16 +352,16 @@ private:
     }
   }
 
-  ObjModel& model;
-  const float* positions;
-  const bool use_groups;
-  float cos_crease, cos_half_crease;
-  TriangleBlock block;
-  GrowingArray<int32_t> places; // per vertex, the first one at its place; empty if no two share one
-  GrowingArray<float> sums;
-  GrowingArray<uint8_t> sharp;
-  GrowingArray<int32_t> groups; // the first face's group at each position; empty without smoothing groups
-  int32_t base = 0;
+  ObjModel& model_;
+  const float* positions_;
+  const bool use_groups_;
+  float cos_crease_, cos_half_crease_;
+  TriangleBlock block_;
+  GrowingArray<int32_t> places_; // per vertex, the first one at its place; empty if no two share one
+  GrowingArray<float> sums_;
+  GrowingArray<uint8_t> sharp_;
+  GrowingArray<int32_t> groups_; // the first face's group at each position; empty without smoothing groups
+  int32_t base_ = 0;
 };
 
 } // namespace

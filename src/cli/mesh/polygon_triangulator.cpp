@@ -92,7 +92,7 @@ int PolygonTriangulator::bend(uint32_t corner) const {
 
 uint32_t PolygonTriangulator::cell_of(double value, int axis) const {
   const double cell = (value - grid_origin_[axis]) * grid_scale_[axis];
-  return cell <= 0 ? 0 : std::min(columns_ - 1, static_cast<uint32_t>(cell));
+  return cell <= 0 ? 0 : std::min(columns_ - 1, uint32_t(cell));
 }
 
 void PolygonTriangulator::build_grid() {
@@ -104,12 +104,12 @@ void PolygonTriangulator::build_grid() {
     low[1] = std::min(low[1], y_[i]);
     high[1] = std::max(high[1], y_[i]);
   }
-  columns_ = std::clamp(static_cast<uint32_t>(std::sqrt(reflex_count_ * 0.5)), 1u, 2048u);
+  columns_ = std::clamp(uint32_t(std::sqrt(reflex_count_ * 0.5)), 1u, 2048u);
   for (int axis = 0; axis < 2; ++axis) {
     grid_origin_[axis] = low[axis];
     grid_scale_[axis] = high[axis] > low[axis] ? columns_ / (high[axis] - low[axis]) : 0;
   }
-  const size_t cells = static_cast<size_t>(columns_) * columns_;
+  const size_t cells = size_t(columns_) * columns_;
   cell_start_.truncate(0);
   cell_start_.fill(cells + 1, 0);
   cell_corners_.truncate(0);
@@ -157,8 +157,8 @@ void PolygonTriangulator::clip(uint32_t corner) {
   next_[a] = c;
   previous_[c] = a;
   bend_[corner] = 2; // gone: never reflex again
-  bend_[a] = static_cast<int8_t>(bend(a));
-  bend_[c] = static_cast<int8_t>(bend(c));
+  bend_[a] = int8_t(bend(a));
+  bend_[c] = int8_t(bend(c));
 }
 
 void PolygonTriangulator::clip_ears() {
@@ -174,7 +174,7 @@ void PolygonTriangulator::clip_ears() {
   }
   reflex_count_ = 0;
   for (uint32_t i = 0; i < size_; ++i) {
-    bend_[i] = static_cast<int8_t>(bend(i));
+    bend_[i] = int8_t(bend(i));
     reflex_count_ += bend_[i] < 0;
   }
   build_grid();

@@ -1,9 +1,9 @@
 // Polygons of any shape in space as triangles.
 #pragma once
 
-#include "common/growing_array.h"
-
 #include <cstdint>
+
+#include "common/growing_array.h"
 
 namespace softgl::cli {
 

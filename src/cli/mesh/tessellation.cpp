@@ -1,9 +1,9 @@
 #include "mesh/tessellation.h"
 
-#include "common/trigonometry.h"
-
 #include <cmath>
 #include <unordered_map>
+
+#include "common/trigonometry.h"
 
 namespace softgl::cli {
 namespace {
@@ -27,24 +27,24 @@ void append_mean(GrowingArray<float>& values, size_t components, uint32_t a, uin
 // The vertices in the middle of edges; neighbouring triangles share them.
 class Middles {
 public:
-  explicit Middles(Mesh& mesh) : mesh(mesh) { numbers.reserve(mesh.triangles.size()); }
+  explicit Middles(Mesh& mesh) : mesh_(mesh) { numbers_.reserve(mesh.triangles.size()); }
 
   uint32_t between(uint32_t a, uint32_t b) {
     const uint64_t edge = uint64_t(a < b ? a : b) << 32 | (a < b ? b : a);
-    const auto [entry, added] = numbers.try_emplace(edge, static_cast<uint32_t>(mesh.positions.size() / 3));
+    const auto [entry, added] = numbers_.try_emplace(edge, uint32_t(mesh_.positions.size() / 3));
     if (added) {
-      append_mean(mesh.positions, 3, a, b);
-      mesh.normals.room(3); // the two that follow are read where they lie
-      append_normalized(mesh.normals, &mesh.normals[3 * size_t(a)], &mesh.normals[3 * size_t(b)]);
-      append_mean(mesh.texcoords, 2, a, b);
-      append_mean(mesh.colours, 3, a, b);
+      append_mean(mesh_.positions, 3, a, b);
+      mesh_.normals.room(3); // the two that follow are read where they lie
+      append_normalized(mesh_.normals, &mesh_.normals[3 * size_t(a)], &mesh_.normals[3 * size_t(b)]);
+      append_mean(mesh_.texcoords, 2, a, b);
+      append_mean(mesh_.colors, 3, a, b);
     }
     return entry->second;
   }
 
 private:
-  Mesh& mesh;
-  std::unordered_map<uint64_t, uint32_t> numbers;
+  Mesh& mesh_;
+  std::unordered_map<uint64_t, uint32_t> numbers_;
 };
 
 } // namespace
@@ -59,14 +59,12 @@ Mesh sphere_mesh(int slices) {
       const double place[3] = {sine(latitude) * sine(longitude), cosine(latitude),
                                sine(latitude) * cosine(longitude)};
       for (const double value : place) {
-        mesh.positions.append(static_cast<float>(value));
-        mesh.normals.append(static_cast<float>(value));
+        mesh.positions.append(float(value));
+        mesh.normals.append(float(value));
       }
     }
   }
-  const auto vertex = [slices](int stack, int slice) {
-    return static_cast<uint32_t>(stack * slices + slice % slices);
-  };
+  const auto vertex = [slices](int stack, int slice) { return uint32_t(stack * slices + slice % slices); };
   for (int stack = 0; stack < stacks; ++stack)
     for (int slice = 0; slice < slices; ++slice) {
       const uint32_t below = vertex(stack + 1, slice), right = vertex(stack, slice + 1);
@@ -75,7 +73,7 @@ Mesh sphere_mesh(int slices) {
       if (stack > 0) mesh.triangles.append(left_half, 3); // at a pole it has no area
       if (stack < stacks - 1) mesh.triangles.append(right_half, 3);
     }
-  mesh.triangle_batches.push_back({0, 0, static_cast<uint32_t>(mesh.triangles.size())});
+  mesh.triangle_batches.push_back({0, 0, uint32_t(mesh.triangles.size())});
   return mesh;
 }
 
@@ -84,7 +82,7 @@ Mesh subdivide(const Mesh& mesh) {
   fine.positions.append(mesh.positions.data(), mesh.positions.size());
   fine.normals.append(mesh.normals.data(), mesh.normals.size());
   fine.texcoords.append(mesh.texcoords.data(), mesh.texcoords.size());
-  fine.colours.append(mesh.colours.data(), mesh.colours.size());
+  fine.colors.append(mesh.colors.data(), mesh.colors.size());
   fine.triangles.room(4 * mesh.triangles.size());
   Middles middles(fine);
   for (size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {

@@ -11,7 +11,7 @@ bool read_index(const char*& cursor, size_t count_so_far, IndexList& list, size_
   const char* first = q;
   uint64_t value = 0;
   unsigned digit;
-  while ((digit = static_cast<unsigned char>(*q) - unsigned('0')) < 10) {
+  while ((digit = uint8_t(*q) - unsigned('0')) < 10) {
     value = value * 10 + digit;
     if (value > 0x7fffffff) [[unlikely]]
       value = 0x7fffffff;
@@ -20,12 +20,11 @@ bool read_index(const char*& cursor, size_t count_so_far, IndexList& list, size_
   if (q == first) return false;
   cursor = q;
   if (negative) {
-    index = value ? static_cast<int32_t>(static_cast<int64_t>(count_so_far) - static_cast<int64_t>(value))
-                  : kNowhere;
+    index = value ? int32_t(int64_t(count_so_far) - int64_t(value)) : kNowhere;
     if (value == 0x7fffffff) index = kNowhere;
-    if (index != kNowhere) list.relative.append(static_cast<uint32_t>(place));
+    if (index != kNowhere) list.relative.append(uint32_t(place));
   } else {
-    index = value ? static_cast<int32_t>(value) - 1 : kNowhere;
+    index = value ? int32_t(value) - 1 : kNowhere;
     if (value == 0x7fffffff) index = kNowhere;
   }
   return true;
@@ -40,13 +39,13 @@ void forget_from(IndexList& list, size_t size) {
 // A positive index of at most nine digits; the cursor moves past it.
 bool quick_index(const char*& cursor, int32_t& index) {
   const char* q = cursor;
-  unsigned digit = static_cast<unsigned char>(*q) - unsigned('0');
+  unsigned digit = uint8_t(*q) - unsigned('0');
   if (digit > 9) return false;
   uint32_t value = digit;
-  while ((digit = static_cast<unsigned char>(*++q) - unsigned('0')) < 10) value = value * 10 + digit;
+  while ((digit = uint8_t(*++q) - unsigned('0')) < 10) value = value * 10 + digit;
   if (value == 0 || q - cursor > 9) return false;
   cursor = q;
-  index = static_cast<int32_t>(value) - 1;
+  index = int32_t(value) - 1;
   return true;
 }
 
@@ -55,44 +54,44 @@ bool quick_index(const char*& cursor, int32_t& index) {
 // One corner: v, v/t, v//n, v/t/n, with empty parts allowed. False: not a corner.
 bool ElementStatements::corner() {
   int32_t vertex, texcoord = kAbsent, normal_index = kAbsent;
-  const size_t place = out.corner_vertices.values.size();
-  if (!read_index(in.p, out.positions.size() / 3, out.corner_vertices, place, vertex)) return false;
-  if (*in.p == '/') {
-    ++in.p;
-    read_index(in.p, out.texcoords.size() / 2, out.corner_texcoords, place, texcoord);
-    if (*in.p == '/') {
-      ++in.p;
-      read_index(in.p, out.normals.size() / 3, out.corner_normals, place, normal_index);
+  const size_t place = out_.corner_vertices.values.size();
+  if (!read_index(in_.p, out_.positions.size() / 3, out_.corner_vertices, place, vertex)) return false;
+  if (*in_.p == '/') {
+    ++in_.p;
+    read_index(in_.p, out_.texcoords.size() / 2, out_.corner_texcoords, place, texcoord);
+    if (*in_.p == '/') {
+      ++in_.p;
+      read_index(in_.p, out_.normals.size() / 3, out_.corner_normals, place, normal_index);
     }
-    if (!with_slashes) {
-      with_slashes = true;
-      out.corner_texcoords.values.fill(place, kAbsent);
-      out.corner_normals.values.fill(place, kAbsent);
+    if (!with_slashes_) {
+      with_slashes_ = true;
+      out_.corner_texcoords.values.fill(place, kAbsent);
+      out_.corner_normals.values.fill(place, kAbsent);
     }
   }
-  if (!ends_token(*in.p)) return false;
-  out.corner_vertices.values.append(vertex);
-  if (with_slashes) {
-    out.corner_texcoords.values.append(texcoord);
-    out.corner_normals.values.append(normal_index);
+  if (!ends_token(*in_.p)) return false;
+  out_.corner_vertices.values.append(vertex);
+  if (with_slashes_) {
+    out_.corner_texcoords.values.append(texcoord);
+    out_.corner_normals.values.append(normal_index);
   }
   return true;
 }
 
 void ElementStatements::forget_corners(size_t size) {
-  forget_from(out.corner_vertices, size);
-  forget_from(out.corner_texcoords, size);
-  forget_from(out.corner_normals, size);
+  forget_from(out_.corner_vertices, size);
+  forget_from(out_.corner_texcoords, size);
+  forget_from(out_.corner_normals, size);
 }
 
 // What nearly all faces are: a few corners of plain positive indices, one blank between them. False: nothing
 // has been taken, and face() reads it with all cases in mind.
 bool ElementStatements::quick_face() {
   constexpr size_t kMost = 16;
-  int32_t* vertices = out.corner_vertices.values.room(kMost);
-  int32_t* texcoords = with_slashes ? out.corner_texcoords.values.room(kMost) : nullptr;
-  int32_t* normals = with_slashes ? out.corner_normals.values.room(kMost) : nullptr;
-  const char* q = in.p;
+  int32_t* vertices = out_.corner_vertices.values.room(kMost);
+  int32_t* texcoords = with_slashes_ ? out_.corner_texcoords.values.room(kMost) : nullptr;
+  int32_t* normals = with_slashes_ ? out_.corner_normals.values.room(kMost) : nullptr;
+  const char* q = in_.p;
   size_t count = 0;
   for (;;) {
     while (*q == ' ') ++q;
@@ -100,96 +99,96 @@ bool ElementStatements::quick_face() {
     int32_t vertex, texcoord = kAbsent, normal_index = kAbsent;
     if (count == kMost || !quick_index(q, vertex)) return false;
     if (*q == '/') {
-      if (!with_slashes) return false;
+      if (!with_slashes_) return false;
       ++q;
       if (*q != '/' && !quick_index(q, texcoord)) return false;
       if (*q == '/' && !quick_index(++q, normal_index)) return false;
     }
-    if (static_cast<unsigned char>(*q) > ' ') return false;
+    if (uint8_t(*q) > ' ') return false;
     vertices[count] = vertex;
-    if (with_slashes) {
+    if (with_slashes_) {
       texcoords[count] = texcoord;
       normals[count] = normal_index;
     }
     ++count;
   }
-  if (count < 3 || out.face_count == wanted) return false;
-  if (count != 3 || !out.face_sizes.empty()) {
-    if (out.face_sizes.empty()) out.face_sizes.fill(out.face_count, 3);
-    out.face_sizes.append(static_cast<uint32_t>(count));
+  if (count < 3 || out_.face_count == wanted_) return false;
+  if (count != 3 || !out_.face_sizes.empty()) {
+    if (out_.face_sizes.empty()) out_.face_sizes.fill(out_.face_count, 3);
+    out_.face_sizes.append(uint32_t(count));
   }
-  out.corner_vertices.values.commit(count);
-  if (with_slashes) {
-    out.corner_texcoords.values.commit(count);
-    out.corner_normals.values.commit(count);
+  out_.corner_vertices.values.commit(count);
+  if (with_slashes_) {
+    out_.corner_texcoords.values.commit(count);
+    out_.corner_normals.values.commit(count);
   }
-  ++out.face_count;
-  in.p = q;
+  ++out_.face_count;
+  in_.p = q;
   return true;
 }
 
 bool ElementStatements::face() {
   if (quick_face()) [[likely]]
     return false;
-  const size_t first = out.corner_vertices.values.size();
+  const size_t first = out_.corner_vertices.values.size();
   for (;;) {
-    in.skip_blanks();
-    if (in.at_statement_end()) break;
-    const char* token = in.p;
+    in_.skip_blanks();
+    if (in_.at_statement_end()) break;
+    const char* token = in_.p;
     if (corner()) continue;
-    in.p = token;
-    in.skip_token();
-    if (out.remarks.count("face skipped: a corner is not v/vt/vn")) {
-      const std::string corner_text = StatementScanner::printable(token, in.p);
-      out.remarks.describe("face skipped: a corner is not v/vt/vn", in.statement,
-                           "\"" + corner_text + "\" is not a corner v/vt/vn; face skipped");
+    in_.p = token;
+    in_.skip_token();
+    if (out_.remarks.count("face skipped: a corner is not v/vt/vn")) {
+      const std::string corner_text = StatementScanner::printable(token, in_.p);
+      out_.remarks.describe("face skipped: a corner is not v/vt/vn", in_.statement,
+                            "\"" + corner_text + "\" is not a corner v/vt/vn; face skipped");
     }
     forget_corners(first);
-    in.skip_tokens();
+    in_.skip_tokens();
     return false;
   }
-  const size_t count = out.corner_vertices.values.size() - first;
+  const size_t count = out_.corner_vertices.values.size() - first;
   if (count < 3) {
-    out.remarks.add("face with fewer than three corners skipped", in.statement,
-                    "a face needs three corners; skipped");
+    out_.remarks.add("face with fewer than three corners skipped", in_.statement,
+                     "a face needs three corners; skipped");
     forget_corners(first);
     return false;
   }
-  if (out.face_count == wanted) return true;
-  if (count != 3 && out.face_sizes.empty()) out.face_sizes.fill(out.face_count, 3);
-  if (count != 3 || !out.face_sizes.empty()) out.face_sizes.append(static_cast<uint32_t>(count));
-  ++out.face_count;
+  if (out_.face_count == wanted_) return true;
+  if (count != 3 && out_.face_sizes.empty()) out_.face_sizes.fill(out_.face_count, 3);
+  if (count != 3 || !out_.face_sizes.empty()) out_.face_sizes.append(uint32_t(count));
+  ++out_.face_count;
   return false;
 }
 
 void ElementStatements::segments_or_points(bool points) {
-  IndexList& list = points ? out.point_vertices : out.line_vertices;
-  const size_t vertex_count = out.positions.size() / 3;
+  IndexList& list = points ? out_.point_vertices : out_.line_vertices;
+  const size_t vertex_count = out_.positions.size() / 3;
   int32_t previous = kAbsent;
   bool previous_relative = false;
   size_t count = 0;
   for (;;) {
-    in.skip_blanks();
-    if (in.at_statement_end()) break;
+    in_.skip_blanks();
+    if (in_.at_statement_end()) break;
     IndexList scratch;
     int32_t vertex;
-    const char* token = in.p;
-    if (!read_index(in.p, vertex_count, scratch, 0, vertex)) {
-      in.p = token;
-      out.remarks.add("line or point with an index that is not a number", in.statement,
-                      "an index here is not a number; the rest is skipped");
-      in.skip_tokens();
+    const char* token = in_.p;
+    if (!read_index(in_.p, vertex_count, scratch, 0, vertex)) {
+      in_.p = token;
+      out_.remarks.add("line or point with an index that is not a number", in_.statement,
+                       "an index here is not a number; the rest is skipped");
+      in_.skip_tokens();
       break;
     }
-    while (!ends_token(*in.p)) ++in.p; // texture coordinates of lines are of no use here
+    while (!ends_token(*in_.p)) ++in_.p; // texture coordinates of lines are of no use here
     const bool relative = !scratch.relative.empty();
     if (points) {
-      if (relative) list.relative.append(static_cast<uint32_t>(list.values.size()));
+      if (relative) list.relative.append(uint32_t(list.values.size()));
       list.values.append(vertex);
     } else if (count) {
-      if (previous_relative) list.relative.append(static_cast<uint32_t>(list.values.size()));
+      if (previous_relative) list.relative.append(uint32_t(list.values.size()));
       list.values.append(previous);
-      if (relative) list.relative.append(static_cast<uint32_t>(list.values.size()));
+      if (relative) list.relative.append(uint32_t(list.values.size()));
       list.values.append(vertex);
     }
     previous = vertex;
@@ -197,8 +196,8 @@ void ElementStatements::segments_or_points(bool points) {
     ++count;
   }
   if (count < (points ? 1u : 2u))
-    out.remarks.add("line or point with too few vertices", in.statement,
-                    points ? "a point needs a vertex; skipped" : "a line needs two vertices; skipped");
+    out_.remarks.add("line or point with too few vertices", in_.statement,
+                     points ? "a point needs a vertex; skipped" : "a line needs two vertices; skipped");
 }
 
 } // namespace softgl::cli

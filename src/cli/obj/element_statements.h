@@ -9,7 +9,7 @@ namespace softgl::cli {
 class ElementStatements {
 public:
   ElementStatements(StatementScanner& scanner, ObjChunk& chunk, uint32_t wanted_face)
-      : in(scanner), out(chunk), wanted(wanted_face) {}
+      : in_(scanner), out_(chunk), wanted_(wanted_face) {}
   // True if this is the face looked for.
   bool face();
   void line() { segments_or_points(false); }
@@ -21,10 +21,10 @@ private:
   void forget_corners(size_t size);
   void segments_or_points(bool points);
 
-  StatementScanner& in;
-  ObjChunk& out;
-  const uint32_t wanted;
-  bool with_slashes = false; // some corner before had one
+  StatementScanner& in_;
+  ObjChunk& out_;
+  const uint32_t wanted_;
+  bool with_slashes_ = false; // some corner before had one
 };
 
 } // namespace softgl::cli

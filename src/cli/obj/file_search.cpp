@@ -1,10 +1,10 @@
 #include "obj/file_search.h"
 
-#include "common/source_text.h"
-
 #include <algorithm>
 #include <dirent.h>
 #include <strings.h>
+
+#include "common/source_text.h"
 
 namespace softgl::cli {
 

@@ -21,7 +21,7 @@ struct Material {
   float emission[3] = {0, 0, 0};
   float shininess = 0; // 0..128; 0 means no highlight
   float opacity = 1;
-  bool lit = true; // false: illum 0, the diffuse colour as it is
+  bool lit = true; // false: illum 0, the diffuse color as it is
   TextureReference diffuse_map;
   TextureReference opacity_map;
 };

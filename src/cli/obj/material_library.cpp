@@ -1,15 +1,15 @@
 #include "obj/material_library.h"
 
-#include "obj/file_search.h"
-#include "obj/number_parser.h"
-#include "common/program_error.h"
-#include "obj/texture_option_parser.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <strings.h>
 #include <unordered_set>
+
+#include "common/program_error.h"
+#include "obj/file_search.h"
+#include "obj/number_parser.h"
+#include "obj/texture_option_parser.h"
 
 namespace softgl::cli {
 namespace {
@@ -27,8 +27,7 @@ std::string_view trimmed(std::string_view text) {
 
 std::string printable(std::string_view text, size_t limit = 80) {
   std::string result;
-  for (const char c : text.substr(0, limit))
-    result += static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
+  for (const char c : text.substr(0, limit)) result += uint8_t(c) < 32 || c == 127 ? '?' : c;
   return result;
 }
 
@@ -42,19 +41,19 @@ bool is_key(std::string_view word) {
 // One MTL file: statements in order, values of the material that the last newmtl began.
 class LibraryReader {
 public:
-  LibraryReader(const SourceText& text, const std::string& folder) : text(text), folder(folder) {}
+  LibraryReader(const SourceText& text, const std::string& folder) : text_(text), folder_(folder) {}
 
   void read() {
-    const char* p = text.begin();
-    if (text.size() >= 3 && std::string_view(p, 3) == "\xef\xbb\xbf") p += 3;
+    const char* p = text_.begin();
+    if (text_.size() >= 3 && std::string_view(p, 3) == "\xef\xbb\xbf") p += 3;
     std::string joined;
-    while (p < text.end()) {
-      statement = p;
+    while (p < text_.end()) {
+      statement_ = p;
       std::string_view line = take_line(p);
       if (!line.empty() && line.back() == '\\' &&
           trimmed(line).substr(0, 1) != "#") { // a Windows folder ends so too
         joined.assign(line.substr(0, line.size() - 1));
-        while (p < text.end()) {
+        while (p < text_.end()) {
           std::string_view more = take_line(p);
           const bool continued = !more.empty() && more.back() == '\\';
           if (continued) more.remove_suffix(1);
@@ -76,66 +75,66 @@ public:
 private:
   std::string_view take_line(const char*& p) const {
     const char* first = p;
-    while (p < text.end() && *p != '\n' && *p != '\r') ++p;
-    const std::string_view line(first, static_cast<size_t>(p - first));
-    if (p < text.end()) p += *p == '\r' && p[1] == '\n' ? 2 : 1;
+    while (p < text_.end() && *p != '\n' && *p != '\r') ++p;
+    const std::string_view line(first, size_t(p - first));
+    if (p < text_.end()) p += *p == '\r' && p[1] == '\n' ? 2 : 1;
     return line;
   }
 
   void read_statement(std::string_view line) {
     size_t length = 0;
     while (length < line.size() && !ends_token(line[length])) ++length;
-    key = line.substr(0, length);
-    arguments = trimmed(line.substr(length));
+    key_ = line.substr(0, length);
+    arguments_ = trimmed(line.substr(length));
     if (is("newmtl")) {
       finish_material();
-      current.emplace();
-      current->name = std::string(arguments);
-      has_ambient = false;
-      dissolve.reset();
-      transparency.reset();
-      illumination = 2;
-      if (arguments.empty()) remarks.add("newmtl without a name", statement, "newmtl needs a name");
+      current_.emplace();
+      current_->name = std::string(arguments_);
+      has_ambient_ = false;
+      dissolve_.reset();
+      transparency_.reset();
+      illumination_ = 2;
+      if (arguments_.empty()) remarks.add("newmtl without a name", statement_, "newmtl needs a name");
       return;
     }
-    if (!current) {
-      before_first.add_once("statement before newmtl", statement,
+    if (!current_) {
+      before_first.add_once("statement before newmtl", statement_,
                             "statements before the first newmtl are ignored");
       return;
     }
     if (is("Ka"))
-      has_ambient |= colour(current->ambient);
+      has_ambient_ |= color(current_->ambient);
     else if (is("Kd"))
-      colour(current->diffuse);
+      color(current_->diffuse);
     else if (is("Ks"))
-      colour(current->specular);
+      color(current_->specular);
     else if (is("Ke"))
-      colour(current->emission);
+      color(current_->emission);
     else if (is("Ns"))
       shininess();
     else if (is("d"))
-      opacity(dissolve);
+      opacity(dissolve_);
     else if (is("Tr"))
-      opacity(transparency);
+      opacity(transparency_);
     else if (is("illum"))
       illumination_model();
     else if (is("map_Kd"))
-      map(current->diffuse_map);
+      map(current_->diffuse_map);
     else if (is("map_d") || is("map_opacity"))
-      map(current->opacity_map);
+      map(current_->opacity_map);
     else
       ignored();
   }
 
   bool is(const char* name) const {
-    return key.size() == std::string_view(name).size() && ::strncasecmp(key.data(), name, key.size()) == 0;
+    return key_.size() == std::string_view(name).size() && ::strncasecmp(key_.data(), name, key_.size()) == 0;
   }
 
-  std::string quoted_key() const { return "\"" + printable(key, 32) + "\""; }
+  std::string quoted_key() const { return "\"" + printable(key_, 32) + "\""; }
 
   // Up to three numbers; the count, or -1 if something else stands there.
   int numbers(float* values, int limit) const {
-    const std::string copy(arguments); // ends with a zero byte
+    const std::string copy(arguments_); // ends with a zero byte
     const char* p = copy.c_str();
     int count = 0;
     while (count < limit) {
@@ -147,23 +146,23 @@ private:
     return count;
   }
 
-  bool colour(float* target) {
+  bool color(float* target) {
     float values[3];
     const int count = numbers(values, 3);
     if (count < 1) {
-      const bool spectral = arguments.substr(0, 8) == "spectral" || arguments.substr(0, 3) == "xyz";
-      remarks.add("colour that is not r g b: ignored", statement,
+      const bool spectral = arguments_.substr(0, 8) == "spectral" || arguments_.substr(0, 3) == "xyz";
+      remarks.add("color that is not r g b: ignored", statement_,
                   quoted_key() + (spectral
-                                      ? " is given as spectral or XYZ colour, which is not supported; ignored"
+                                      ? " is given as spectral or XYZ color, which is not supported; ignored"
                                       : " needs one or three numbers; ignored"));
       return false;
     }
-    if (count < 3) values[1] = values[2] = values[0]; // one number is a grey
+    if (count < 3) values[1] = values[2] = values[0]; // one number is a gray
     for (int i = 0; i < 3; ++i) {
       if (values[i] < 0 || values[i] > 1) {
-        const char* kind = "colour outside 0..1: clamped";
+        const char* kind = "color outside 0..1: clamped";
         if (remarks.count(kind))
-          remarks.describe(kind, statement, quoted_key() + " is outside 0..1; clamped");
+          remarks.describe(kind, statement_, quoted_key() + " is outside 0..1; clamped");
         break;
       }
     }
@@ -174,17 +173,17 @@ private:
   void shininess() {
     float value;
     if (numbers(&value, 1) < 1) {
-      remarks.add("Ns without a number: ignored", statement, "\"Ns\" needs a number; ignored");
+      remarks.add("Ns without a number: ignored", statement_, "\"Ns\" needs a number; ignored");
       return;
     }
-    current->shininess = std::clamp(value, 0.0f, 128.0f); // the range of GL_SHININESS
+    current_->shininess = std::clamp(value, 0.0f, 128.0f); // the range of GL_SHININESS
   }
 
   void opacity(std::optional<float>& target) {
-    if (arguments.substr(0, 5) == "-halo") arguments = trimmed(arguments.substr(5));
+    if (arguments_.substr(0, 5) == "-halo") arguments_ = trimmed(arguments_.substr(5));
     float value;
     if (numbers(&value, 1) < 1)
-      remarks.add("opacity without a number: ignored", statement, quoted_key() + " needs a number; ignored");
+      remarks.add("opacity without a number: ignored", statement_, quoted_key() + " needs a number; ignored");
     else
       target = std::clamp(value, 0.0f, 1.0f);
   }
@@ -192,23 +191,23 @@ private:
   void illumination_model() {
     float value;
     if (numbers(&value, 1) < 1) {
-      remarks.add("illum without a number: ignored", statement, "\"illum\" needs a number; ignored");
+      remarks.add("illum without a number: ignored", statement_, "\"illum\" needs a number; ignored");
       return;
     }
     if (value < 0 || value > 10) {
-      notes.add("unknown illumination model", statement, "unknown illumination model; 2 is used");
+      notes.add("unknown illumination model", statement_, "unknown illumination model; 2 is used");
       value = 2;
     }
-    illumination = static_cast<int>(value);
+    illumination_ = int(value);
   }
 
   void map(TextureReference& target) {
-    if (missing_pictures >= kMostMissingPictures) return;
-    const MapStatement map_statement = parse_map_statement(arguments, folder);
+    if (missing_pictures_ >= kMostMissingPictures) return;
+    const MapStatement map_statement = parse_map_statement(arguments_, folder_);
     target = map_statement.texture;
-    missing_pictures += target.file.empty();
+    missing_pictures_ += target.file.empty();
     if (target.file.empty())
-      remarks.add("picture file not found", statement,
+      remarks.add("picture file not found", statement_,
                   map_statement.wanted.empty()
                       ? quoted_key() + " names no file"
                       : "picture \"" + printable(map_statement.wanted) + "\" not found");
@@ -227,38 +226,38 @@ private:
       if (is(name)) return;
     for (const char* name : kNoted)
       if (is(name)) {
-        notes.add_once("map " + std::string(name), statement,
+        notes.add_once("map " + std::string(name), statement_,
                        quoted_key() + " has no place in the fixed-function pipeline; ignored");
         return;
       }
-    const std::string shown = is_key(key) ? quoted_key() : "statement";
-    remarks.add_once("key " + shown, statement, "unknown " + shown + " ignored");
+    const std::string shown = is_key(key_) ? quoted_key() : "statement";
+    remarks.add_once("key " + shown, statement_, "unknown " + shown + " ignored");
   }
 
   void finish_material() {
-    if (!current) return;
-    Material& material = *current;
-    if (!has_ambient) std::copy_n(material.diffuse, 3, material.ambient);
+    if (!current_) return;
+    Material& material = *current_;
+    if (!has_ambient_) std::copy_n(material.diffuse, 3, material.ambient);
     // d is the opacity, Tr = 1 - d. A lone `Tr 1` is what some exporters write for opaque.
-    if (dissolve)
-      material.opacity = *dissolve;
-    else if (transparency)
-      material.opacity = *transparency == 1.0f ? 1.0f : 1.0f - *transparency;
-    if (illumination == 0) material.lit = false;
-    if (illumination < 2 || material.shininess == 0) std::fill_n(material.specular, 3, 0.0f);
+    if (dissolve_)
+      material.opacity = *dissolve_;
+    else if (transparency_)
+      material.opacity = *transparency_ == 1.0f ? 1.0f : 1.0f - *transparency_;
+    if (illumination_ == 0) material.lit = false;
+    if (illumination_ < 2 || material.shininess == 0) std::fill_n(material.specular, 3, 0.0f);
     found.push_back(std::move(material));
-    current.reset();
+    current_.reset();
   }
 
-  const SourceText& text;
-  const std::string& folder;
-  const char* statement = nullptr;
-  std::string_view key, arguments;
-  std::optional<Material> current;
-  bool has_ambient = false;
-  std::optional<float> dissolve, transparency;
-  int illumination = 2;
-  int missing_pictures = 0;
+  const SourceText& text_;
+  const std::string& folder_;
+  const char* statement_ = nullptr;
+  std::string_view key_, arguments_;
+  std::optional<Material> current_;
+  bool has_ambient_ = false;
+  std::optional<float> dissolve_, transparency_;
+  int illumination_ = 2;
+  int missing_pictures_ = 0;
 
 public:
   RemarkList before_first;
@@ -308,7 +307,7 @@ void MaterialLibrary::read(const SourceText& text, const std::string& folder, Wa
                                     "\" is defined again; the later one is used");
       materials_[known->second] = std::move(material);
     } else {
-      by_name_.emplace(material.name, static_cast<uint32_t>(materials_.size()));
+      by_name_.emplace(material.name, uint32_t(materials_.size()));
       materials_.push_back(std::move(material));
     }
   }

@@ -1,16 +1,16 @@
 // MTL files: the materials a model names.
 #pragma once
 
-#include "obj/material.h"
-#include "obj/obj_reader.h"
-#include "common/source_text.h"
-#include "common/warnings.h"
-
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
+
+#include "common/source_text.h"
+#include "common/warnings.h"
+#include "obj/material.h"
+#include "obj/obj_reader.h"
 
 namespace softgl::cli {
 

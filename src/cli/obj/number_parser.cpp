@@ -56,7 +56,7 @@ bool read_unusual_number(const char* first, const char* last, double& value) {
 
 float round_to_float_exactly(const char* first, const char* last, double value) {
   float exact;
-  return read_exactly(first, last, exact) ? exact : static_cast<float>(value);
+  return read_exactly(first, last, exact) ? exact : float(value);
 }
 
 } // namespace softgl::cli

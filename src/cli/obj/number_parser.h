@@ -8,7 +8,7 @@ namespace softgl::cli {
 
 // What ends a token: blanks, line ends, NUL, '#' (comment) and '\' (line continuation).
 extern const bool kEndsToken[256];
-inline bool ends_token(char c) { return kEndsToken[static_cast<unsigned char>(c)]; }
+inline bool ends_token(char c) { return kEndsToken[uint8_t(c)]; }
 
 // The slow, exact way: any length, inf and nan, +signs. False: not a number. `text` is one token.
 bool read_unusual_number(const char* first, const char* last, double& value);
@@ -27,13 +27,12 @@ inline bool read_number(const char*& cursor, double& value) {
   const char* first_digit = p;
   uint64_t mantissa = 0;
   unsigned digit;
-  while ((digit = static_cast<unsigned char>(*p) - unsigned('0')) < 10) mantissa = mantissa * 10 + digit, ++p;
+  while ((digit = uint8_t(*p) - unsigned('0')) < 10) mantissa = mantissa * 10 + digit, ++p;
   long digits = p - first_digit;
   long exponent = 0;
   if (*p == '.') {
     const char* first_decimal = ++p;
-    while ((digit = static_cast<unsigned char>(*p) - unsigned('0')) < 10)
-      mantissa = mantissa * 10 + digit, ++p;
+    while ((digit = uint8_t(*p) - unsigned('0')) < 10) mantissa = mantissa * 10 + digit, ++p;
     exponent = first_decimal - p;
     digits -= exponent;
   }
@@ -43,8 +42,7 @@ inline bool read_number(const char*& cursor, double& value) {
     e += minus || *e == '+';
     int power = 0;
     const char* first_power_digit = e;
-    while ((digit = static_cast<unsigned char>(*e) - unsigned('0')) < 10 && power < 10000)
-      power = power * 10 + static_cast<int>(digit), ++e;
+    while ((digit = uint8_t(*e) - unsigned('0')) < 10 && power < 10000) power = power * 10 + int(digit), ++e;
     if (e > first_power_digit) {
       exponent += minus ? -power : power;
       p = e;
@@ -53,7 +51,7 @@ inline bool read_number(const char*& cursor, double& value) {
   // Both factors exact in double, so one rounding: the correctly rounded value.
   if (ends_token(*p) && digits > 0 && digits <= 19 && mantissa <= (uint64_t(1) << 53) && exponent >= -22 &&
       exponent <= 22) [[likely]] {
-    double magnitude = static_cast<double>(static_cast<int64_t>(mantissa));
+    double magnitude = double(int64_t(mantissa));
     magnitude = exponent < 0 ? magnitude / kPowerOfTen[-exponent] : magnitude * kPowerOfTen[exponent];
     value = std::bit_cast<double>(std::bit_cast<uint64_t>(magnitude) | uint64_t(negative) << 63);
     cursor = p;
@@ -75,7 +73,7 @@ inline bool read_number(const char*& cursor, float& value) {
   if (tail - 0x0fffffff <= 2) [[unlikely]]
     value = round_to_float_exactly(first, cursor, exact);
   else
-    value = static_cast<float>(exact);
+    value = float(exact);
   return true;
 }
 

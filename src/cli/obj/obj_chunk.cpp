@@ -1,9 +1,9 @@
 #include "obj/obj_chunk.h"
 
+#include <algorithm>
+
 #include "obj/element_statements.h"
 #include "obj/vertex_statements.h"
-
-#include <algorithm>
 
 namespace softgl::cli {
 namespace {
@@ -11,66 +11,66 @@ namespace {
 class ChunkParser {
 public:
   ChunkParser(ObjChunk& chunk, uint32_t find_face)
-      : out(chunk), in{chunk.begin, chunk.end}, vertices(in, chunk), elements(in, chunk, find_face) {}
+      : out_(chunk), in_{chunk.begin, chunk.end}, vertices_(in_, chunk), elements_(in_, chunk, find_face) {}
 
   const char* parse() {
-    while (in.p < in.end) {
-      in.skip_blanks();
-      if (in.p >= in.end) break;
-      in.statement = in.p;
-      switch (*in.p) {
+    while (in_.p < in_.end) {
+      in_.skip_blanks();
+      if (in_.p >= in_.end) break;
+      in_.statement = in_.p;
+      switch (*in_.p) {
       case 'v': vertex_statement(); break;
       case 'f':
-        if (StatementScanner::is_blank(in.p[1])) {
-          in.p += 1;
-          if (elements.face()) return in.statement;
-        } else if (in.p[1] == 'o' &&
-                   StatementScanner::is_blank(in.p[2])) { // `fo`: the name of `f` in old files
-          in.p += 2;
-          if (elements.face()) return in.statement;
+        if (StatementScanner::is_blank(in_.p[1])) {
+          in_.p += 1;
+          if (elements_.face()) return in_.statement;
+        } else if (in_.p[1] == 'o' &&
+                   StatementScanner::is_blank(in_.p[2])) { // `fo`: the name of `f` in old files
+          in_.p += 2;
+          if (elements_.face()) return in_.statement;
         } else {
           other_statement();
         }
         break;
-      case '#': in.finish_line(); continue;
+      case '#': in_.finish_line(); continue;
       case '\n':
       case '\r': break;
       default: other_statement();
       }
-      in.end_statement();
+      in_.end_statement();
     }
     return nullptr;
   }
 
 private:
   void vertex_statement() {
-    if (StatementScanner::is_blank(in.p[1])) {
-      in.p += 1;
-      vertices.position();
-    } else if (in.p[1] == 't' && StatementScanner::is_blank(in.p[2])) {
-      in.p += 2;
-      vertices.texture_coordinate();
-    } else if (in.p[1] == 'n' && StatementScanner::is_blank(in.p[2])) {
-      in.p += 2;
-      vertices.normal();
-    } else if (in.p[1] == 'p' && StatementScanner::is_blank(in.p[2])) {
-      in.skip_rest(); // parameter-space points belong to free-form geometry
-    } else if (ends_token(in.p[1])) {
-      in.p += 1;
-      vertices.position(); // `v` alone still counts as a vertex
+    if (StatementScanner::is_blank(in_.p[1])) {
+      in_.p += 1;
+      vertices_.position();
+    } else if (in_.p[1] == 't' && StatementScanner::is_blank(in_.p[2])) {
+      in_.p += 2;
+      vertices_.texture_coordinate();
+    } else if (in_.p[1] == 'n' && StatementScanner::is_blank(in_.p[2])) {
+      in_.p += 2;
+      vertices_.normal();
+    } else if (in_.p[1] == 'p' && StatementScanner::is_blank(in_.p[2])) {
+      in_.skip_rest(); // parameter-space points belong to free-form geometry
+    } else if (ends_token(in_.p[1])) {
+      in_.p += 1;
+      vertices_.position(); // `v` alone still counts as a vertex
     } else {
       other_statement();
     }
   }
 
   void change(StateChange::Kind kind, std::string_view name, int32_t group = 0) {
-    out.changes.push_back({kind, group, name, out.face_count,
-                           static_cast<uint32_t>(out.line_vertices.values.size() / 2),
-                           static_cast<uint32_t>(out.point_vertices.values.size())});
+    out_.changes.push_back({kind, group, name, out_.face_count,
+                            uint32_t(out_.line_vertices.values.size() / 2),
+                            uint32_t(out_.point_vertices.values.size())});
   }
 
   void smoothing_group() {
-    const std::string_view value = in.rest_of_line();
+    const std::string_view value = in_.rest_of_line();
     int32_t group = 0;
     for (const char c : value) {
       if (c < '0' || c > '9') break;
@@ -81,27 +81,27 @@ private:
   }
 
   void other_statement() {
-    const char* first = in.p;
-    while (!ends_token(*in.p)) ++in.p;
-    if (in.p == first) ++in.p; // a lone backslash
-    const std::string_view keyword(first, static_cast<size_t>(in.p - first));
+    const char* first = in_.p;
+    while (!ends_token(*in_.p)) ++in_.p;
+    if (in_.p == first) ++in_.p; // a lone backslash
+    const std::string_view keyword(first, size_t(in_.p - first));
     if (keyword == "usemtl")
-      change(StateChange::kMaterial, in.rest_of_line());
+      change(StateChange::kMaterial, in_.rest_of_line());
     else if (keyword == "mtllib")
-      change(StateChange::kLibrary, in.rest_of_line());
+      change(StateChange::kLibrary, in_.rest_of_line());
     else if (keyword == "s")
       smoothing_group();
     else if (keyword == "o")
-      change(StateChange::kObject, in.rest_of_line());
+      change(StateChange::kObject, in_.rest_of_line());
     else if (keyword == "g")
-      change(StateChange::kGroup, in.rest_of_line());
+      change(StateChange::kGroup, in_.rest_of_line());
     else if (keyword == "l")
-      elements.line();
+      elements_.line();
     else if (keyword == "p")
-      elements.point();
+      elements_.point();
     else {
       ignored_statement(keyword);
-      in.skip_rest();
+      in_.skip_rest();
     }
   }
 
@@ -110,18 +110,18 @@ private:
                                                      "surf",   "parm", "trim",  "hole", "scrv", "sp",
                                                      "end",    "con",  "stech", "ctech"};
     if (std::find(std::begin(kFreeForm), std::end(kFreeForm), keyword) != std::end(kFreeForm)) {
-      out.remarks.add_once("free-form", in.statement, "free-form geometry ignored");
+      out_.remarks.add_once("free-form", in_.statement, "free-form geometry ignored");
       return;
     }
     const std::string name = StatementScanner::printable(keyword.data(), keyword.data() + keyword.size());
     const char* why = keyword == "call" || keyword == "csh" ? " is never executed" : " ignored";
-    out.remarks.add_once("keyword " + name, in.statement, "unknown statement \"" + name + "\"" + why);
+    out_.remarks.add_once("keyword " + name, in_.statement, "unknown statement \"" + name + "\"" + why);
   }
 
-  ObjChunk& out;
-  StatementScanner in;
-  VertexStatements vertices;
-  ElementStatements elements;
+  ObjChunk& out_;
+  StatementScanner in_;
+  VertexStatements vertices_;
+  ElementStatements elements_;
 };
 
 } // namespace

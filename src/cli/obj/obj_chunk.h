@@ -1,13 +1,13 @@
 // What one stretch of an OBJ file says, before indices are resolved.
 #pragma once
 
-#include "common/growing_array.h"
-#include "common/warnings.h"
-
 #include <cstdint>
 #include <limits>
 #include <string_view>
 #include <vector>
+
+#include "common/growing_array.h"
+#include "common/warnings.h"
 
 namespace softgl::cli {
 
@@ -36,7 +36,7 @@ struct ObjChunk {
   const char* end = nullptr;
 
   GrowingArray<double> positions; // x y z; NaN where the file had no usable number
-  GrowingArray<float> colours;    // r g b per position; empty, or NaN where a vertex has none
+  GrowingArray<float> colors;     // r g b per position; empty, or NaN where a vertex has none
   GrowingArray<float> texcoords;  // u v
   GrowingArray<float> normals;    // x y z
 

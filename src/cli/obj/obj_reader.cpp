@@ -1,12 +1,12 @@
 #include "obj/obj_reader.h"
 
-#include "common/program_error.h"
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <exception>
 #include <thread>
+
+#include "common/program_error.h"
 
 namespace softgl::cli {
 namespace {
@@ -44,7 +44,7 @@ const char* statement_border(const char* from, const char* end) {
 std::vector<ObjChunk> cut(const char* begin, const char* end) {
   std::vector<ObjChunk> chunks;
   do {
-    const auto rest = static_cast<size_t>(end - begin);
+    const auto rest = size_t(end - begin);
     const char* border =
         rest > kChunkBytes + kChunkBytes / 2 ? statement_border(begin + kChunkBytes, end) : end;
     chunks.emplace_back();
@@ -89,40 +89,40 @@ void merge(std::vector<ObjChunk>& chunks, GrowingArray<T> ObjChunk::*part, Growi
   }
 }
 
-void merge_colours(std::vector<ObjChunk>& chunks, ObjModel& model) {
+void merge_colors(std::vector<ObjChunk>& chunks, ObjModel& model) {
   bool any = false;
-  for (const ObjChunk& chunk : chunks) any = any || !chunk.colours.empty();
+  for (const ObjChunk& chunk : chunks) any = any || !chunk.colors.empty();
   if (!any) return;
   for (ObjChunk& chunk : chunks)
-    if (chunk.colours.empty())
-      chunk.colours.fill(chunk.positions.size(), std::numeric_limits<float>::quiet_NaN());
-  merge(chunks, &ObjChunk::colours, model.colours);
+    if (chunk.colors.empty())
+      chunk.colors.fill(chunk.positions.size(), std::numeric_limits<float>::quiet_NaN());
+  merge(chunks, &ObjChunk::colors, model.colors);
   // Some programs write 0..255.
   float largest = 0;
-  for (const float value : model.colours) largest = value > largest ? value : largest;
+  for (const float value : model.colors) largest = value > largest ? value : largest;
   const float scale = largest > 1.0f ? (largest <= 255.0f ? 1.0f / 255.0f : 1.0f / largest) : 1.0f;
-  for (float& value : model.colours) value = value < 0 ? 0 : value * scale;
+  for (float& value : model.colors) value = value < 0 ? 0 : value * scale;
 }
 
 void add_base(IndexList& list, uint64_t base) {
   for (const uint32_t place : list.relative) {
     int32_t& index = list.values[place];
-    const int64_t absolute = static_cast<int64_t>(index) + static_cast<int64_t>(base);
-    index = absolute >= 0 && absolute < kNowhere ? static_cast<int32_t>(absolute) : kNowhere;
+    const int64_t absolute = int64_t(index) + int64_t(base);
+    index = absolute >= 0 && absolute < kNowhere ? int32_t(absolute) : kNowhere;
   }
   list.relative.release();
 }
 
 class IndexChecker {
 public:
-  IndexChecker(ObjModel& model, RemarkList& remarks) : model(model), remarks(remarks) {
-    for (const ObjChunk& chunk : model.chunks) has_unusable_position |= chunk.has_unusable_position;
+  IndexChecker(ObjModel& model, RemarkList& remarks) : model_(model), remarks_(remarks) {
+    for (const ObjChunk& chunk : model.chunks) has_unusable_position_ |= chunk.has_unusable_position;
   }
 
   void check(ObjChunk& chunk) {
-    check_attribute(chunk, chunk.corner_texcoords.values, model.texcoord_count, "texture coordinate",
+    check_attribute(chunk, chunk.corner_texcoords.values, model_.texcoord_count, "texture coordinate",
                     "texture coordinate that does not exist: left out", "left out");
-    check_attribute(chunk, chunk.corner_normals.values, model.normal_count, "normal",
+    check_attribute(chunk, chunk.corner_normals.values, model_.normal_count, "normal",
                     "normal that does not exist: generated", "generated");
     forget_zero_normals(chunk);
     if (!all_usable(chunk.corner_vertices.values)) drop_faces(chunk);
@@ -132,16 +132,16 @@ public:
 
 private:
   bool usable(int32_t vertex) const {
-    return static_cast<uint32_t>(vertex) < model.position_count &&
-           !(has_unusable_position && std::isnan(model.positions[3 * static_cast<size_t>(vertex)]));
+    return uint32_t(vertex) < model_.position_count &&
+           !(has_unusable_position_ && std::isnan(model_.positions[3 * size_t(vertex)]));
   }
 
   bool all_usable(const GrowingArray<int32_t>& vertices) const {
-    const auto count = static_cast<uint32_t>(model.position_count);
+    const auto count = uint32_t(model_.position_count);
     uint32_t outside = 0;
-    for (const int32_t vertex : vertices) outside |= static_cast<uint32_t>(vertex) >= count;
+    for (const int32_t vertex : vertices) outside |= uint32_t(vertex) >= count;
     if (outside) return false;
-    if (has_unusable_position)
+    if (has_unusable_position_)
       for (const int32_t vertex : vertices)
         if (!usable(vertex)) return false;
     return true;
@@ -156,7 +156,7 @@ private:
   }
 
   static uint32_t face_of_corner(const ObjChunk& chunk, size_t corner) {
-    if (chunk.face_sizes.empty()) return static_cast<uint32_t>(corner / 3);
+    if (chunk.face_sizes.empty()) return uint32_t(corner / 3);
     uint32_t face = 0;
     for (size_t first = chunk.face_sizes[0]; first <= corner; first += chunk.face_sizes[++face]) {}
     return face;
@@ -164,39 +164,39 @@ private:
 
   void check_attribute(const ObjChunk& chunk, GrowingArray<int32_t>& indices, uint64_t count,
                        const char* what, const char* kind, const char* consequence) {
-    const auto limit = static_cast<uint32_t>(count);
+    const auto limit = uint32_t(count);
     uint32_t wrong = 0;
-    for (const int32_t index : indices) wrong |= (static_cast<uint32_t>(index) >= limit) & (index != kAbsent);
+    for (const int32_t index : indices) wrong |= (uint32_t(index) >= limit) & (index != kAbsent);
     if (!wrong) return;
     for (size_t corner = 0; corner < indices.size(); ++corner) {
       const int32_t index = indices[corner];
-      if (static_cast<uint32_t>(index) < limit || index == kAbsent) continue;
+      if (uint32_t(index) < limit || index == kAbsent) continue;
       indices[corner] = kAbsent;
-      if (remarks.count(kind))
-        remarks.describe(kind, place_of_face(chunk, face_of_corner(chunk, corner)),
-                         std::string("a corner names a ") + what + " that does not exist (the file has " +
-                             std::to_string(count) + "); " + consequence);
+      if (remarks_.count(kind))
+        remarks_.describe(kind, place_of_face(chunk, face_of_corner(chunk, corner)),
+                          std::string("a corner names a ") + what + " that does not exist (the file has " +
+                              std::to_string(count) + "); " + consequence);
     }
   }
 
   void forget_zero_normals(ObjChunk& chunk) {
     for (int32_t& index : chunk.corner_normals.values) {
       if (index == kAbsent) continue;
-      const float* n = &model.normals[3 * static_cast<size_t>(index)];
+      const float* n = &model_.normals[3 * size_t(index)];
       if (n[0] == 0 && n[1] == 0 && n[2] == 0) index = kAbsent;
     }
   }
 
   void remark_face(const ObjChunk& chunk, uint32_t face, const int32_t* corners, uint32_t size) {
     bool missing = false;
-    for (uint32_t i = 0; i < size; ++i) missing |= static_cast<uint32_t>(corners[i]) >= model.position_count;
+    for (uint32_t i = 0; i < size; ++i) missing |= uint32_t(corners[i]) >= model_.position_count;
     const char* kind =
         missing ? "face skipped: a vertex does not exist" : "face skipped: a vertex is not finite";
-    if (!remarks.count(kind)) return;
-    remarks.describe(kind, place_of_face(chunk, face),
-                     missing ? "a corner names a vertex that does not exist (the file has " +
-                                   std::to_string(model.position_count) + "); face skipped"
-                             : "a corner names a vertex that is not a finite place; face skipped");
+    if (!remarks_.count(kind)) return;
+    remarks_.describe(kind, place_of_face(chunk, face),
+                      missing ? "a corner names a vertex that does not exist (the file has " +
+                                    std::to_string(model_.position_count) + "); face skipped"
+                              : "a corner names a vertex that is not a finite place; face skipped");
   }
 
   void drop_faces(ObjChunk& chunk) {
@@ -233,26 +233,25 @@ private:
     const auto element_of = [&](StateChange& c) -> uint32_t& { return size == 2 ? c.line : c.point; };
     for (size_t from = 0; from < vertices.size(); from += size) {
       while (change < chunk.changes.size() && element_of(chunk.changes[change]) * size <= from)
-        element_of(chunk.changes[change++]) = static_cast<uint32_t>(to / size);
+        element_of(chunk.changes[change++]) = uint32_t(to / size);
       bool good = true;
       for (size_t i = 0; i < size; ++i) good = good && usable(vertices[from + i]);
       if (!good) {
         const char* kind = size == 2 ? "line segment skipped: a vertex does not exist or is not finite"
                                      : "point skipped: its vertex does not exist or is not finite";
-        remarks.add(kind, nullptr, kind);
+        remarks_.add(kind, nullptr, kind);
         continue;
       }
       for (size_t i = 0; i < size; ++i) vertices[to + i] = vertices[from + i];
       to += size;
     }
-    while (change < chunk.changes.size())
-      element_of(chunk.changes[change++]) = static_cast<uint32_t>(to / size);
+    while (change < chunk.changes.size()) element_of(chunk.changes[change++]) = uint32_t(to / size);
     vertices.truncate(to);
   }
 
-  ObjModel& model;
-  RemarkList& remarks;
-  bool has_unusable_position = false;
+  ObjModel& model_;
+  RemarkList& remarks_;
+  bool has_unusable_position_ = false;
 };
 
 } // namespace
@@ -289,7 +288,7 @@ ObjModel read_obj(const SourceText& text, unsigned threads, RemarkList& remarks)
       model.has_smoothing_groups |= change.kind == StateChange::kSmoothingGroup;
     }
   }
-  merge_colours(model.chunks, model);
+  merge_colors(model.chunks, model);
   merge(model.chunks, &ObjChunk::positions, model.positions);
   merge(model.chunks, &ObjChunk::texcoords, model.texcoords);
   merge(model.chunks, &ObjChunk::normals, model.normals);
@@ -314,7 +313,7 @@ std::string explain_missing_geometry(const SourceText& text) {
   if (start.find("version https://git-lfs") == 0) return no_geometry + "; file is a Git LFS pointer";
   size_t strange = 0;
   for (const char c : start) {
-    const auto byte = static_cast<unsigned char>(c);
+    const auto byte = uint8_t(c);
     strange += (byte < 32 && byte != '\t' && byte != '\n' && byte != '\r') || byte == 127;
   }
   if (strange * 20 > start.size()) return no_geometry + "; file is binary, not OBJ text";

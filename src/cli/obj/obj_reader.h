@@ -1,19 +1,18 @@
 // An OBJ file as numbers: merged vertex data, and chunks of elements whose indices are all valid.
 #pragma once
 
-#include "obj/obj_chunk.h"
-#include "common/source_text.h"
-#include "common/warnings.h"
-
 #include <string>
 #include <vector>
+
+#include "common/source_text.h"
+#include "common/warnings.h"
+#include "obj/obj_chunk.h"
 
 namespace softgl::cli {
 
 struct ObjModel {
   GrowingArray<double> positions; // x y z
-  GrowingArray<float>
-      colours; // r g b in 0..1 per position, NaN where a vertex has none; empty without colours
+  GrowingArray<float> colors; // r g b in 0..1 per position, NaN where a vertex has none; empty without colors
   GrowingArray<float> texcoords; // u v
   GrowingArray<float> normals;   // x y z, never zero where a corner names one
   // In file order. Vertex indices are valid and lead to finite positions; texture coordinates and normals are

@@ -1,12 +1,12 @@
 // Reads one statement of an OBJ file after the other: blanks, continued lines, comments, numbers.
 #pragma once
 
-#include "obj/number_parser.h"
-
 #include <cstring>
 #include <limits>
 #include <string>
 #include <string_view>
+
+#include "obj/number_parser.h"
 
 namespace softgl::cli {
 
@@ -42,11 +42,10 @@ struct StatementScanner {
 
   // To the next line; a comment is not continued by a backslash.
   void finish_line() {
-    const auto rest = static_cast<size_t>(end - p);
+    const auto rest = size_t(end - p);
     const char* line_feed = static_cast<const char*>(std::memchr(p, '\n', rest));
     const char* limit = line_feed ? line_feed : end;
-    if (const auto* carriage_return =
-            static_cast<const char*>(std::memchr(p, '\r', static_cast<size_t>(limit - p))))
+    if (const auto* carriage_return = static_cast<const char*>(std::memchr(p, '\r', size_t(limit - p))))
       limit = carriage_return;
     p = limit;
     if (p < end) ++p;
@@ -89,7 +88,7 @@ struct StatementScanner {
     if (p > end) p = end;
     const char* last = p;
     while (last > first && ends_token(last[-1]) && last[-1] != '#' && last[-1] != '\\') --last;
-    return {first, static_cast<size_t>(last - first)};
+    return {first, size_t(last - first)};
   }
 
   void skip_rest() {
@@ -111,7 +110,7 @@ struct StatementScanner {
   static std::string printable(const char* first, const char* last) {
     std::string text;
     for (; first < last && text.size() < 40; ++first)
-      text += static_cast<unsigned char>(*first) < 32 || *first == 127 ? '?' : *first;
+      text += uint8_t(*first) < 32 || *first == 127 ? '?' : *first;
     return text;
   }
 };

@@ -1,10 +1,10 @@
 #include "obj/texture_option_parser.h"
 
-#include "obj/file_search.h"
-#include "obj/number_parser.h"
-
 #include <cmath>
 #include <vector>
+
+#include "obj/file_search.h"
+#include "obj/number_parser.h"
 
 namespace softgl::cli {
 namespace {

@@ -1,10 +1,10 @@
 // The arguments of a map statement: `map_Kd -s 2 2 1 -o 0.25 0 my picture.png`.
 #pragma once
 
-#include "obj/material.h"
-
 #include <string>
 #include <string_view>
+
+#include "obj/material.h"
 
 namespace softgl::cli {
 

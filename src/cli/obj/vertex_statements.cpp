@@ -12,16 +12,16 @@ constexpr double kLargestCoordinate = 1e100; // squares and products must stay f
 
 // Three numbers and the end of the line.
 bool VertexStatements::quick_position() {
-  double* xyz = out.positions.room(3);
-  const char* q = in.p;
+  double* xyz = out_.positions.room(3);
+  const char* q = in_.p;
   for (int i = 0; i < 3; ++i) {
     while (*q == ' ') ++q;
     if (!read_number(q, xyz[i]) || !(std::fabs(xyz[i]) <= kLargestCoordinate)) return false;
   }
   while (*q == ' ') ++q;
-  if (!StatementScanner::is_line_end(*q) || !out.colours.empty()) return false;
-  out.positions.commit(3);
-  in.p = q;
+  if (!StatementScanner::is_line_end(*q) || !out_.colors.empty()) return false;
+  out_.positions.commit(3);
+  in_.p = q;
   return true;
 }
 
@@ -30,48 +30,48 @@ void VertexStatements::position() {
     return;
   double values[8];
   bool bad = false;
-  const int count = in.numbers(values, 8, bad);
-  in.skip_blanks();
+  const int count = in_.numbers(values, 8, bad);
+  in_.skip_blanks();
   if (count < 3 || bad) {
-    if (out.remarks.count("vertex without three numbers: faces that use it are skipped"))
-      out.remarks.describe("vertex without three numbers: faces that use it are skipped", in.statement,
-                           "a vertex needs three numbers; faces that use it are skipped");
+    if (out_.remarks.count("vertex without three numbers: faces that use it are skipped"))
+      out_.remarks.describe("vertex without three numbers: faces that use it are skipped", in_.statement,
+                            "a vertex needs three numbers; faces that use it are skipped");
     for (int i = 0; i < 3; ++i)
       if (bad || i >= count) values[i] = std::numeric_limits<double>::quiet_NaN();
   }
   if (!(std::fabs(values[0]) <= kLargestCoordinate && std::fabs(values[1]) <= kLargestCoordinate &&
         std::fabs(values[2]) <= kLargestCoordinate)) [[unlikely]] {
-    if (!bad && count >= 3 && out.remarks.count("vertex that is not a finite place"))
-      out.remarks.describe("vertex that is not a finite place", in.statement,
-                           "this vertex is not a finite place; faces that use it are skipped");
+    if (!bad && count >= 3 && out_.remarks.count("vertex that is not a finite place"))
+      out_.remarks.describe("vertex that is not a finite place", in_.statement,
+                            "this vertex is not a finite place; faces that use it are skipped");
     values[0] = values[1] = values[2] = std::numeric_limits<double>::quiet_NaN();
-    out.has_unusable_position = true;
+    out_.has_unusable_position = true;
   }
-  double* xyz = out.positions.extend(3);
+  double* xyz = out_.positions.extend(3);
   xyz[0] = values[0];
   xyz[1] = values[1];
   xyz[2] = values[2];
   // 4 numbers: x y z w (w matters to free-form geometry only); 6: x y z r g b; 7: x y z r g b a.
-  const bool coloured = (count == 6 || count == 7) && !bad;
-  if (!coloured && out.colours.empty()) return;
-  if (out.colours.empty())
-    out.colours.fill(out.positions.size() - 3, std::numeric_limits<float>::quiet_NaN());
-  float* rgb = out.colours.extend(3);
+  const bool colored = (count == 6 || count == 7) && !bad;
+  if (!colored && out_.colors.empty()) return;
+  if (out_.colors.empty())
+    out_.colors.fill(out_.positions.size() - 3, std::numeric_limits<float>::quiet_NaN());
+  float* rgb = out_.colors.extend(3);
   for (int i = 0; i < 3; ++i)
-    rgb[i] = coloured ? static_cast<float>(values[3 + i]) : std::numeric_limits<float>::quiet_NaN();
+    rgb[i] = colored ? float(values[3 + i]) : std::numeric_limits<float>::quiet_NaN();
 }
 
 void VertexStatements::texture_coordinate() {
   float values[2] = {0, 0};
   bool bad = false;
-  in.numbers(values, 2, bad);
-  in.skip_blanks();
+  in_.numbers(values, 2, bad);
+  in_.skip_blanks();
   if (!(std::isfinite(values[0]) && std::isfinite(values[1]))) {
-    out.remarks.add("texture coordinate that is not a number", in.statement,
-                    "this texture coordinate is not a number; 0 0 is used");
+    out_.remarks.add("texture coordinate that is not a number", in_.statement,
+                     "this texture coordinate is not a number; 0 0 is used");
     values[0] = values[1] = 0;
   }
-  float* uv = out.texcoords.extend(2);
+  float* uv = out_.texcoords.extend(2);
   uv[0] = values[0];
   uv[1] = values[1];
 }
@@ -79,16 +79,16 @@ void VertexStatements::texture_coordinate() {
 void VertexStatements::normal() {
   float values[3] = {0, 0, 0};
   bool bad = false;
-  const int count = in.numbers(values, 3, bad);
-  in.skip_blanks();
+  const int count = in_.numbers(values, 3, bad);
+  in_.skip_blanks();
   // A normal of no direction is replaced by a generated one; the number 0 0 0 marks it.
   const float largest = std::max({std::fabs(values[0]), std::fabs(values[1]), std::fabs(values[2])});
   if (count < 3 || !(largest > 0) || !std::isfinite(values[0] + values[1] + values[2])) {
-    out.remarks.add("normal without a direction: replaced", in.statement,
-                    "this normal has no direction; a generated one replaces it");
+    out_.remarks.add("normal without a direction: replaced", in_.statement,
+                     "this normal has no direction; a generated one replaces it");
     values[0] = values[1] = values[2] = 0;
   }
-  float* xyz = out.normals.extend(3);
+  float* xyz = out_.normals.extend(3);
   for (int i = 0; i < 3; ++i) xyz[i] = values[i];
 }
 

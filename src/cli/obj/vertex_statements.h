@@ -8,7 +8,7 @@ namespace softgl::cli {
 
 class VertexStatements {
 public:
-  VertexStatements(StatementScanner& scanner, ObjChunk& chunk) : in(scanner), out(chunk) {}
+  VertexStatements(StatementScanner& scanner, ObjChunk& chunk) : in_(scanner), out_(chunk) {}
   void position();
   void texture_coordinate();
   void normal();
@@ -16,8 +16,8 @@ public:
 private:
   bool quick_position();
 
-  StatementScanner& in;
-  ObjChunk& out;
+  StatementScanner& in_;
+  ObjChunk& out_;
 };
 
 } // namespace softgl::cli

@@ -1,10 +1,10 @@
 #include "scene/camera.h"
 
-#include "common/trigonometry.h"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+
+#include "common/trigonometry.h"
 
 namespace softgl::cli {
 namespace {
@@ -22,8 +22,8 @@ void cross(const double* a, const double* b, double* result) {
 // Axes of the upright model: its right, its up, and its front (towards the viewer of the front view).
 Axes model_axes(UpAxis up) {
   Axes axes{};
-  const int axis = static_cast<int>(up) / 2;
-  const double sign = static_cast<int>(up) % 2 ? -1 : 1;
+  const int axis = int(up) / 2;
+  const double sign = int(up) % 2 ? -1 : 1;
   axes.up[axis] = sign;
   // +Y up: front is +Z. +Z up: front is -Y, as CAD programs have it. +X up: front is +Z.
   if (axis == 2)
@@ -80,7 +80,7 @@ struct Fit {
   Interval x, y;
 };
 
-// Centre and distance from which the view pyramid of slopes tx, ty just holds all points: two opposite sides
+// Center and distance from which the view pyramid of slopes tx, ty just holds all points: two opposite sides
 // of the pyramid touch a point each, so the answer is exact and needs no search.
 Fit place_perspective(const Mesh& mesh, const Axes& axes, double tx, double ty) {
   double right = -1e300, left = -1e300, top = -1e300, bottom = -1e300;
@@ -97,10 +97,10 @@ Fit place_perspective(const Mesh& mesh, const Axes& axes, double tx, double ty) 
           {top - distance * ty, distance * ty - bottom}};
 }
 
-// The axis that does not fill the picture is centred as seen: both outermost points at the same distance from
-// the middle. Their two lines cross where the next guess lies; bisection where that leaves the interval.
-double centred(const Mesh& mesh, const double* axis, const double* back, double distance, double slope,
-               double start, Interval bounds) {
+// The axis that does not fill the picture is centered as seen: both outermost points at the same distance
+// from the middle. Their two lines cross where the next guess lies; bisection where that leaves the interval.
+double centered(const Mesh& mesh, const double* axis, const double* back, double distance, double slope,
+                double start, Interval bounds) {
   double place = start;
   for (int step = 0; step < 16 && bounds.high - bounds.low > 0.001 * slope * distance; ++step) {
     double low = 1e300, high = -1e300, low_inverse = 1, high_inverse = 1;
@@ -150,7 +150,7 @@ bool named_view(const std::string& name, double& azimuth, double& elevation) {
 Camera fit_camera(const Mesh& mesh, const CameraOptions& options) {
   Camera camera{};
   const Axes axes = camera_axes(options);
-  const double aspect = static_cast<double>(options.width) / options.height;
+  const double aspect = double(options.width) / options.height;
   Extremes box;
   for_each_position(mesh, [&](const float* p) {
     const double values[3] = {along(axes.right, p), along(axes.up, p), along(axes.back, p)};
@@ -189,8 +189,8 @@ Camera fit_camera(const Mesh& mesh, const CameraOptions& options) {
   } else if (!(place.distance - box.high[2] > 1e-6)) { // seen exactly along a line
     place.distance = box.high[2] + (box.high[2] - box.low[2]) / ty + 1e-3;
   } else {
-    place.x = centred(mesh, axes.right, axes.back, place.distance, tx, place.x, fit.x);
-    place.y = centred(mesh, axes.up, axes.back, place.distance, ty, place.y, fit.y);
+    place.x = centered(mesh, axes.right, axes.back, place.distance, tx, place.x, fit.x);
+    place.y = centered(mesh, axes.up, axes.back, place.distance, ty, place.y, fit.y);
   }
   set_view(camera, axes, place.x, place.y, place.distance);
   double near_plane = place.distance - box.high[2], far_plane = place.distance - box.low[2];
@@ -218,7 +218,7 @@ UpAxis guess_up_axis(const Mesh& mesh) {
   double area[3] = {0, 0, 0};
   for (size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
     const float* p[3];
-    for (size_t k = 0; k < 3; ++k) p[k] = &mesh.positions[3 * static_cast<size_t>(mesh.triangles[i + k])];
+    for (size_t k = 0; k < 3; ++k) p[k] = &mesh.positions[3 * size_t(mesh.triangles[i + k])];
     double a[3], b[3], n[3];
     for (int axis = 0; axis < 3; ++axis) {
       a[axis] = double(p[1][axis]) - p[0][axis];

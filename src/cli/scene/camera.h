@@ -1,9 +1,9 @@
 // Where the picture is taken from: a direction and a frame that the model just fills.
 #pragma once
 
-#include "mesh/mesh_builder.h"
-
 #include <string>
+
+#include "mesh/mesh_builder.h"
 
 namespace softgl::cli {
 

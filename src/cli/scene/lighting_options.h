@@ -2,7 +2,6 @@
 #pragma once
 
 #include <softgl/softgl.h>
-
 #include <vector>
 
 namespace softgl::cli {
@@ -17,7 +16,7 @@ struct LightOptions {
   };
   Kind kind = kKey;
   double value[3] = {0, 0, 1};
-  float colour[3] = {0.8f, 0.8f, 0.8f};  // diffuse and specular
+  float color[3] = {0.8f, 0.8f, 0.8f};   // diffuse and specular
   double spot_direction[3] = {0, 0, -1}; // in the model's axes
   float cutoff = 180, exponent = 0;      // degrees, 180: no spot; 0..128
   float attenuation[3] = {1, 0, 0};      // constant, linear, quadratic; distances in the model's units

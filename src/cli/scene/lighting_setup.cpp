@@ -1,9 +1,9 @@
 #include "scene/lighting_setup.h"
 
-#include "scene/gl_functions.h"
-#include "common/program_error.h"
-
 #include <string>
+
+#include "common/program_error.h"
+#include "scene/gl_functions.h"
 
 namespace softgl::cli {
 namespace {
@@ -15,46 +15,45 @@ void require_extension(const char* name, const char* what) {
 
 class LightSetup {
 public:
-  LightSetup(const Camera& camera, const ModelFrame& frame) : camera(camera), frame(frame) {}
+  LightSetup(const Camera& camera, const ModelFrame& frame) : camera_(camera), frame_(frame) {}
 
   void add(const LightOptions& light) {
     if (light.kind == LightOptions::kKey) {
       const float key[4] = {-0.45f, 0.65f, 0.9f, 0}, fill[4] = {0.9f, -0.15f, 0.45f, 0};
-      set(key, 0.975f, 1, light.colour);
-      set(fill, 0.225f, 0, light.colour);
+      set(key, 0.975f, 1, light.color);
+      set(fill, 0.225f, 0, light.color);
       return;
     }
     const bool in_model =
         light.kind == LightOptions::kModelDirection || light.kind == LightOptions::kModelPosition;
     if (in_model)
-      glLoadMatrixd(camera.view);
+      glLoadMatrixd(camera_.view);
     else
       glLoadIdentity();
     float position[4] = {0, 0, 0, light.kind == LightOptions::kModelPosition ? 1.0f : 0.0f};
     for (int axis = 0; axis < 3; ++axis)
-      position[axis] = static_cast<float>(light.kind == LightOptions::kModelPosition
-                                              ? frame.to_frame(light.value[axis], axis)
-                                              : light.value[axis]);
-    const GLenum number = set(position, 1, 1, light.colour);
+      position[axis] =
+          float(light.kind == LightOptions::kModelPosition ? frame_.to_frame(light.value[axis], axis)
+                                                           : light.value[axis]);
+    const GLenum number = set(position, 1, 1, light.color);
     if (light.kind != LightOptions::kModelPosition) return;
-    const float direction[3] = {static_cast<float>(light.spot_direction[0]),
-                                static_cast<float>(light.spot_direction[1]),
-                                static_cast<float>(light.spot_direction[2])};
+    const float direction[3] = {float(light.spot_direction[0]), float(light.spot_direction[1]),
+                                float(light.spot_direction[2])};
     glLightfv(number, GL_SPOT_DIRECTION, direction);
     glLightf(number, GL_SPOT_CUTOFF, light.cutoff);
     glLightf(number, GL_SPOT_EXPONENT, light.exponent);
     // The model was scaled to about 1; the distances of the formula are its own.
-    const auto scale = static_cast<float>(frame.scale);
+    const auto scale = float(frame_.scale);
     glLightf(number, GL_CONSTANT_ATTENUATION, light.attenuation[0]);
     glLightf(number, GL_LINEAR_ATTENUATION, light.attenuation[1] / scale);
     glLightf(number, GL_QUADRATIC_ATTENUATION, light.attenuation[2] / scale / scale);
   }
 
 private:
-  GLenum set(const float* position, float diffuse, float specular, const float* colour) {
-    const GLenum number = GL_LIGHT0 + count++;
-    const float d[4] = {diffuse * colour[0], diffuse * colour[1], diffuse * colour[2], 1};
-    const float s[4] = {specular * colour[0], specular * colour[1], specular * colour[2], 1};
+  GLenum set(const float* position, float diffuse, float specular, const float* color) {
+    const GLenum number = GL_LIGHT0 + count_++;
+    const float d[4] = {diffuse * color[0], diffuse * color[1], diffuse * color[2], 1};
+    const float s[4] = {specular * color[0], specular * color[1], specular * color[2], 1};
     const float a[4] = {0, 0, 0, 1};
     glLightfv(number, GL_POSITION, position);
     glLightfv(number, GL_DIFFUSE, d);
@@ -64,9 +63,9 @@ private:
     return number;
   }
 
-  const Camera& camera;
-  const ModelFrame& frame;
-  GLenum count = 0;
+  const Camera& camera_;
+  const ModelFrame& frame_;
+  GLenum count_ = 0;
 };
 
 } // namespace
@@ -86,7 +85,7 @@ void apply_lighting(const LightingOptions& options, const Camera& camera, const 
     require_extension("GL_SOFTGL_phong_illumination", "reflection vector and no choice of terms");
     glLightModeli(GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL,
                   options.reflection_vector ? GL_REFLECTION_VECTOR_SOFTGL : GL_HALF_VECTOR_SOFTGL);
-    glLightModeli(GL_LIGHT_MODEL_TERMS_SOFTGL, static_cast<GLint>(options.terms));
+    glLightModeli(GL_LIGHT_MODEL_TERMS_SOFTGL, GLint(options.terms));
   }
   const float ambient[4] = {options.ambient[0], options.ambient[1], options.ambient[2], 1};
   glLightModelfv(GL_LIGHT_MODEL_AMBIENT, ambient);

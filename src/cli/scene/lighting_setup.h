@@ -1,9 +1,9 @@
 // Lights and the lighting model, as GL calls.
 #pragma once
 
+#include "mesh/model_frame.h"
 #include "scene/camera.h"
 #include "scene/lighting_options.h"
-#include "mesh/model_frame.h"
 
 namespace softgl::cli {
 

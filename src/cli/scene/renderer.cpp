@@ -1,15 +1,15 @@
 #include "scene/renderer.h"
 
-#include "scene/gl_functions.h"
-#include "scene/lighting_setup.h"
-#include "common/program_error.h"
-#include "image/sample_average.h"
-#include "image/texture_loader.h"
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <memory>
+
+#include "common/program_error.h"
+#include "image/sample_average.h"
+#include "image/texture_loader.h"
+#include "scene/gl_functions.h"
+#include "scene/lighting_setup.h"
 
 namespace softgl::cli {
 namespace {
@@ -33,8 +33,8 @@ class Renderer {
 public:
   Renderer(const Mesh& mesh, const std::vector<Material>& materials, const ModelFrame& frame,
            const Camera& camera, const RenderOptions& options, Warnings& warnings)
-      : mesh(mesh), materials(materials), frame(frame), camera(camera), options(options), warnings(warnings) {
-  }
+      : mesh_(mesh), materials_(materials), frame_(frame), camera_(camera), options_(options),
+        warnings_(warnings) {}
 
   RenderResult run() {
     RenderResult result;
@@ -46,7 +46,7 @@ public:
     const auto draw_start = std::chrono::steady_clock::now();
     draw();
     result.visible = anything_drawn();
-    if (!result.visible && !mesh.triangles.empty()) {
+    if (!result.visible && !mesh_.triangles.empty()) {
       draw_edges();
       result.as_wireframe = result.visible = anything_drawn();
     }
@@ -58,24 +58,24 @@ public:
 
     const auto resolve_start = std::chrono::steady_clock::now();
     OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
-    context.reset(); // nobody writes to the buffer any more
-    result.picture = resolve(std::move(buffer), options.width, options.height, options.samples_per_side,
-                             options.background.transparent);
+    context_.reset(); // nobody writes to the buffer any more
+    result.picture = resolve(std::move(buffer_), options_.width, options_.height, options_.samples_per_side,
+                             options_.background.transparent);
     result.resolve_seconds = seconds_since(resolve_start);
     return result;
   }
 
 private:
   void create_context() {
-    width = options.width * options.samples_per_side;
-    height = options.height * options.samples_per_side;
-    context.reset(OSMesaCreateContextExt(OSMESA_RGBA, 24, 0, 0, nullptr));
-    if (!context) throw ProgramError(kCannotRead, "cannot create a GL context");
-    const size_t bytes = size_t(4) * static_cast<size_t>(width) * static_cast<size_t>(height);
-    buffer.extend(bytes);
-    if (!OSMesaMakeCurrent(context.get(), buffer.data(), GL_UNSIGNED_BYTE, width, height))
-      throw ProgramError(kUsageError, "GL cannot draw a picture of " + std::to_string(width) + "x" +
-                                          std::to_string(height) + " samples");
+    width_ = options_.width * options_.samples_per_side;
+    height_ = options_.height * options_.samples_per_side;
+    context_.reset(OSMesaCreateContextExt(OSMESA_RGBA, 24, 0, 0, nullptr));
+    if (!context_) throw ProgramError(kCannotRead, "cannot create a GL context");
+    const size_t bytes = size_t(4) * size_t(width_) * size_t(height_);
+    buffer_.extend(bytes);
+    if (!OSMesaMakeCurrent(context_.get(), buffer_.data(), GL_UNSIGNED_BYTE, width_, height_))
+      throw ProgramError(kUsageError, "GL cannot draw a picture of " + std::to_string(width_) + "x" +
+                                          std::to_string(height_) + " samples");
     OSMesaPixelStore(OSMESA_Y_UP, 0);
   }
 
@@ -83,43 +83,42 @@ private:
     GLuint name = 0;
     glGenBuffers(1, &name);
     glBindBuffer(target, name);
-    glBufferData(target, static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW);
+    glBufferData(target, GLsizeiptr(bytes), data, GL_STATIC_DRAW);
     return name;
   }
 
   void upload() {
-    gl_materials.resize(materials.size());
-    for (const Batch& batch : mesh.triangle_batches) prepare_material(batch.material);
-    if (mesh.triangles.empty()) return;
-    // One buffer: positions, normals, texture coordinates, colours one after the other.
+    gl_materials_.resize(materials_.size());
+    for (const Batch& batch : mesh_.triangle_batches) prepare_material(batch.material);
+    if (mesh_.triangles.empty()) return;
+    // One buffer: positions, normals, texture coordinates, colors one after the other.
     const auto bytes = [](const GrowingArray<float>& part) { return part.size() * sizeof(float); };
-    const GrowingArray<float>* parts[] = {&mesh.positions, &mesh.normals, &mesh.texcoords, &mesh.colours};
+    const GrowingArray<float>* parts[] = {&mesh_.positions, &mesh_.normals, &mesh_.texcoords, &mesh_.colors};
     size_t total = 0;
     for (const auto* part : parts) total += bytes(*part);
-    glGenBuffers(1, &vertex_buffer);
-    glBindBuffer(GL_ARRAY_BUFFER, vertex_buffer);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(total), nullptr, GL_STATIC_DRAW);
+    glGenBuffers(1, &vertex_buffer_);
+    glBindBuffer(GL_ARRAY_BUFFER, vertex_buffer_);
+    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(total), nullptr, GL_STATIC_DRAW);
     size_t offset = 0;
     for (size_t i = 0; i < 4; ++i) {
-      offsets[i] = offset;
+      offsets_[i] = offset;
       if (bytes(*parts[i]))
-        glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(offset),
-                        static_cast<GLsizeiptr>(bytes(*parts[i])), parts[i]->data());
+        glBufferSubData(GL_ARRAY_BUFFER, GLintptr(offset), GLsizeiptr(bytes(*parts[i])), parts[i]->data());
       offset += bytes(*parts[i]);
     }
-    index_buffer =
-        buffer_of(GL_ELEMENT_ARRAY_BUFFER, mesh.triangles.data(), mesh.triangles.size() * sizeof(uint32_t));
+    index_buffer_ =
+        buffer_of(GL_ELEMENT_ARRAY_BUFFER, mesh_.triangles.data(), mesh_.triangles.size() * sizeof(uint32_t));
   }
 
   void prepare_material(uint32_t number) {
-    const Material& material = materials[number];
-    GlMaterial& prepared = gl_materials[number];
+    const Material& material = materials_[number];
+    GlMaterial& prepared = gl_materials_[number];
     prepared.blended = material.opacity < 1;
-    if (material.diffuse_map.file.empty() || mesh.texcoords.empty()) return;
+    if (material.diffuse_map.file.empty() || mesh_.texcoords.empty()) return;
     TextureImage image;
     std::string problem;
     if (!load_texture(material, image, problem)) {
-      warnings.add(material.diffuse_map.file, "this picture " + problem);
+      warnings_.add(material.diffuse_map.file, "this picture " + problem);
       return;
     }
     GLint largest = 0;
@@ -138,59 +137,58 @@ private:
     glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     const GLenum format = image.channels == 4 ? GL_RGBA : GL_RGB;
-    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), image.width, image.height, 0, format,
-                 GL_UNSIGNED_BYTE, image.texels.data());
+    glTexImage2D(GL_TEXTURE_2D, 0, GLint(format), image.width, image.height, 0, format, GL_UNSIGNED_BYTE,
+                 image.texels.data());
   }
 
   void clear() {
-    // Alpha counts what is drawn: the background has none, whatever its colour.
-    const uint8_t* colour = options.background.colour;
-    if (options.background.transparent)
+    // Alpha counts what is drawn: the background has none, whatever its color.
+    const uint8_t* color = options_.background.color;
+    if (options_.background.transparent)
       glClearColor(0, 0, 0, 0);
     else
-      glClearColor(static_cast<float>(colour[0]) / 255, static_cast<float>(colour[1]) / 255,
-                   static_cast<float>(colour[2]) / 255, 0);
+      glClearColor(float(color[0]) / 255, float(color[1]) / 255, float(color[2]) / 255, 0);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   }
 
   void set_state() {
-    glViewport(0, 0, width, height);
+    glViewport(0, 0, width_, height_);
     clear();
-    apply_lighting(options.lighting, camera, frame);
+    apply_lighting(options_.lighting, camera_, frame_);
     glMatrixMode(GL_PROJECTION);
-    glLoadMatrixd(camera.projection);
+    glLoadMatrixd(camera_.projection);
     glMatrixMode(GL_MODELVIEW);
-    glLoadMatrixd(camera.view);
+    glLoadMatrixd(camera_.view);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     glAlphaFunc(GL_GREATER, 0);
-    if (!mesh.segment_positions.empty() && !mesh.triangles.empty()) {
+    if (!mesh_.segment_positions.empty() && !mesh_.triangles.empty()) {
       glEnable(GL_POLYGON_OFFSET_FILL); // lines on a surface are to be seen
       glPolygonOffset(1, 1);
     }
   }
 
   void bind_vertices() {
-    const auto at = [this](size_t part) { return reinterpret_cast<const void*>(offsets[part]); };
-    glBindBuffer(GL_ARRAY_BUFFER, vertex_buffer);
+    const auto at = [this](size_t part) { return reinterpret_cast<const void*>(offsets_[part]); };
+    glBindBuffer(GL_ARRAY_BUFFER, vertex_buffer_);
     glVertexPointer(3, GL_FLOAT, 0, at(0));
     glEnableClientState(GL_VERTEX_ARRAY);
     glNormalPointer(GL_FLOAT, 0, at(1));
     glEnableClientState(GL_NORMAL_ARRAY);
-    if (!mesh.texcoords.empty()) glTexCoordPointer(2, GL_FLOAT, 0, at(2));
-    if (!mesh.colours.empty()) glColorPointer(3, GL_FLOAT, 0, at(3));
+    if (!mesh_.texcoords.empty()) glTexCoordPointer(2, GL_FLOAT, 0, at(2));
+    if (!mesh_.colors.empty()) glColorPointer(3, GL_FLOAT, 0, at(3));
   }
 
   void use_material(uint32_t number) {
-    const Material& material = materials[number];
-    const GlMaterial& prepared = gl_materials[number];
+    const Material& material = materials_[number];
+    const GlMaterial& prepared = gl_materials_[number];
     const auto set = [&](GLenum name, const float* rgb) {
       const float rgba[4] = {rgb[0], rgb[1], rgb[2], material.opacity};
       glMaterialfv(GL_FRONT_AND_BACK, name, rgba);
     };
-    const bool coloured = !mesh.colours.empty() && material.opacity == 1; // the array has no alpha
+    const bool colored = !mesh_.colors.empty() && material.opacity == 1; // the array has no alpha
     glDisable(GL_COLOR_MATERIAL);
     set(GL_AMBIENT, material.ambient);
     set(GL_DIFFUSE, material.diffuse);
@@ -200,7 +198,7 @@ private:
     const bool shiny = material.specular[0] > 0 || material.specular[1] > 0 || material.specular[2] > 0;
     glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL,
                   shiny && prepared.texture ? GL_SEPARATE_SPECULAR_COLOR : GL_SINGLE_COLOR);
-    if (coloured) {
+    if (colored) {
       glColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE);
       glEnable(GL_COLOR_MATERIAL);
       glEnableClientState(GL_COLOR_ARRAY);
@@ -230,31 +228,31 @@ private:
 
   void draw() {
     set_state();
-    if (!mesh.triangles.empty()) {
+    if (!mesh_.triangles.empty()) {
       bind_vertices();
-      glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer);
+      glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer_);
       bool any_blended = false;
-      for (const Batch& batch : mesh.triangle_batches) {
-        if (gl_materials[batch.material].blended) {
+      for (const Batch& batch : mesh_.triangle_batches) {
+        if (gl_materials_[batch.material].blended) {
           any_blended = true;
           continue;
         }
         use_material(batch.material);
-        glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(batch.count), GL_UNSIGNED_INT,
+        glDrawElements(GL_TRIANGLES, GLsizei(batch.count), GL_UNSIGNED_INT,
                        reinterpret_cast<const void*>(batch.first * sizeof(uint32_t)));
       }
-      draw_elements(GL_LINES, mesh.segment_positions, mesh.segment_colours, mesh.segment_batches);
-      draw_elements(GL_POINTS, mesh.point_positions, mesh.point_colours, mesh.point_batches);
+      draw_elements(GL_LINES, mesh_.segment_positions, mesh_.segment_colors, mesh_.segment_batches);
+      draw_elements(GL_POINTS, mesh_.point_positions, mesh_.point_colors, mesh_.point_batches);
       if (any_blended) draw_blended();
     } else {
-      draw_elements(GL_LINES, mesh.segment_positions, mesh.segment_colours, mesh.segment_batches);
-      draw_elements(GL_POINTS, mesh.point_positions, mesh.point_colours, mesh.point_batches);
+      draw_elements(GL_LINES, mesh_.segment_positions, mesh_.segment_colors, mesh_.segment_batches);
+      draw_elements(GL_POINTS, mesh_.point_positions, mesh_.point_colors, mesh_.point_batches);
     }
     glFinish();
   }
 
-  // Segments and points: the plain diffuse colour, since they have no normals.
-  void draw_elements(GLenum mode, const GrowingArray<float>& positions, const GrowingArray<float>& colours,
+  // Segments and points: the plain diffuse color, since they have no normals.
+  void draw_elements(GLenum mode, const GrowingArray<float>& positions, const GrowingArray<float>& colors,
                      const std::vector<Batch>& batches) {
     if (positions.empty()) return;
     glBindBuffer(GL_ARRAY_BUFFER, 0);
@@ -264,18 +262,18 @@ private:
     glDisableClientState(GL_TEXTURE_COORD_ARRAY);
     glEnableClientState(GL_VERTEX_ARRAY);
     glVertexPointer(3, GL_FLOAT, 0, positions.data());
-    if (!colours.empty()) {
+    if (!colors.empty()) {
       glEnableClientState(GL_COLOR_ARRAY);
-      glColorPointer(3, GL_FLOAT, 0, colours.data());
+      glColorPointer(3, GL_FLOAT, 0, colors.data());
     } else {
       glDisableClientState(GL_COLOR_ARRAY);
     }
-    glLineWidth(kSegmentWidth * static_cast<float>(options.samples_per_side));
-    glPointSize(kPointSize * static_cast<float>(options.samples_per_side));
+    glLineWidth(kSegmentWidth * float(options_.samples_per_side));
+    glPointSize(kPointSize * float(options_.samples_per_side));
     for (const Batch& batch : batches) {
-      glColor4f(materials[batch.material].diffuse[0], materials[batch.material].diffuse[1],
-                materials[batch.material].diffuse[2], 1);
-      glDrawArrays(mode, static_cast<GLint>(batch.first), static_cast<GLsizei>(batch.count));
+      glColor4f(materials_[batch.material].diffuse[0], materials_[batch.material].diffuse[1],
+                materials_[batch.material].diffuse[2], 1);
+      glDrawArrays(mode, GLint(batch.first), GLsizei(batch.count));
     }
   }
 
@@ -286,14 +284,13 @@ private:
       uint32_t first, material;
     };
     std::vector<Entry> entries;
-    const float eye[3] = {static_cast<float>(camera.eye[0]), static_cast<float>(camera.eye[1]),
-                          static_cast<float>(camera.eye[2])};
-    for (const Batch& batch : mesh.triangle_batches) {
-      if (!gl_materials[batch.material].blended) continue;
+    const float eye[3] = {float(camera_.eye[0]), float(camera_.eye[1]), float(camera_.eye[2])};
+    for (const Batch& batch : mesh_.triangle_batches) {
+      if (!gl_materials_[batch.material].blended) continue;
       for (uint32_t i = batch.first; i < batch.first + batch.count; i += 3) {
         float depth = 0;
         for (uint32_t k = 0; k < 3; ++k) {
-          const float* p = &mesh.positions[3 * static_cast<size_t>(mesh.triangles[i + k])];
+          const float* p = &mesh_.positions[3 * size_t(mesh_.triangles[i + k])];
           depth += p[0] * eye[0] + p[1] * eye[1] + p[2] * eye[2];
         }
         entries.push_back({depth, i, batch.material});
@@ -310,11 +307,11 @@ private:
       run.truncate(0);
       size_t j = i;
       for (; j < entries.size() && entries[j].material == entries[i].material; ++j)
-        run.append(&mesh.triangles[entries[j].first], 3);
+        run.append(&mesh_.triangles[entries[j].first], 3);
       use_material(entries[i].material);
       // Textures with holes are mostly opaque: they write depth; glass does not.
-      glDepthMask(materials[entries[i].material].opacity == 1 ? GL_TRUE : GL_FALSE);
-      glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(run.size()), GL_UNSIGNED_INT, run.data());
+      glDepthMask(materials_[entries[i].material].opacity == 1 ? GL_TRUE : GL_FALSE);
+      glDrawElements(GL_TRIANGLES, GLsizei(run.size()), GL_UNSIGNED_INT, run.data());
       i = j;
     }
     glDepthMask(GL_TRUE);
@@ -325,11 +322,11 @@ private:
   // What has no area to be seen, a plane from its edge or a single place, is shown by its edges and corners.
   void draw_edges() {
     GrowingArray<uint32_t> edges;
-    edges.room(2 * mesh.triangles.size());
-    for (size_t i = 0; i + 2 < mesh.triangles.size(); i += 3)
+    edges.room(2 * mesh_.triangles.size());
+    for (size_t i = 0; i + 2 < mesh_.triangles.size(); i += 3)
       for (size_t k = 0; k < 3; ++k) {
-        edges.append(mesh.triangles[i + k]);
-        edges.append(mesh.triangles[i + (k + 1) % 3]);
+        edges.append(mesh_.triangles[i + k]);
+        edges.append(mesh_.triangles[i + (k + 1) % 3]);
       }
     bind_vertices();
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
@@ -338,34 +335,34 @@ private:
     glDisable(GL_BLEND);
     glDisableClientState(GL_COLOR_ARRAY);
     glDisableClientState(GL_TEXTURE_COORD_ARRAY);
-    glColor4f(materials[0].diffuse[0], materials[0].diffuse[1], materials[0].diffuse[2], 1);
-    glLineWidth(kSegmentWidth * static_cast<float>(options.samples_per_side));
-    glPointSize(kPointSize * static_cast<float>(options.samples_per_side));
-    glDrawElements(GL_LINES, static_cast<GLsizei>(edges.size()), GL_UNSIGNED_INT, edges.data());
-    glDrawElements(GL_POINTS, static_cast<GLsizei>(edges.size()), GL_UNSIGNED_INT, edges.data());
+    glColor4f(materials_[0].diffuse[0], materials_[0].diffuse[1], materials_[0].diffuse[2], 1);
+    glLineWidth(kSegmentWidth * float(options_.samples_per_side));
+    glPointSize(kPointSize * float(options_.samples_per_side));
+    glDrawElements(GL_LINES, GLsizei(edges.size()), GL_UNSIGNED_INT, edges.data());
+    glDrawElements(GL_POINTS, GLsizei(edges.size()), GL_UNSIGNED_INT, edges.data());
     glFinish();
   }
 
   bool anything_drawn() const {
-    const size_t count = static_cast<size_t>(width) * static_cast<size_t>(height);
-    const uint8_t* pixels = buffer.data();
+    const size_t count = size_t(width_) * size_t(height_);
+    const uint8_t* pixels = buffer_.data();
     for (size_t i = 0; i < count; ++i)
       if (pixels[4 * i + 3]) return true;
     return false;
   }
 
-  const Mesh& mesh;
-  const std::vector<Material>& materials;
-  const ModelFrame& frame;
-  const Camera& camera;
-  const RenderOptions& options;
-  Warnings& warnings;
-  int width = 0, height = 0;
-  GrowingArray<uint8_t> buffer; // outlives the context, which writes to it
-  std::unique_ptr<osmesa_context, DestroyContext> context;
-  std::vector<GlMaterial> gl_materials;
-  GLuint vertex_buffer = 0, index_buffer = 0;
-  size_t offsets[4] = {0, 0, 0, 0};
+  const Mesh& mesh_;
+  const std::vector<Material>& materials_;
+  const ModelFrame& frame_;
+  const Camera& camera_;
+  const RenderOptions& options_;
+  Warnings& warnings_;
+  int width_ = 0, height_ = 0;
+  GrowingArray<uint8_t> buffer_; // outlives the context, which writes to it
+  std::unique_ptr<osmesa_context, DestroyContext> context_;
+  std::vector<GlMaterial> gl_materials_;
+  GLuint vertex_buffer_ = 0, index_buffer_ = 0;
+  size_t offsets_[4] = {0, 0, 0, 0};
 };
 
 } // namespace

@@ -1,19 +1,19 @@
 // The picture of a mesh, drawn through the GL and OSMesa functions.
 #pragma once
 
-#include "scene/camera.h"
-#include "scene/lighting_options.h"
-#include "mesh/mesh_builder.h"
-#include "image/picture.h"
-#include "common/warnings.h"
-
 #include <cstdint>
 #include <string>
+
+#include "common/warnings.h"
+#include "image/picture.h"
+#include "mesh/mesh_builder.h"
+#include "scene/camera.h"
+#include "scene/lighting_options.h"
 
 namespace softgl::cli {
 
 struct Background {
-  uint8_t colour[3] = {0x2e, 0x33, 0x3a};
+  uint8_t color[3] = {0x2e, 0x33, 0x3a};
   bool transparent = false;
 };
 

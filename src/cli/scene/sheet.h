@@ -1,10 +1,10 @@
 // A sheet of pictures in rows, each with a label under it.
 #pragma once
 
-#include "image/picture.h"
-
 #include <string>
 #include <vector>
+
+#include "image/picture.h"
 
 namespace softgl::cli {
 
