@@ -4,10 +4,13 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
+#include <initializer_list>
+#include <string>
+#include <vector>
 
 #include "command/option_values.h"
+#include "common/program_error.h"
 #include "scene/lighting_setup.h"
 
 #ifndef SOFTGL_VERSION
@@ -53,221 +56,278 @@ CLI::Validator range(double low, double high) {
       "");
 }
 
-template <class Use> void add_reflectance(CLI::App& app, const char* name, const char* description, Use use) {
-  app.add_option_function<std::string>(
-         name, checked([use](const std::string& text) { use(parse_reflectance(text)); }), description)
-      ->type_name("K");
+CLI::Validator one_of(std::initializer_list<const char*> words) {
+  return CLI::IsMember(std::vector<std::string>(words.begin(), words.end()));
 }
+
+// An option whose text `use` parses.
+template <class Use>
+void add_parsed(CLI::App& app, const char* names, const char* type, const char* description, Use use) {
+  app.add_option_function<std::string>(names, checked(use), description)->type_name(type);
+}
+
+template <class Value> void add_number(CLI::App& app, const char* names, const char* type,
+                                       const char* description, Value& value, double low, double high) {
+  app.add_option(names, value, description)->check(range(low, high))->type_name(type);
+}
+
+void add_word(CLI::App& app, const char* names, const char* type, const char* description, std::string& word,
+              std::initializer_list<const char*> words) {
+  app.add_option(names, word, description)->check(one_of(words))->type_name(type);
+}
+
+// The command line by groups of options, and what follows from them together.
+class CommandLine {
+public:
+  CommandLine()
+      : app_("softgl draws OBJ models with the OpenGL fixed-function pipeline, on the CPU.", "softgl") {
+    app_.footer(kFooter);
+    app_.set_version_flag("--version", std::string("softgl ") + SOFTGL_VERSION);
+    app_.get_formatter()->column_width(26);
+    app_.option_defaults()->always_capture_default(false);
+    add_files();
+    add_view();
+    add_shading();
+    add_lights();
+    add_colors();
+    add_effort();
+    add_run(app_, "more about the model and what is left out");
+    add_info();
+    add_figure();
+  }
+
+  ParsedOptions parse(int argc, const char* const* argv) {
+    try {
+      app_.parse(argc, argv);
+    } catch (const CLI::CallForHelp& help) {
+      return {std::nullopt, app_.exit(help)};
+    } catch (const CLI::CallForVersion& version) {
+      return {std::nullopt, app_.exit(version)};
+    } catch (const CLI::Error& mistake) {
+      std::string sentence = mistake.what();
+      std::replace(sentence.begin(), sentence.end(), '\n', ' ');
+      return refuse(sentence);
+    }
+    if (*info_) {
+      options_.command = ProgramOptions::kInfo;
+      return {options_, 0};
+    }
+    std::string mistake = *figure_ ? complete_figure() : std::string();
+    if (mistake.empty()) mistake = complete_output();
+    if (mistake.empty()) mistake = complete_rendering();
+    if (!mistake.empty()) return refuse(mistake);
+    complete_view();
+    return {options_, 0};
+  }
+
+private:
+  void add_files() {
+    app_.add_option("model", options_.model, "OBJ file; - for standard input")->type_name("MODEL.obj");
+    app_.add_option("-o,--output", options_.output,
+                    "picture to write (.png .ppm .pam .jpg .bmp .tga); - for standard output")
+        ->type_name("FILE");
+    app_.add_option("--format", options_.format, "picture format where the file name does not say it")
+        ->type_name("png|ppm|..");
+    add_word(app_, "--png", "HOW", "effort for PNG files: fast, default or small", png_,
+             {"fast", "default", "small"});
+    add_parsed(app_, "-s,--size", "WxH", "size of the picture [1024x1024]", [this](const std::string& text) {
+      parse_size(text, options_.render.width, options_.render.height);
+    });
+  }
+
+  void add_view() {
+    CameraOptions& camera = options_.camera;
+    add_word(app_, "--view", "NAME",
+             "iso (three-quarter view), front, back, left, right, top or bottom [iso]", view_,
+             {"iso", "front", "back", "left", "right", "top", "bottom"});
+    add_number(app_, "--az", "DEG", "degrees to the right of the named view, else of the front [35]",
+               azimuth_, -1e6, 1e6);
+    add_number(app_, "--el", "DEG", "degrees above the named view, else above the horizon [25]", elevation_,
+               -1e6, 1e6);
+    add_number(app_, "--roll", "DEG", "degrees the camera is turned clockwise [0]", camera.roll, -1e6, 1e6);
+    add_number(app_, "--zoom", "FACTOR", "magnification after fitting [1]", camera.zoom, 1e-3, 1e3);
+    add_number(app_, "--fov", "DEG", "vertical field of view in degrees [30]", camera.field_of_view, 1, 150);
+    app_.add_flag("--ortho", camera.orthographic, "parallel projection");
+    add_parsed(app_, "--up", "AXIS", "axis of the model that points up: +Y, +Z, -X ... or auto [+Y]",
+               [this](const std::string& text) { options_.camera.up = parse_up_axis(text); });
+  }
+
+  void add_shading() {
+    add_word(app_, "--shading", "HOW", "flat, gouraud (lit per vertex) or phong (lit per pixel) [gouraud]",
+             shading_, {"flat", "gouraud", "phong"});
+    add_word(app_, "--specular", "VECTOR",
+             "vector of the specular term: half (n.h)^ns or reflection (v.r)^ns [half]", specular_,
+             {"half", "reflection"});
+    add_parsed(app_, "--terms", "LIST",
+               "terms of the light that are drawn: ambient,diffuse,specular,emission [all]",
+               [this](const std::string& text) { options_.render.lighting.terms = parse_terms(text); });
+    app_.add_option_function<double>(
+            "--crease",
+            [this](double angle) {
+              options_.normals.crease_angle = angle;
+              options_.normals.ignore_groups = true;
+            },
+            "generated normals: smooth up to this angle between faces, whatever the smoothing groups [40 "
+            "where "
+            "there are none]")
+        ->check(range(0, 180))
+        ->type_name("DEG");
+  }
+
+  void add_lights() {
+    app_.add_option_function<std::vector<std::string>>(
+            "--light", checked([this](const std::vector<std::string>& texts) {
+              for (const std::string& text : texts)
+                options_.render.lighting.lights.push_back(parse_light(text));
+            }),
+            "key, headlight, x,y,z (direction as seen), model:x,y,z or +Y (direction in the model's axes), "
+            "at:x,y,z (place in "
+            "the model); then /color:COLOR, and for a place "
+            "/spot:x,y,z/cutoff:DEG/exponent:N/attenuation:C,L,Q; may be "
+            "repeated [key]")
+        ->allow_extra_args(false)
+        ->type_name("LIGHT");
+    add_parsed(app_, "--ambient-light", "K",
+               "light that comes from everywhere: a number, r,g,b or a color [0.2]",
+               [this](const std::string& text) {
+                 const auto rgb = parse_reflectance(text);
+                 std::copy(rgb.begin(), rgb.end(), options_.render.lighting.ambient);
+               });
+  }
+
+  void add_colors() {
+    MaterialOptions& materials = options_.materials;
+    const auto add_reflectance = [this](const char* name, const char* description,
+                                        MaterialOptions::Reflectance& reflectance) {
+      add_parsed(app_, name, "K", description,
+                 [&reflectance](const std::string& text) { reflectance = parse_reflectance(text); });
+    };
+    add_reflectance("--ka", "ambient reflectance of all materials", materials.ambient);
+    add_reflectance("--kd", "diffuse reflectance of all materials", materials.diffuse);
+    add_reflectance("--ks", "specular reflectance of all materials", materials.specular);
+    add_number(app_, "--ns", "N", "specular exponent of all materials, 0 to 128", materials.shininess, 0,
+               128);
+    add_parsed(app_, "--bg", "COLOR",
+               "background: #rrggbb, name, r,g,b from 0 to 1, or transparent [#2e333a]",
+               [this](const std::string& text) { options_.render.background = parse_background(text); });
+    add_parsed(app_, "--color,--colour", "COLOR", "one color for the whole model instead of its materials",
+               [this](const std::string& text) {
+                 parse_color(text); // three numbers or a name; one number is no color
+                 options_.materials.color = parse_reflectance(text);
+               });
+  }
+
+  void add_effort() {
+    app_.add_option("--aa", samples_, "samples per pixel: 1, 4 or 16 [1]")
+        ->check(CLI::IsMember({1, 4, 16}))
+        ->type_name("N");
+    add_number(app_, "--threads", "N", "threads [as many as the machine has]", options_.threads, 1, 1024);
+    add_word(app_, "--stats", "json",
+             "print times and counts: json (to standard error if the picture goes to standard output)",
+             stats_, {"json"});
+  }
+
+  void add_run(CLI::App& app, const char* verbose) {
+    app.add_flag("--strict", options_.strict, "a warning ends the run with exit code 3");
+    app.add_flag("-q,--quiet", options_.quiet, "no warnings");
+    app.add_flag("-v,--verbose", options_.verbose, verbose);
+  }
+
+  void add_info() {
+    info_ = app_.add_subcommand("info", "describe a model instead of drawing it");
+    info_->add_option("model", options_.model, "OBJ file; - for standard input")
+        ->required()
+        ->type_name("MODEL.obj");
+    info_->add_flag("--json", options_.json, "as JSON");
+    add_run(*info_, "more about what is left out");
+    add_number(*info_, "--threads", "N", "threads", options_.threads, 1, 1024);
+  }
+
+  void add_figure() {
+    figure_ = app_.add_subcommand(
+        "figure", "draw the terms of the light, exponents, Gouraud and Phong shading and both "
+                  "specular vectors side by side, on one labelled sheet; takes the options "
+                  "of a picture, --size being that of each part [400x400]");
+    figure_->add_option("model", options_.model, "OBJ file; without one a sphere")->type_name("MODEL.obj");
+    figure_->fallthrough();
+  }
+
+  static ParsedOptions refuse(const std::string& sentence) {
+    std::fprintf(stderr, "softgl: %s (softgl --help shows the options)\n", sentence.c_str());
+    return {std::nullopt, kUsageError};
+  }
+
+  // What follows from the options together. Each gives the sentence about a mistake, or nothing.
+
+  std::string complete_figure() {
+    options_.command = ProgramOptions::kFigure;
+    RenderOptions& render = options_.render;
+    if (render.background.transparent) return "a figure has no transparent background";
+    if (!app_.count("--size")) render.width = render.height = kFigurePart;
+    if (options_.camera.up == UpAxis::kAuto && options_.model.empty()) options_.camera.up = UpAxis::kPlusY;
+    return {};
+  }
+
+  std::string complete_output() {
+    if (options_.model.empty() && !*figure_) return "no model given";
+    if (options_.output.empty()) return "no output file given; -o PICTURE.png names one";
+    std::string& format = options_.format;
+    if (format.empty()) format = image_format_of(options_.output);
+    if (format.empty() && options_.output != "-")
+      return "cannot tell the picture format of \"" + options_.output +
+             "\"; known are png, ppm, pam, jpg, bmp and tga";
+    if (format.empty()) format = "png";
+    if (!is_image_format(format)) return "unknown picture format \"" + format + "\"";
+    options_.png = png_ == "fast"    ? PngEffort::kFast
+                   : png_ == "small" ? PngEffort::kSmall
+                                     : PngEffort::kDefault;
+    options_.stats = !stats_.empty();
+    return {};
+  }
+
+  std::string complete_rendering() {
+    RenderOptions& render = options_.render;
+    LightingOptions& lighting = render.lighting;
+    if (*figure_ && (render.width > 2048 || render.height > 2048))
+      return "a figure's parts are at most 2048 pixels wide and high";
+    lighting.shading = shading_ == "flat" && !*figure_ ? Shading::kFlat
+                       : shading_ == "phong"           ? Shading::kPhong
+                                                       : Shading::kGouraud;
+    lighting.reflection_vector = specular_ == "reflection";
+    if (gl_lights_of(lighting) > kMostLights)
+      return "--light: GL has 8 lights, and the key light takes two of them";
+    const int side = render.samples_per_side = samples_ == 16 ? 4 : samples_ == 4 ? 2 : 1;
+    if (render.width * side > 16384 || render.height * side > 16384)
+      return "--aa " + std::to_string(samples_) + " allows pictures of up to " +
+             std::to_string(16384 / side) + " pixels a side";
+    return {};
+  }
+
+  // The angles of a named view are where --az and --el count from; without one they count from the front.
+  void complete_view() {
+    CameraOptions& camera = options_.camera;
+    camera.width = options_.render.width;
+    camera.height = options_.render.height;
+    double from_azimuth = 0, from_elevation = 0;
+    if (!view_.empty()) {
+      named_view(view_, from_azimuth, from_elevation);
+      camera.azimuth = from_azimuth;
+      camera.elevation = from_elevation;
+    }
+    if (azimuth_) camera.azimuth = from_azimuth + *azimuth_;
+    if (elevation_) camera.elevation = from_elevation + *elevation_;
+  }
+
+  CLI::App app_;
+  CLI::App *info_ = nullptr, *figure_ = nullptr;
+  ProgramOptions options_;
+  std::string png_ = "default", view_, shading_ = "gouraud", specular_ = "half", stats_;
+  std::optional<double> azimuth_, elevation_;
+  int samples_ = 1;
+};
 
 } // namespace
 
-ParsedOptions parse_options(int argc, const char* const* argv) {
-  ProgramOptions options;
-  CLI::App app("softgl draws OBJ models with the OpenGL fixed-function pipeline, on the CPU.", "softgl");
-  app.footer(kFooter);
-  app.set_version_flag("--version", std::string("softgl ") + SOFTGL_VERSION);
-  app.get_formatter()->column_width(26);
-  app.option_defaults()->always_capture_default(false);
-
-  app.add_option("model", options.model, "OBJ file; - for standard input")->type_name("MODEL.obj");
-  app.add_option("-o,--output", options.output,
-                 "picture to write (.png .ppm .pam .jpg .bmp .tga); - for standard output")
-      ->type_name("FILE");
-  app.add_option("--format", options.format, "picture format where the file name does not say it")
-      ->type_name("png|ppm|..");
-  std::string png = "default";
-  app.add_option("--png", png, "effort for PNG files: fast, default or small")
-      ->check(CLI::IsMember({"fast", "default", "small"}))
-      ->type_name("HOW");
-  app.add_option_function<std::string>("-s,--size", checked([&](const std::string& t) {
-                                         parse_size(t, options.render.width, options.render.height);
-                                       }),
-                                       "size of the picture [1024x1024]")
-      ->type_name("WxH");
-
-  std::string view;
-  double azimuth = NAN, elevation = NAN;
-  app.add_option("--view", view, "iso (three-quarter view), front, back, left, right, top or bottom [iso]")
-      ->check(CLI::IsMember({"iso", "front", "back", "left", "right", "top", "bottom"}))
-      ->type_name("NAME");
-  app.add_option("--az", azimuth, "degrees to the right of the named view, else of the front [35]")
-      ->check(range(-1e6, 1e6))
-      ->type_name("DEG");
-  app.add_option("--el", elevation, "degrees above the named view, else above the horizon [25]")
-      ->check(range(-1e6, 1e6))
-      ->type_name("DEG");
-  app.add_option("--roll", options.camera.roll, "degrees the camera is turned clockwise [0]")
-      ->check(range(-1e6, 1e6))
-      ->type_name("DEG");
-  app.add_option("--zoom", options.camera.zoom, "magnification after fitting [1]")
-      ->check(range(1e-3, 1e3))
-      ->type_name("FACTOR");
-  app.add_option("--fov", options.camera.field_of_view, "vertical field of view in degrees [30]")
-      ->check(range(1, 150))
-      ->type_name("DEG");
-  app.add_flag("--ortho", options.camera.orthographic, "parallel projection");
-  app.add_option_function<std::string>(
-         "--up", checked([&](const std::string& t) { options.camera.up = parse_up_axis(t); }),
-         "axis of the model that points up: +Y, +Z, -X ... or auto [+Y]")
-      ->type_name("AXIS");
-
-  LightingOptions& lighting = options.render.lighting;
-  std::string shading = "gouraud", specular = "half";
-  app.add_option("--shading", shading, "flat, gouraud (lit per vertex) or phong (lit per pixel) [gouraud]")
-      ->check(CLI::IsMember({"flat", "gouraud", "phong"}))
-      ->type_name("HOW");
-  app.add_option("--specular", specular,
-                 "vector of the specular term: half (n.h)^ns or reflection (v.r)^ns [half]")
-      ->check(CLI::IsMember({"half", "reflection"}))
-      ->type_name("VECTOR");
-  app.add_option_function<std::string>(
-         "--terms", checked([&](const std::string& t) { lighting.terms = parse_terms(t); }),
-         "terms of the light that are drawn: ambient,diffuse,specular,emission [all]")
-      ->type_name("LIST");
-  app.add_option_function<double>(
-         "--crease",
-         [&](double angle) {
-           options.normals.crease_angle = angle;
-           options.normals.ignore_groups = true;
-         },
-         "generated normals: smooth up to this angle between faces, whatever the smoothing groups [40 where "
-         "there are none]")
-      ->check(range(0, 180))
-      ->type_name("DEG");
-  app.add_option_function<std::vector<std::string>>(
-         "--light",
-         [&](const std::vector<std::string>& all) {
-           checked([&](const std::vector<std::string>& texts) {
-             for (const std::string& text : texts) lighting.lights.push_back(parse_light(text));
-           })(all);
-         },
-         "key, headlight, x,y,z (direction as seen), model:x,y,z or +Y (direction in the model's axes), "
-         "at:x,y,z (place in "
-         "the model); then /color:COLOR, and for a place "
-         "/spot:x,y,z/cutoff:DEG/exponent:N/attenuation:C,L,Q; may be "
-         "repeated [key]")
-      ->allow_extra_args(false)
-      ->type_name("LIGHT");
-  add_reflectance(app, "--ambient-light",
-                  "light that comes from everywhere: a number, r,g,b or a color [0.2]",
-                  [&](const auto& rgb) { std::copy(rgb.begin(), rgb.end(), lighting.ambient); });
-  add_reflectance(app, "--ka", "ambient reflectance of all materials",
-                  [&](const auto& rgb) { options.materials.ambient = rgb; });
-  add_reflectance(app, "--kd", "diffuse reflectance of all materials",
-                  [&](const auto& rgb) { options.materials.diffuse = rgb; });
-  add_reflectance(app, "--ks", "specular reflectance of all materials",
-                  [&](const auto& rgb) { options.materials.specular = rgb; });
-  app.add_option("--ns", options.materials.shininess, "specular exponent of all materials, 0 to 128")
-      ->check(range(0, 128))
-      ->type_name("N");
-  app.add_option_function<std::string>(
-         "--bg", checked([&](const std::string& t) { options.render.background = parse_background(t); }),
-         "background: #rrggbb, name, r,g,b from 0 to 1, or transparent [#2e333a]")
-      ->type_name("COLOR");
-  app.add_option_function<std::string>("--color,--colour", checked([&](const std::string& t) {
-                                         parse_color(t); // three numbers or a name; one number is no color
-                                         options.materials.color = parse_reflectance(t);
-                                       }),
-                                       "one color for the whole model instead of its materials")
-      ->type_name("COLOR");
-  int samples = 1;
-  app.add_option("--aa", samples, "samples per pixel: 1, 4 or 16 [1]")
-      ->check(CLI::IsMember({1, 4, 16}))
-      ->type_name("N");
-
-  app.add_option("--threads", options.threads, "threads [as many as the machine has]")
-      ->check(range(1, 1024))
-      ->type_name("N");
-  std::string stats;
-  app.add_option("--stats", stats,
-                 "print times and counts: json (to standard error if the picture goes to standard output)")
-      ->check(CLI::IsMember({"json"}))
-      ->type_name("json");
-  app.add_flag("--strict", options.strict, "a warning ends the run with exit code 3");
-  app.add_flag("-q,--quiet", options.quiet, "no warnings");
-  app.add_flag("-v,--verbose", options.verbose, "more about the model and what is left out");
-
-  CLI::App* info = app.add_subcommand("info", "describe a model instead of drawing it");
-  info->add_option("model", options.model, "OBJ file; - for standard input")
-      ->required()
-      ->type_name("MODEL.obj");
-  info->add_flag("--json", options.json, "as JSON");
-  info->add_flag("--strict", options.strict, "a warning ends the run with exit code 3");
-  info->add_flag("-q,--quiet", options.quiet, "no warnings");
-  info->add_flag("-v,--verbose", options.verbose, "more about what is left out");
-  info->add_option("--threads", options.threads, "threads")->check(range(1, 1024))->type_name("N");
-
-  CLI::App* figure = app.add_subcommand(
-      "figure", "draw the terms of the light, exponents, Gouraud and Phong shading and both "
-                "specular vectors side by side, on one labelled sheet; takes the options "
-                "of a picture, --size being that of each part [400x400]");
-  figure->add_option("model", options.model, "OBJ file; without one a sphere")->type_name("MODEL.obj");
-  figure->fallthrough();
-
-  const auto usage = [](const std::string& sentence) {
-    std::fprintf(stderr, "softgl: %s (softgl --help shows the options)\n", sentence.c_str());
-    return ParsedOptions{std::nullopt, 2};
-  };
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
-    return {std::nullopt, app.exit(help)};
-  } catch (const CLI::CallForVersion& version) {
-    return {std::nullopt, app.exit(version)};
-  } catch (const CLI::Error& mistake) {
-    std::string sentence = mistake.what();
-    for (char& c : sentence) c = c == '\n' ? ' ' : c;
-    return usage(sentence);
-  }
-
-  if (*info) {
-    options.command = ProgramOptions::kInfo;
-    return {options, 0};
-  }
-  if (*figure) {
-    options.command = ProgramOptions::kFigure;
-    if (options.render.background.transparent) return usage("a figure has no transparent background");
-    if (!app.count("--size")) options.render.width = options.render.height = kFigurePart;
-    if (options.camera.up == UpAxis::kAuto && options.model.empty()) options.camera.up = UpAxis::kPlusY;
-  }
-  if (options.model.empty() && !*figure) return usage("no model given");
-  if (options.output.empty()) return usage("no output file given; -o PICTURE.png names one");
-  if (options.format.empty()) options.format = image_format_of(options.output);
-  if (options.format.empty()) {
-    if (options.output != "-")
-      return usage("cannot tell the picture format of \"" + options.output +
-                   "\"; known are png, ppm, pam, jpg, bmp and tga");
-    options.format = "png";
-  }
-  if (!is_image_format(options.format)) return usage("unknown picture format \"" + options.format + "\"");
-  if (*figure && (options.render.width > 2048 || options.render.height > 2048))
-    return usage("a figure's parts are at most 2048 pixels wide and high");
-  options.png = png == "fast" ? PngEffort::kFast : png == "small" ? PngEffort::kSmall : PngEffort::kDefault;
-  lighting.shading = shading == "flat" && !*figure ? Shading::kFlat
-                     : shading == "phong"          ? Shading::kPhong
-                                                   : Shading::kGouraud;
-  lighting.reflection_vector = specular == "reflection";
-  if (gl_lights_of(lighting) > kMostLights)
-    return usage("--light: GL has 8 lights, and the key light takes two of them");
-  options.render.samples_per_side = samples == 16 ? 4 : samples == 4 ? 2 : 1;
-  const int side = options.render.samples_per_side;
-  if (options.render.width * side > 16384 || options.render.height * side > 16384)
-    return usage("--aa " + std::to_string(samples) + " allows pictures of up to " +
-                 std::to_string(16384 / side) + " pixels a side");
-  options.camera.width = options.render.width;
-  options.camera.height = options.render.height;
-  options.stats = !stats.empty();
-
-  // The angles of a named view are where --az and --el count from; without one they count from the front.
-  if (!view.empty()) {
-    named_view(view, options.camera.azimuth, options.camera.elevation);
-    if (!std::isnan(azimuth)) options.camera.azimuth += azimuth;
-    if (!std::isnan(elevation)) options.camera.elevation += elevation;
-  } else {
-    if (!std::isnan(azimuth)) options.camera.azimuth = azimuth;
-    if (!std::isnan(elevation)) options.camera.elevation = elevation;
-  }
-  return {options, 0};
-}
+ParsedOptions parse_options(int argc, const char* const* argv) { return CommandLine().parse(argc, argv); }
 
 } // namespace softgl::cli
