@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <new>
 #include <sys/resource.h>
 #include <thread>
 
@@ -67,8 +68,7 @@ private:
     build_mesh_for_remarks(loaded, frame, remarks);
     warnings_.add(remarks, text);
     const std::string out = options_.json ? as_json(loaded.report, warnings_) : as_text(loaded.report);
-    if (std::fwrite(out.data(), 1, out.size(), stdout) != out.size() || std::fflush(stdout) != 0)
-      throw ProgramError(kCannotWrite, "standard output: cannot write");
+    print(out, stdout);
   }
 
   static void note_bounds(ModelReport& report, const ModelFrame& frame) {
@@ -76,6 +76,11 @@ private:
       report.low[axis] = frame.low[axis];
       report.high[axis] = frame.high[axis];
     }
+  }
+
+  static void print(const std::string& text, std::FILE* file) {
+    if (std::fwrite(text.data(), 1, text.size(), file) != text.size() || std::fflush(file) != 0)
+      throw ProgramError(kCannotWrite, "standard output: cannot write");
   }
 
   // Materials are only looked up while the mesh is built.
@@ -127,7 +132,7 @@ private:
     RenderResult result = render(mesh, materials, frame, camera, options_.render, warnings_);
     times_.upload = result.upload_seconds;
     times_.draw = result.draw_seconds;
-    times_.resolve = result.resolve_seconds;
+    times_.average = result.average_seconds;
     if (!result.visible)
       throw ProgramError(kCannotRead,
                          name + ": nothing of the model is visible in this view; no picture written");
@@ -183,7 +188,7 @@ private:
     times_.cpu = double(std::clock()) / CLOCKS_PER_SEC;
     const std::string out =
         stats_as_json(report, times_, options_.render.width, options_.render.height, warnings_);
-    std::fputs(out.c_str(), options_.output == "-" ? stderr : stdout);
+    print(out, options_.output == "-" ? stderr : stdout);
   }
 
   const ProgramOptions& options_;
@@ -194,9 +199,16 @@ private:
 } // namespace
 
 int run_program(int argc, const char* const* argv) {
+  const char* name = "";
+  const auto fail = [](ExitCode code, const char* about, const char* sentence) {
+    std::fprintf(stderr, "softgl: error: %s%s\n", about, sentence);
+    return code;
+  };
+  ParsedOptions parsed;
   try {
-    const ParsedOptions parsed = parse_options(argc, argv);
+    parsed = parse_options(argc, argv);
     if (!parsed.options) return parsed.exit_code;
+    name = parsed.options->model.c_str();
     if (parsed.options->threads)
       ::setenv("SOFTGL_THREADS", std::to_string(parsed.options->threads).c_str(), 1);
     Program program(*parsed.options);
@@ -209,15 +221,10 @@ int run_program(int argc, const char* const* argv) {
       throw;
     }
   } catch (const ProgramError& error) {
-    std::fprintf(stderr, "softgl: error: %s\n", error.what());
-    return error.code;
+    return fail(error.code, "", error.what());
   } catch (const std::bad_alloc&) {
-    std::fputs("softgl: error: out of memory\n", stderr);
-    return kCannotRead;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "softgl: error: %s\n", error.what());
-    return kCannotRead;
-  }
+    return fail(kCannotRead, name, *name ? ": not enough memory" : "not enough memory");
+  } catch (const std::exception& error) { return fail(kCannotRead, "", error.what()); }
 }
 
 } // namespace softgl::cli

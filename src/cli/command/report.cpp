@@ -89,7 +89,7 @@ std::string stats_as_json(const ModelReport& r, const RunTimes& t, int width, in
   };
   std::string times = milliseconds("read", t.read) + milliseconds("prepare", t.prepare) +
                       milliseconds("upload", t.upload) + milliseconds("draw", t.draw) +
-                      milliseconds("resolve", t.resolve) + milliseconds("write", t.write) +
+                      milliseconds("resolve", t.average) + milliseconds("write", t.write) +
                       milliseconds("total", t.total) + milliseconds("cpu", t.cpu);
   times.erase(times.size() - 2, 1); // the last comma
   return "{\n" + counts(r) + "  \"width\": " + std::to_string(width) +

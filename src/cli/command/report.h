@@ -22,7 +22,7 @@ struct ModelReport {
 };
 
 struct RunTimes {
-  double read = 0, prepare = 0, upload = 0, draw = 0, resolve = 0, write = 0, total = 0; // seconds
+  double read = 0, prepare = 0, upload = 0, draw = 0, average = 0, write = 0, total = 0; // seconds
   double cpu = 0;
   long peak_kib = 0;
 };

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <new>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -13,6 +14,12 @@
 namespace softgl::cli {
 namespace {
 
+[[noreturn]] void refuse(const std::string& name, const char* what) {
+  const int reason = errno;
+  if (reason == ENOMEM) throw std::bad_alloc();
+  throw ProgramError(kCannotRead, name + ": cannot " + what + ": " + std::strerror(reason));
+}
+
 std::string read_everything(int descriptor, const std::string& name) {
   std::string text;
   size_t used = 0;
@@ -20,7 +27,7 @@ std::string read_everything(int descriptor, const std::string& name) {
     if (text.size() - used < 65536) text.resize(text.size() * 2 + (1 << 20));
     const ssize_t count = ::read(descriptor, text.data() + used, text.size() - used);
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) throw ProgramError(kCannotRead, name + ": cannot read: " + std::strerror(errno));
+    if (count < 0) refuse(name, "read");
     if (count == 0) break;
     used += size_t(count);
   }
@@ -49,10 +56,9 @@ SourceText SourceText::from_string(std::string text, std::string name) {
 SourceText SourceText::open(const std::string& path) {
   if (path == "-") return from_string(read_everything(STDIN_FILENO, "standard input"), "standard input");
   const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
-  if (file.value < 0) throw ProgramError(kCannotRead, path + ": cannot open: " + std::strerror(errno));
+  if (file.value < 0) refuse(path, "open");
   struct stat status {};
-  if (::fstat(file.value, &status) != 0)
-    throw ProgramError(kCannotRead, path + ": cannot read: " + std::strerror(errno));
+  if (::fstat(file.value, &status) != 0) refuse(path, "read");
   if (S_ISDIR(status.st_mode)) throw ProgramError(kCannotRead, path + ": this is a folder, not a model");
   const auto size = size_t(status.st_size);
   if (!S_ISREG(status.st_mode) || size == 0) return from_string(read_everything(file.value, path), path);
@@ -62,7 +68,7 @@ SourceText SourceText::open(const std::string& path) {
   const size_t mapping_size = (size / page + 2) * page;
   void* mapping =
       ::mmap(nullptr, mapping_size, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  if (mapping == MAP_FAILED) throw ProgramError(kCannotRead, path + ": cannot map: " + std::strerror(errno));
+  if (mapping == MAP_FAILED) refuse(path, "map");
   if (::mmap(mapping, size, PROT_READ, MAP_PRIVATE | MAP_FIXED, file.value, 0) == MAP_FAILED) {
     ::munmap(mapping, mapping_size);
     return from_string(read_everything(file.value, path), path);

@@ -10,7 +10,8 @@ namespace softgl::cli {
 
 class SourceText {
 public:
-  // Maps or reads `path`; "-" is standard input. Throws ProgramError (kCannotRead).
+  // Maps or reads `path`; "-" is standard input. Throws ProgramError (kCannotRead), or std::bad_alloc if
+  // memory ends.
   static SourceText open(const std::string& path);
   static SourceText from_string(std::string text, std::string name);
 

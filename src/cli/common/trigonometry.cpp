@@ -40,13 +40,4 @@ double cosine(double degrees) { return sine(std::remainder(degrees, 360.0) + 90)
 
 double tangent(double degrees) { return sine(degrees) / cosine(degrees); }
 
-double arc_tangent_degrees(double value) {
-  double low = 0, high = 90; // tangent rises; 60 halvings reach the last bit
-  for (int i = 0; i < 60; ++i) {
-    const double middle = (low + high) / 2;
-    (sine(middle) < value * cosine(middle) ? low : high) = middle;
-  }
-  return (low + high) / 2;
-}
-
 } // namespace softgl::cli

@@ -7,6 +7,5 @@ namespace softgl::cli {
 double sine(double degrees);
 double cosine(double degrees);
 double tangent(double degrees);
-double arc_tangent_degrees(double value); // of value >= 0
 
 } // namespace softgl::cli

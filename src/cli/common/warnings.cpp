@@ -41,6 +41,12 @@ void RemarkList::append(const RemarkList& later) {
   }
 }
 
+std::string printable(std::string_view text, size_t limit) {
+  std::string result;
+  for (const char c : text.substr(0, limit)) result += uint8_t(c) < 32 || c == 127 ? '?' : c;
+  return result;
+}
+
 void Warnings::add(const RemarkList& remarks, const SourceText& text) {
   struct Line {
     const char* at;

@@ -45,6 +45,9 @@ private:
   std::map<std::string, Kind, std::less<>> kinds_;
 };
 
+// Text of a file, fit for a message: no control characters, and not too long.
+std::string printable(std::string_view text, size_t limit = 80);
+
 class Warnings {
 public:
   // Gives every remark its line; `at` null means the file as a whole.

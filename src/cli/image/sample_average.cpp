@@ -4,7 +4,8 @@
 
 namespace softgl::cli {
 
-Picture resolve(GrowingArray<uint8_t> samples, int width, int height, int per_side, bool transparent) {
+Picture average_samples(GrowingArray<uint8_t> samples, int width, int height, int per_side,
+                        bool transparent) {
   Picture picture;
   picture.width = width;
   picture.height = height;

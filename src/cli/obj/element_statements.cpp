@@ -139,7 +139,7 @@ bool ElementStatements::face() {
     in_.p = token;
     in_.skip_token();
     if (out_.remarks.count("face skipped: a corner is not v/vt/vn")) {
-      const std::string corner_text = StatementScanner::printable(token, in_.p);
+      const std::string corner_text = printable({token, size_t(in_.p - token)}, 40);
       out_.remarks.describe("face skipped: a corner is not v/vt/vn", in_.statement,
                             "\"" + corner_text + "\" is not a corner v/vt/vn; face skipped");
     }

@@ -1,7 +1,10 @@
 #include "obj/file_search.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <dirent.h>
+#include <memory>
+#include <new>
 #include <strings.h>
 
 #include "common/source_text.h"
@@ -16,14 +19,18 @@ std::string folder_of(const std::string& path) {
 
 namespace {
 
+struct CloseFolder {
+  void operator()(DIR* folder) const { ::closedir(folder); }
+};
+
 std::string ignoring_case(const std::string& folder, const std::string& file) {
-  DIR* listing = ::opendir(folder.c_str());
+  const std::unique_ptr<DIR, CloseFolder> listing(::opendir(folder.c_str()));
+  if (!listing && errno == ENOMEM) throw std::bad_alloc();
   if (!listing) return {};
   std::string best; // the alphabetically first, so that the answer does not depend on the file system
-  while (const dirent* entry = ::readdir(listing))
+  while (const dirent* entry = ::readdir(listing.get()))
     if (::strcasecmp(entry->d_name, file.c_str()) == 0 && (best.empty() || best > entry->d_name))
       best = entry->d_name;
-  ::closedir(listing);
   if (best.empty() || !is_readable_file(folder + "/" + best)) return {};
   return folder + "/" + best;
 }

@@ -25,12 +25,6 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-std::string printable(std::string_view text, size_t limit = 80) {
-  std::string result;
-  for (const char c : text.substr(0, limit)) result += uint8_t(c) < 32 || c == 127 ? '?' : c;
-  return result;
-}
-
 bool is_key(std::string_view word) {
   return !word.empty() && word.size() <= 32 && std::all_of(word.begin(), word.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
@@ -291,7 +285,6 @@ void MaterialLibrary::read(const SourceText& text, const std::string& folder, Wa
                            Warnings& notes) {
   LibraryReader reader(text, folder);
   reader.read();
-  ++library_count_;
   if (reader.found.empty()) { // not a library: say nothing of what stands in it
     warnings.add(text.name(), "this file has no materials; ignored");
     return;

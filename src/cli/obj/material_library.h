@@ -30,12 +30,10 @@ public:
   std::vector<Material>& materials() { return materials_; }
   // 0 if there is no such material.
   uint32_t find(std::string_view name) const;
-  size_t library_count() const { return library_count_; }
 
 private:
   std::vector<Material> materials_;
   std::unordered_map<std::string, uint32_t> by_name_;
-  size_t library_count_ = 0;
 };
 
 } // namespace softgl::cli

@@ -113,7 +113,7 @@ private:
       out_.remarks.add_once("free-form", in_.statement, "free-form geometry ignored");
       return;
     }
-    const std::string name = StatementScanner::printable(keyword.data(), keyword.data() + keyword.size());
+    const std::string name = printable(keyword, 40);
     const char* why = keyword == "call" || keyword == "csh" ? " is never executed" : " ignored";
     out_.remarks.add_once("keyword " + name, in_.statement, "unknown statement \"" + name + "\"" + why);
   }

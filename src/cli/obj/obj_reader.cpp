@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <exception>
+#include <system_error>
 #include <thread>
 
 #include "common/program_error.h"
@@ -66,10 +67,14 @@ void parse_all(const SourceText& text, std::vector<ObjChunk>& chunks, unsigned t
       }
     } catch (...) { failures[worker] = std::current_exception(); }
   };
-  std::vector<std::thread> helpers;
-  for (size_t i = 1; i < failures.size(); ++i) helpers.emplace_back(work, i);
-  work(0);
-  for (std::thread& helper : helpers) helper.join();
+  {
+    std::vector<std::jthread> helpers; // which end before `failures` is read
+    helpers.reserve(failures.size());
+    try {
+      for (size_t i = 1; i < failures.size(); ++i) helpers.emplace_back(work, i);
+    } catch (const std::system_error&) {} // no more threads to be had: fewer do the same work
+    work(0);
+  }
   for (const std::exception_ptr& failure : failures)
     if (failure) std::rethrow_exception(failure);
 }

@@ -3,7 +3,6 @@
 
 #include <cstring>
 #include <limits>
-#include <string>
 #include <string_view>
 
 #include "obj/number_parser.h"
@@ -81,10 +80,7 @@ struct StatementScanner {
   std::string_view rest_of_line() {
     skip_blanks();
     const char* first = p;
-    while (p < end && !is_line_end(*p)) {
-      if (*p == '\\' && p + 1 < end && is_line_end(p[1])) p += p[1] == '\r' && p[2] == '\n' ? 2 : 1;
-      ++p;
-    }
+    skip_rest();
     if (p > end) p = end;
     const char* last = p;
     while (last > first && ends_token(last[-1]) && last[-1] != '#' && last[-1] != '\\') --last;
@@ -104,14 +100,6 @@ struct StatementScanner {
       skip_token();
       skip_blanks();
     }
-  }
-
-  // Text of the file, fit for a message.
-  static std::string printable(const char* first, const char* last) {
-    std::string text;
-    for (; first < last && text.size() < 40; ++first)
-      text += uint8_t(*first) < 32 || *first == 127 ? '?' : *first;
-    return text;
   }
 };
 

@@ -130,61 +130,40 @@ void set_view(Camera& camera, const Axes& axes, double x, double y, double z) {
   camera.view[15] = 1;
 }
 
-} // namespace
-
-bool named_view(const std::string& name, double& azimuth, double& elevation) {
-  static constexpr struct {
-    const char* name;
-    double azimuth, elevation;
-  } kViews[] = {{"iso", 35, 25},  {"front", 0, 0}, {"back", 180, 0},  {"left", -90, 0},
-                {"right", 90, 0}, {"top", 0, 90},  {"bottom", 0, -90}};
-  for (const auto& view : kViews)
-    if (name == view.name) {
-      azimuth = view.azimuth;
-      elevation = view.elevation;
-      return true;
-    }
-  return false;
+bool is_single_place(const Extremes& box) {
+  return box.high[0] - box.low[0] + box.high[1] - box.low[1] + box.high[2] - box.low[2] < 1e-9;
 }
 
-Camera fit_camera(const Mesh& mesh, const CameraOptions& options) {
+constexpr double kFill = 1 - 2 * kMargin;
+
+double aspect_of(const CameraOptions& options) { return double(options.width) / options.height; }
+
+Camera fit_orthographic(const Axes& axes, const Extremes& box, const CameraOptions& options) {
   Camera camera{};
-  const Axes axes = camera_axes(options);
-  const double aspect = double(options.width) / options.height;
-  Extremes box;
-  for_each_position(mesh, [&](const float* p) {
-    const double values[3] = {along(axes.right, p), along(axes.up, p), along(axes.back, p)};
-    for (int i = 0; i < 3; ++i) {
-      box.low[i] = std::min(box.low[i], values[i]);
-      box.high[i] = std::max(box.high[i], values[i]);
-    }
-  });
-  if (box.low[0] > box.high[0]) std::fill_n(box.low, 3, 0.0), std::fill_n(box.high, 3, 0.0);
-  const bool single_place =
-      box.high[0] - box.low[0] + box.high[1] - box.low[1] + box.high[2] - box.low[2] < 1e-9;
-  const double fill = 1 - 2 * kMargin;
+  const double aspect = aspect_of(options);
+  double half_height =
+      std::max((box.high[1] - box.low[1]) / 2, (box.high[0] - box.low[0]) / 2 / aspect) / kFill;
+  if (!(half_height > 1e-9)) half_height = is_single_place(box) ? 1 : (box.high[2] - box.low[2]) / 2;
+  half_height /= options.zoom;
+  const double depth = std::max(box.high[2] - box.low[2], half_height * 1e-3) * 1.01;
+  set_view(camera, axes, (box.low[0] + box.high[0]) / 2, (box.low[1] + box.high[1]) / 2,
+           (box.low[2] + box.high[2]) / 2 + depth);
+  camera.projection[0] = 1 / (half_height * aspect);
+  camera.projection[5] = 1 / half_height;
+  const double near_plane = depth / 4, far_plane = depth * 7 / 4;
+  camera.projection[10] = -2 / (far_plane - near_plane);
+  camera.projection[14] = -(far_plane + near_plane) / (far_plane - near_plane);
+  camera.projection[15] = 1;
+  return camera;
+}
 
-  if (options.orthographic) {
-    double half_height =
-        std::max((box.high[1] - box.low[1]) / 2, (box.high[0] - box.low[0]) / 2 / aspect) / fill;
-    if (!(half_height > 1e-9)) half_height = single_place ? 1 : (box.high[2] - box.low[2]) / 2;
-    half_height /= options.zoom;
-    const double depth = std::max(box.high[2] - box.low[2], half_height * 1e-3) * 1.01;
-    set_view(camera, axes, (box.low[0] + box.high[0]) / 2, (box.low[1] + box.high[1]) / 2,
-             (box.low[2] + box.high[2]) / 2 + depth);
-    camera.projection[0] = 1 / (half_height * aspect);
-    camera.projection[5] = 1 / half_height;
-    const double near_plane = depth / 4, far_plane = depth * 7 / 4;
-    camera.projection[10] = -2 / (far_plane - near_plane);
-    camera.projection[14] = -(far_plane + near_plane) / (far_plane - near_plane);
-    camera.projection[15] = 1;
-    return camera;
-  }
-
-  const double ty = tangent(options.field_of_view / 2), tx = ty * aspect;
-  const Fit fit = place_perspective(mesh, axes, tx * fill, ty * fill);
+Camera fit_perspective(const Mesh& mesh, const Axes& axes, const Extremes& box,
+                       const CameraOptions& options) {
+  Camera camera{};
+  const double ty = tangent(options.field_of_view / 2), tx = ty * aspect_of(options);
+  const Fit fit = place_perspective(mesh, axes, tx * kFill, ty * kFill);
   Placement place = fit.place;
-  if (single_place || mesh.empty()) {
+  if (is_single_place(box) || mesh.empty()) {
     place = {(box.low[0] + box.high[0]) / 2, (box.low[1] + box.high[1]) / 2, box.high[2] + 1 / ty};
   } else if (!(place.distance - box.high[2] > 1e-6)) { // seen exactly along a line
     place.distance = box.high[2] + (box.high[2] - box.low[2]) / ty + 1e-3;
@@ -203,6 +182,38 @@ Camera fit_camera(const Mesh& mesh, const CameraOptions& options) {
   camera.projection[14] = -2 * far_plane * near_plane / (far_plane - near_plane);
   camera.projection[11] = -1;
   return camera;
+}
+
+} // namespace
+
+bool named_view(const std::string& name, double& azimuth, double& elevation) {
+  static constexpr struct {
+    const char* name;
+    double azimuth, elevation;
+  } kViews[] = {{"iso", 35, 25},  {"front", 0, 0}, {"back", 180, 0},  {"left", -90, 0},
+                {"right", 90, 0}, {"top", 0, 90},  {"bottom", 0, -90}};
+  for (const auto& view : kViews)
+    if (name == view.name) {
+      azimuth = view.azimuth;
+      elevation = view.elevation;
+      return true;
+    }
+  return false;
+}
+
+Camera fit_camera(const Mesh& mesh, const CameraOptions& options) {
+  const Axes axes = camera_axes(options);
+  Extremes box;
+  for_each_position(mesh, [&](const float* p) {
+    const double values[3] = {along(axes.right, p), along(axes.up, p), along(axes.back, p)};
+    for (int i = 0; i < 3; ++i) {
+      box.low[i] = std::min(box.low[i], values[i]);
+      box.high[i] = std::max(box.high[i], values[i]);
+    }
+  });
+  if (box.low[0] > box.high[0]) std::fill_n(box.low, 3, 0.0), std::fill_n(box.high, 3, 0.0);
+  return options.orthographic ? fit_orthographic(axes, box, options)
+                              : fit_perspective(mesh, axes, box, options);
 }
 
 UpAxis guess_up_axis(const Mesh& mesh) {

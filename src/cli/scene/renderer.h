@@ -28,10 +28,10 @@ struct RenderResult {
   Picture picture;
   bool visible = false;      // something was drawn
   bool as_wireframe = false; // the surfaces have no visible area, so their edges were drawn
-  double upload_seconds = 0, draw_seconds = 0, resolve_seconds = 0;
+  double upload_seconds = 0, draw_seconds = 0, average_seconds = 0;
 };
 
-// Throws ProgramError if there is no GL context for such a picture.
+// Throws ProgramError if GL cannot draw a picture of that size.
 RenderResult render(const Mesh& mesh, const std::vector<Material>& materials, const ModelFrame& frame,
                     const Camera& camera, const RenderOptions& options, Warnings& warnings);
 

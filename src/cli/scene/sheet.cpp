@@ -1,10 +1,8 @@
 #include "scene/sheet.h"
 
 #include <algorithm>
-#include <memory>
 
-#include "common/program_error.h"
-#include "scene/gl_functions.h"
+#include "scene/gl_context.h"
 
 #ifdef __GNUC__
 #pragma GCC diagnostic push
@@ -23,10 +21,6 @@ namespace {
 constexpr int kGap = 12;       // around the pictures
 constexpr int kLine = 12;      // of the font, with the space below
 constexpr int kReadable = 200; // pixels of a picture's width that a label of 30 letters takes
-
-struct DestroyContext {
-  void operator()(osmesa_context* context) const { OSMesaDestroyContext(context); }
-};
 
 // Text as quadrilaterals of the current context, drawn with a unit of one pixel and y downwards.
 class TextDrawer {
@@ -53,7 +47,7 @@ private:
 };
 
 // The font has the letters of ASCII; others, letter by letter of UTF-8, become question marks.
-std::string printable(const std::string& text) {
+std::string ascii_only(const std::string& text) {
   std::string out;
   for (const char c : text) {
     const bool ascii = (c >= ' ' && c <= '~') || c == '\n', continued = (uint8_t(c) & 0xc0) == 0x80;
@@ -65,7 +59,7 @@ std::string printable(const std::string& text) {
 class SheetComposer {
 public:
   SheetComposer(const std::string& title, const std::vector<SheetRow>& rows)
-      : title_(printable(title)), rows_(rows) {}
+      : title_(ascii_only(title)), rows_(rows) {}
 
   Picture compose() {
     measure();
@@ -116,11 +110,7 @@ private:
   int top(size_t row) const { return sheet_title_ + int(row) * (row_title_ + part_height_ + label_); }
 
   void draw_text(GrowingArray<uint8_t>& pixels) const {
-    const std::unique_ptr<osmesa_context, DestroyContext> context(
-        OSMesaCreateContextExt(OSMESA_RGBA, 0, 0, 0, nullptr));
-    if (!context || !OSMesaMakeCurrent(context.get(), pixels.data(), GL_UNSIGNED_BYTE, width_, height_))
-      throw ProgramError(kCannotRead, "cannot create a GL context");
-    OSMesaPixelStore(OSMESA_Y_UP, 0);
+    const GlContext context(pixels.data(), width_, height_, 0);
     glClearColor(1, 1, 1, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     glMatrixMode(GL_PROJECTION);
@@ -137,8 +127,7 @@ private:
         text.draw(left(column), top(row) + row_title_ + part_height_ + kGap / 3, letter_,
                   rows_[row].entries[column].label);
     }
-    glFinish();
-    OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+    GlContext::finish();
   }
 
   void place(const Picture& picture, int x, int y, GrowingArray<uint8_t>& pixels) const {

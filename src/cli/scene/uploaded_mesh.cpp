@@ -1,0 +1,136 @@
+#include "scene/uploaded_mesh.h"
+
+#include <algorithm>
+#include <string>
+
+#include "image/texture_loader.h"
+
+namespace softgl::cli {
+namespace {
+
+GLuint make_texture(const TextureImage& image, bool clamp) {
+  GLuint texture = 0;
+  glGenTextures(1, &texture);
+  glBindTexture(GL_TEXTURE_2D, texture);
+  const GLint wrap = clamp ? GL_CLAMP_TO_EDGE : GL_REPEAT;
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  const GLenum format = image.channels == 4 ? GL_RGBA : GL_RGB;
+  glTexImage2D(GL_TEXTURE_2D, 0, GLint(format), image.width, image.height, 0, format, GL_UNSIGNED_BYTE,
+               image.texels.data());
+  return texture;
+}
+
+} // namespace
+
+UploadedMesh::UploadedMesh(const Mesh& mesh, const std::vector<Material>& materials, Warnings& warnings)
+    : mesh_(mesh), materials_(materials), prepared_(materials.size()) {
+  for (const Batch& batch : mesh_.triangle_batches) prepare_material(batch.material, warnings);
+  if (!mesh_.triangles.empty()) upload_vertices();
+}
+
+// One buffer: positions, normals, texture coordinates, colors one after the other.
+void UploadedMesh::upload_vertices() {
+  const auto bytes = [](const GrowingArray<float>& part) { return part.size() * sizeof(float); };
+  const GrowingArray<float>* parts[] = {&mesh_.positions, &mesh_.normals, &mesh_.texcoords, &mesh_.colors};
+  size_t total = 0;
+  for (const auto* part : parts) total += bytes(*part);
+  glGenBuffers(1, &vertex_buffer_);
+  glBindBuffer(GL_ARRAY_BUFFER, vertex_buffer_);
+  glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(total), nullptr, GL_STATIC_DRAW);
+  size_t offset = 0;
+  for (size_t i = 0; i < 4; ++i) {
+    offsets_[i] = offset;
+    if (bytes(*parts[i]))
+      glBufferSubData(GL_ARRAY_BUFFER, GLintptr(offset), GLsizeiptr(bytes(*parts[i])), parts[i]->data());
+    offset += bytes(*parts[i]);
+  }
+  glGenBuffers(1, &index_buffer_);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer_);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(mesh_.triangles.size() * sizeof(uint32_t)),
+               mesh_.triangles.data(), GL_STATIC_DRAW);
+}
+
+void UploadedMesh::prepare_material(uint32_t number, Warnings& warnings) {
+  const Material& material = materials_[number];
+  PreparedMaterial& prepared = prepared_[number];
+  prepared.blended = material.opacity < 1;
+  if (material.diffuse_map.file.empty() || mesh_.texcoords.empty()) return;
+  TextureImage image;
+  std::string problem;
+  if (!load_texture(material, image, problem)) {
+    warnings.add(material.diffuse_map.file, "this picture " + problem);
+    return;
+  }
+  GLint largest = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  const auto* version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
+  const bool any_size = (version && version[0] >= '2') || has_extension("GL_ARB_texture_non_power_of_two");
+  fit_texture(image, std::max(largest, 64), !any_size);
+  prepared.blended |= image.channels == 4;
+  prepared.texture = make_texture(image, material.diffuse_map.clamp);
+}
+
+void UploadedMesh::bind_vertices() const {
+  const auto at = [this](size_t part) { return reinterpret_cast<const void*>(offsets_[part]); };
+  glBindBuffer(GL_ARRAY_BUFFER, vertex_buffer_);
+  glVertexPointer(3, GL_FLOAT, 0, at(0));
+  glEnableClientState(GL_VERTEX_ARRAY);
+  glNormalPointer(GL_FLOAT, 0, at(1));
+  glEnableClientState(GL_NORMAL_ARRAY);
+  if (!mesh_.texcoords.empty()) glTexCoordPointer(2, GL_FLOAT, 0, at(2));
+  if (!mesh_.colors.empty()) glColorPointer(3, GL_FLOAT, 0, at(3));
+}
+
+void UploadedMesh::use_material(uint32_t number) const {
+  const Material& material = materials_[number];
+  const auto set = [&](GLenum name, const float* rgb) {
+    const float rgba[4] = {rgb[0], rgb[1], rgb[2], material.opacity};
+    glMaterialfv(GL_FRONT_AND_BACK, name, rgba);
+  };
+  glDisable(GL_COLOR_MATERIAL);
+  set(GL_AMBIENT, material.ambient);
+  set(GL_DIFFUSE, material.diffuse);
+  set(GL_SPECULAR, material.specular);
+  set(GL_EMISSION, material.emission);
+  glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, material.shininess);
+  const bool shiny = material.specular[0] > 0 || material.specular[1] > 0 || material.specular[2] > 0;
+  glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL,
+                shiny && prepared_[number].texture ? GL_SEPARATE_SPECULAR_COLOR : GL_SINGLE_COLOR);
+  if (!mesh_.colors.empty() && material.opacity == 1) { // the array has no alpha
+    glColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE);
+    glEnable(GL_COLOR_MATERIAL);
+    glEnableClientState(GL_COLOR_ARRAY);
+  } else {
+    glDisableClientState(GL_COLOR_ARRAY);
+    glColor4f(material.diffuse[0], material.diffuse[1], material.diffuse[2], material.opacity);
+  }
+  if (material.lit)
+    glEnable(GL_LIGHTING);
+  else
+    glDisable(GL_LIGHTING);
+  use_texture(number);
+}
+
+void UploadedMesh::use_texture(uint32_t number) const {
+  if (!prepared_[number].texture) {
+    glDisable(GL_TEXTURE_2D);
+    glDisableClientState(GL_TEXTURE_COORD_ARRAY);
+    return;
+  }
+  glEnable(GL_TEXTURE_2D);
+  glBindTexture(GL_TEXTURE_2D, prepared_[number].texture);
+  glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+  const TextureReference& map = materials_[number].diffuse_map;
+  glMatrixMode(GL_TEXTURE);
+  glLoadIdentity();
+  glTranslatef(map.offset[0], map.offset[1], 0);
+  glScalef(map.scale[0], map.scale[1], 1);
+  glMatrixMode(GL_MODELVIEW);
+}
+
+} // namespace softgl::cli
