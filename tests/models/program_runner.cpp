@@ -44,7 +44,8 @@ std::string output_folder(const std::string& name) {
 }
 
 // Files instead of pipes: no deadlock, whatever the amount.
-ProgramRun run_softgl(const std::vector<std::string>& arguments, const std::string& input) {
+ProgramRun run_softgl(const std::vector<std::string>& arguments, const std::string& input,
+                      const std::vector<std::string>& environment) {
   const std::string stem = output_folder("run");
   const std::string paths[3] = {stem + "in", stem + "out", stem + "err"};
   std::ofstream(paths[0], std::ios::binary) << input;
@@ -59,6 +60,7 @@ ProgramRun run_softgl(const std::vector<std::string>& arguments, const std::stri
       const int file = ::open(paths[i].c_str(), flags[i], 0644);
       if (file < 0 || ::dup2(file, i) < 0) ::_exit(127);
     }
+    for (const std::string& variable : environment) ::putenv(const_cast<char*>(variable.c_str()));
     ::execv(argv[0], argv.data());
     ::_exit(127);
   }

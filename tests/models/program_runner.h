@@ -16,7 +16,9 @@ struct ProgramRun {
 // the same names. It is gone when the process ends.
 std::string output_folder(const std::string& name);
 
-ProgramRun run_softgl(const std::vector<std::string>& arguments, const std::string& input = {});
+// `environment`: variables as NAME=value, beside those of the tests.
+ProgramRun run_softgl(const std::vector<std::string>& arguments, const std::string& input = {},
+                      const std::vector<std::string>& environment = {});
 
 struct TestPicture {
   int width = 0, height = 0;
