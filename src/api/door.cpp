@@ -1,5 +1,6 @@
 #include "api/door.h"
 
+#include "api/call_trace.h"
 #include "commands/vertices/list_compilation.h"
 #include "commands/vertices/vertex_stream.h"
 
@@ -49,6 +50,13 @@ void out_of_memory() noexcept {
 void unbuilt_command() {
   Context& c = *current_context;
   if (!(c.guard & kNoContext)) set_error(c, GL_INVALID_OPERATION);
+}
+
+void unsupported_command(const char* name) {
+  if (!tracing) return unbuilt_command();
+  begin_unsupported_call(name);
+  unbuilt_command();
+  end_unsupported_call(name);
 }
 
 } // namespace softgl

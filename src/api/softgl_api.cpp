@@ -1,6 +1,7 @@
 // softgl/softgl.h.
 #include <softgl/softgl.h>
 
+#include "api/call_trace.h"
 #include "base/cpu_features.h"
 #include "commands/framebuffer/flush.h"
 #include "context/current_context.h"
@@ -19,12 +20,25 @@ uint64_t mixed(uint64_t hash, uint64_t word) {
 
 extern "C" {
 
-SOFTGL_EXPORT const char* softgl_version() { return SOFTGL_VERSION_TEXT; }
-SOFTGL_EXPORT void softgl_set_threads(int count) { set_drawing_threads(count); }
-SOFTGL_EXPORT int softgl_threads() { return drawing_threads(); }
-SOFTGL_EXPORT const char* softgl_isa() { return isa_name(selected_isa()); }
+SOFTGL_EXPORT const char* softgl_version() {
+  SOFTGL_TRACED(softgl_version);
+  return SOFTGL_VERSION_TEXT;
+}
+SOFTGL_EXPORT void softgl_set_threads(int count) {
+  SOFTGL_TRACED(softgl_set_threads, count);
+  set_drawing_threads(count);
+}
+SOFTGL_EXPORT int softgl_threads() {
+  SOFTGL_TRACED(softgl_threads);
+  return drawing_threads();
+}
+SOFTGL_EXPORT const char* softgl_isa() {
+  SOFTGL_TRACED(softgl_isa);
+  return isa_name(selected_isa());
+}
 
 SOFTGL_EXPORT uint64_t softgl_frame_hash() {
+  SOFTGL_TRACED(softgl_frame_hash);
   Context& c = *current_context;
   if (c.guard & kNoContext) return 0;
   try {
@@ -49,6 +63,7 @@ SOFTGL_EXPORT uint64_t softgl_frame_hash() {
 }
 
 SOFTGL_EXPORT void softgl_get_statistics(softgl_statistics* statistics) {
+  SOFTGL_TRACED(softgl_get_statistics, statistics);
   if (!statistics) return;
   *statistics = {};
   const Context& c = *current_context;

@@ -22,4 +22,8 @@ inline GLint to_integer(double value, Conversion conversion) {
   return GLint(value);
 }
 
+struct Context;
+/// How many values glGet gives for a name; 0 if there is no such state.
+int state_value_count(Context& context, GLenum pname);
+
 } // namespace softgl

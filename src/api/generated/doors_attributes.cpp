@@ -2,6 +2,7 @@
 // The entry points of the vertex attribute families.
 
 #include "api/argument_conversion.h"
+#include "api/call_trace.h"
 #include "api/door.h"
 #include "commands/vertices/attribute_doors.h"
 
@@ -9,539 +10,539 @@ using namespace softgl;
 
 extern "C" {
 
-SOFTGL_EXPORT void APIENTRY glColor3b(GLbyte red, GLbyte green, GLbyte blue) { Context& c = *current_context; set_attribute3(c, kColor, normalized(red), normalized(green), normalized(blue)); }
-SOFTGL_EXPORT void APIENTRY glColor3bv(const GLbyte* v) { Context& c = *current_context; set_attribute3(c, kColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
-SOFTGL_EXPORT void APIENTRY glColor3d(GLdouble red, GLdouble green, GLdouble blue) { Context& c = *current_context; set_attribute3(c, kColor, float(red), float(green), float(blue)); }
-SOFTGL_EXPORT void APIENTRY glColor3dv(const GLdouble* v) { Context& c = *current_context; set_attribute3(c, kColor, float(v[0]), float(v[1]), float(v[2])); }
-SOFTGL_EXPORT void APIENTRY glColor3f(GLfloat red, GLfloat green, GLfloat blue) { Context& c = *current_context; set_attribute3(c, kColor, red, green, blue); }
-SOFTGL_EXPORT void APIENTRY glColor3fv(const GLfloat* v) { Context& c = *current_context; set_attribute3(c, kColor, v[0], v[1], v[2]); }
-SOFTGL_EXPORT void APIENTRY glColor3i(GLint red, GLint green, GLint blue) { Context& c = *current_context; set_attribute3(c, kColor, normalized(red), normalized(green), normalized(blue)); }
-SOFTGL_EXPORT void APIENTRY glColor3iv(const GLint* v) { Context& c = *current_context; set_attribute3(c, kColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
-SOFTGL_EXPORT void APIENTRY glColor3s(GLshort red, GLshort green, GLshort blue) { Context& c = *current_context; set_attribute3(c, kColor, normalized(red), normalized(green), normalized(blue)); }
-SOFTGL_EXPORT void APIENTRY glColor3sv(const GLshort* v) { Context& c = *current_context; set_attribute3(c, kColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
-SOFTGL_EXPORT void APIENTRY glColor3ub(GLubyte red, GLubyte green, GLubyte blue) { Context& c = *current_context; set_attribute3(c, kColor, normalized(red), normalized(green), normalized(blue)); }
-SOFTGL_EXPORT void APIENTRY glColor3ubv(const GLubyte* v) { Context& c = *current_context; set_attribute3(c, kColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
-SOFTGL_EXPORT void APIENTRY glColor3ui(GLuint red, GLuint green, GLuint blue) { Context& c = *current_context; set_attribute3(c, kColor, normalized(red), normalized(green), normalized(blue)); }
-SOFTGL_EXPORT void APIENTRY glColor3uiv(const GLuint* v) { Context& c = *current_context; set_attribute3(c, kColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
-SOFTGL_EXPORT void APIENTRY glColor3us(GLushort red, GLushort green, GLushort blue) { Context& c = *current_context; set_attribute3(c, kColor, normalized(red), normalized(green), normalized(blue)); }
-SOFTGL_EXPORT void APIENTRY glColor3usv(const GLushort* v) { Context& c = *current_context; set_attribute3(c, kColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
-SOFTGL_EXPORT void APIENTRY glColor4b(GLbyte red, GLbyte green, GLbyte blue, GLbyte alpha) { Context& c = *current_context; set_attribute4(c, kColor, normalized(red), normalized(green), normalized(blue), normalized(alpha)); }
-SOFTGL_EXPORT void APIENTRY glColor4bv(const GLbyte* v) { Context& c = *current_context; set_attribute4(c, kColor, normalized(v[0]), normalized(v[1]), normalized(v[2]), normalized(v[3])); }
-SOFTGL_EXPORT void APIENTRY glColor4d(GLdouble red, GLdouble green, GLdouble blue, GLdouble alpha) { Context& c = *current_context; set_attribute4(c, kColor, float(red), float(green), float(blue), float(alpha)); }
-SOFTGL_EXPORT void APIENTRY glColor4dv(const GLdouble* v) { Context& c = *current_context; set_attribute4(c, kColor, float(v[0]), float(v[1]), float(v[2]), float(v[3])); }
-SOFTGL_EXPORT void APIENTRY glColor4f(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) { Context& c = *current_context; set_attribute4(c, kColor, red, green, blue, alpha); }
-SOFTGL_EXPORT void APIENTRY glColor4fv(const GLfloat* v) { Context& c = *current_context; set_attribute4(c, kColor, v[0], v[1], v[2], v[3]); }
-SOFTGL_EXPORT void APIENTRY glColor4i(GLint red, GLint green, GLint blue, GLint alpha) { Context& c = *current_context; set_attribute4(c, kColor, normalized(red), normalized(green), normalized(blue), normalized(alpha)); }
-SOFTGL_EXPORT void APIENTRY glColor4iv(const GLint* v) { Context& c = *current_context; set_attribute4(c, kColor, normalized(v[0]), normalized(v[1]), normalized(v[2]), normalized(v[3])); }
-SOFTGL_EXPORT void APIENTRY glColor4s(GLshort red, GLshort green, GLshort blue, GLshort alpha) { Context& c = *current_context; set_attribute4(c, kColor, normalized(red), normalized(green), normalized(blue), normalized(alpha)); }
-SOFTGL_EXPORT void APIENTRY glColor4sv(const GLshort* v) { Context& c = *current_context; set_attribute4(c, kColor, normalized(v[0]), normalized(v[1]), normalized(v[2]), normalized(v[3])); }
-SOFTGL_EXPORT void APIENTRY glColor4ub(GLubyte red, GLubyte green, GLubyte blue, GLubyte alpha) { Context& c = *current_context; set_attribute4(c, kColor, normalized(red), normalized(green), normalized(blue), normalized(alpha)); }
-SOFTGL_EXPORT void APIENTRY glColor4ubv(const GLubyte* v) { Context& c = *current_context; set_attribute4(c, kColor, normalized(v[0]), normalized(v[1]), normalized(v[2]), normalized(v[3])); }
-SOFTGL_EXPORT void APIENTRY glColor4ui(GLuint red, GLuint green, GLuint blue, GLuint alpha) { Context& c = *current_context; set_attribute4(c, kColor, normalized(red), normalized(green), normalized(blue), normalized(alpha)); }
-SOFTGL_EXPORT void APIENTRY glColor4uiv(const GLuint* v) { Context& c = *current_context; set_attribute4(c, kColor, normalized(v[0]), normalized(v[1]), normalized(v[2]), normalized(v[3])); }
-SOFTGL_EXPORT void APIENTRY glColor4us(GLushort red, GLushort green, GLushort blue, GLushort alpha) { Context& c = *current_context; set_attribute4(c, kColor, normalized(red), normalized(green), normalized(blue), normalized(alpha)); }
-SOFTGL_EXPORT void APIENTRY glColor4usv(const GLushort* v) { Context& c = *current_context; set_attribute4(c, kColor, normalized(v[0]), normalized(v[1]), normalized(v[2]), normalized(v[3])); }
-SOFTGL_EXPORT void APIENTRY glEdgeFlag(GLboolean flag) { Context& c = *current_context; set_attribute1(c, kEdgeFlag, (flag ? 1.0f : 0.0f)); }
-SOFTGL_EXPORT void APIENTRY glEdgeFlagv(const GLboolean* flag) { Context& c = *current_context; set_attribute1(c, kEdgeFlag, (flag[0] ? 1.0f : 0.0f)); }
-SOFTGL_EXPORT void APIENTRY glFogCoordd(GLdouble coord) { Context& c = *current_context; set_attribute1(c, kFogCoordinate, float(coord)); }
-SOFTGL_EXPORT void APIENTRY glFogCoorddEXT(GLdouble coord) { Context& c = *current_context; set_attribute1(c, kFogCoordinate, float(coord)); }
-SOFTGL_EXPORT void APIENTRY glFogCoorddv(const GLdouble* coord) { Context& c = *current_context; set_attribute1(c, kFogCoordinate, float(coord[0])); }
-SOFTGL_EXPORT void APIENTRY glFogCoorddvEXT(const GLdouble* coord) { Context& c = *current_context; set_attribute1(c, kFogCoordinate, float(coord[0])); }
-SOFTGL_EXPORT void APIENTRY glFogCoordf(GLfloat coord) { Context& c = *current_context; set_attribute1(c, kFogCoordinate, coord); }
-SOFTGL_EXPORT void APIENTRY glFogCoordfEXT(GLfloat coord) { Context& c = *current_context; set_attribute1(c, kFogCoordinate, coord); }
-SOFTGL_EXPORT void APIENTRY glFogCoordfv(const GLfloat* coord) { Context& c = *current_context; set_attribute1(c, kFogCoordinate, coord[0]); }
-SOFTGL_EXPORT void APIENTRY glFogCoordfvEXT(const GLfloat* coord) { Context& c = *current_context; set_attribute1(c, kFogCoordinate, coord[0]); }
-SOFTGL_EXPORT void APIENTRY glIndexd(GLdouble value) { Context& c = *current_context; set_attribute1(c, kColorIndex, float(value)); }
-SOFTGL_EXPORT void APIENTRY glIndexdv(const GLdouble* value) { Context& c = *current_context; set_attribute1(c, kColorIndex, float(value[0])); }
-SOFTGL_EXPORT void APIENTRY glIndexf(GLfloat value) { Context& c = *current_context; set_attribute1(c, kColorIndex, value); }
-SOFTGL_EXPORT void APIENTRY glIndexfv(const GLfloat* value) { Context& c = *current_context; set_attribute1(c, kColorIndex, value[0]); }
-SOFTGL_EXPORT void APIENTRY glIndexi(GLint value) { Context& c = *current_context; set_attribute1(c, kColorIndex, float(value)); }
-SOFTGL_EXPORT void APIENTRY glIndexiv(const GLint* value) { Context& c = *current_context; set_attribute1(c, kColorIndex, float(value[0])); }
-SOFTGL_EXPORT void APIENTRY glIndexs(GLshort value) { Context& c = *current_context; set_attribute1(c, kColorIndex, float(value)); }
-SOFTGL_EXPORT void APIENTRY glIndexsv(const GLshort* value) { Context& c = *current_context; set_attribute1(c, kColorIndex, float(value[0])); }
-SOFTGL_EXPORT void APIENTRY glIndexub(GLubyte value) { Context& c = *current_context; set_attribute1(c, kColorIndex, float(value)); }
-SOFTGL_EXPORT void APIENTRY glIndexubv(const GLubyte* value) { Context& c = *current_context; set_attribute1(c, kColorIndex, float(value[0])); }
+SOFTGL_EXPORT void APIENTRY glColor3b(GLbyte red, GLbyte green, GLbyte blue) { SOFTGL_TRACED(glColor3b, red, green, blue); Context& c = *current_context; set_attribute3(c, kColor, normalized(red), normalized(green), normalized(blue)); }
+SOFTGL_EXPORT void APIENTRY glColor3bv(const GLbyte* v) { SOFTGL_TRACED(glColor3bv, v); Context& c = *current_context; set_attribute3(c, kColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
+SOFTGL_EXPORT void APIENTRY glColor3d(GLdouble red, GLdouble green, GLdouble blue) { SOFTGL_TRACED(glColor3d, red, green, blue); Context& c = *current_context; set_attribute3(c, kColor, float(red), float(green), float(blue)); }
+SOFTGL_EXPORT void APIENTRY glColor3dv(const GLdouble* v) { SOFTGL_TRACED(glColor3dv, v); Context& c = *current_context; set_attribute3(c, kColor, float(v[0]), float(v[1]), float(v[2])); }
+SOFTGL_EXPORT void APIENTRY glColor3f(GLfloat red, GLfloat green, GLfloat blue) { SOFTGL_TRACED(glColor3f, red, green, blue); Context& c = *current_context; set_attribute3(c, kColor, red, green, blue); }
+SOFTGL_EXPORT void APIENTRY glColor3fv(const GLfloat* v) { SOFTGL_TRACED(glColor3fv, v); Context& c = *current_context; set_attribute3(c, kColor, v[0], v[1], v[2]); }
+SOFTGL_EXPORT void APIENTRY glColor3i(GLint red, GLint green, GLint blue) { SOFTGL_TRACED(glColor3i, red, green, blue); Context& c = *current_context; set_attribute3(c, kColor, normalized(red), normalized(green), normalized(blue)); }
+SOFTGL_EXPORT void APIENTRY glColor3iv(const GLint* v) { SOFTGL_TRACED(glColor3iv, v); Context& c = *current_context; set_attribute3(c, kColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
+SOFTGL_EXPORT void APIENTRY glColor3s(GLshort red, GLshort green, GLshort blue) { SOFTGL_TRACED(glColor3s, red, green, blue); Context& c = *current_context; set_attribute3(c, kColor, normalized(red), normalized(green), normalized(blue)); }
+SOFTGL_EXPORT void APIENTRY glColor3sv(const GLshort* v) { SOFTGL_TRACED(glColor3sv, v); Context& c = *current_context; set_attribute3(c, kColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
+SOFTGL_EXPORT void APIENTRY glColor3ub(GLubyte red, GLubyte green, GLubyte blue) { SOFTGL_TRACED(glColor3ub, red, green, blue); Context& c = *current_context; set_attribute3(c, kColor, normalized(red), normalized(green), normalized(blue)); }
+SOFTGL_EXPORT void APIENTRY glColor3ubv(const GLubyte* v) { SOFTGL_TRACED(glColor3ubv, v); Context& c = *current_context; set_attribute3(c, kColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
+SOFTGL_EXPORT void APIENTRY glColor3ui(GLuint red, GLuint green, GLuint blue) { SOFTGL_TRACED(glColor3ui, red, green, blue); Context& c = *current_context; set_attribute3(c, kColor, normalized(red), normalized(green), normalized(blue)); }
+SOFTGL_EXPORT void APIENTRY glColor3uiv(const GLuint* v) { SOFTGL_TRACED(glColor3uiv, v); Context& c = *current_context; set_attribute3(c, kColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
+SOFTGL_EXPORT void APIENTRY glColor3us(GLushort red, GLushort green, GLushort blue) { SOFTGL_TRACED(glColor3us, red, green, blue); Context& c = *current_context; set_attribute3(c, kColor, normalized(red), normalized(green), normalized(blue)); }
+SOFTGL_EXPORT void APIENTRY glColor3usv(const GLushort* v) { SOFTGL_TRACED(glColor3usv, v); Context& c = *current_context; set_attribute3(c, kColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
+SOFTGL_EXPORT void APIENTRY glColor4b(GLbyte red, GLbyte green, GLbyte blue, GLbyte alpha) { SOFTGL_TRACED(glColor4b, red, green, blue, alpha); Context& c = *current_context; set_attribute4(c, kColor, normalized(red), normalized(green), normalized(blue), normalized(alpha)); }
+SOFTGL_EXPORT void APIENTRY glColor4bv(const GLbyte* v) { SOFTGL_TRACED(glColor4bv, v); Context& c = *current_context; set_attribute4(c, kColor, normalized(v[0]), normalized(v[1]), normalized(v[2]), normalized(v[3])); }
+SOFTGL_EXPORT void APIENTRY glColor4d(GLdouble red, GLdouble green, GLdouble blue, GLdouble alpha) { SOFTGL_TRACED(glColor4d, red, green, blue, alpha); Context& c = *current_context; set_attribute4(c, kColor, float(red), float(green), float(blue), float(alpha)); }
+SOFTGL_EXPORT void APIENTRY glColor4dv(const GLdouble* v) { SOFTGL_TRACED(glColor4dv, v); Context& c = *current_context; set_attribute4(c, kColor, float(v[0]), float(v[1]), float(v[2]), float(v[3])); }
+SOFTGL_EXPORT void APIENTRY glColor4f(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) { SOFTGL_TRACED(glColor4f, red, green, blue, alpha); Context& c = *current_context; set_attribute4(c, kColor, red, green, blue, alpha); }
+SOFTGL_EXPORT void APIENTRY glColor4fv(const GLfloat* v) { SOFTGL_TRACED(glColor4fv, v); Context& c = *current_context; set_attribute4(c, kColor, v[0], v[1], v[2], v[3]); }
+SOFTGL_EXPORT void APIENTRY glColor4i(GLint red, GLint green, GLint blue, GLint alpha) { SOFTGL_TRACED(glColor4i, red, green, blue, alpha); Context& c = *current_context; set_attribute4(c, kColor, normalized(red), normalized(green), normalized(blue), normalized(alpha)); }
+SOFTGL_EXPORT void APIENTRY glColor4iv(const GLint* v) { SOFTGL_TRACED(glColor4iv, v); Context& c = *current_context; set_attribute4(c, kColor, normalized(v[0]), normalized(v[1]), normalized(v[2]), normalized(v[3])); }
+SOFTGL_EXPORT void APIENTRY glColor4s(GLshort red, GLshort green, GLshort blue, GLshort alpha) { SOFTGL_TRACED(glColor4s, red, green, blue, alpha); Context& c = *current_context; set_attribute4(c, kColor, normalized(red), normalized(green), normalized(blue), normalized(alpha)); }
+SOFTGL_EXPORT void APIENTRY glColor4sv(const GLshort* v) { SOFTGL_TRACED(glColor4sv, v); Context& c = *current_context; set_attribute4(c, kColor, normalized(v[0]), normalized(v[1]), normalized(v[2]), normalized(v[3])); }
+SOFTGL_EXPORT void APIENTRY glColor4ub(GLubyte red, GLubyte green, GLubyte blue, GLubyte alpha) { SOFTGL_TRACED(glColor4ub, red, green, blue, alpha); Context& c = *current_context; set_attribute4(c, kColor, normalized(red), normalized(green), normalized(blue), normalized(alpha)); }
+SOFTGL_EXPORT void APIENTRY glColor4ubv(const GLubyte* v) { SOFTGL_TRACED(glColor4ubv, v); Context& c = *current_context; set_attribute4(c, kColor, normalized(v[0]), normalized(v[1]), normalized(v[2]), normalized(v[3])); }
+SOFTGL_EXPORT void APIENTRY glColor4ui(GLuint red, GLuint green, GLuint blue, GLuint alpha) { SOFTGL_TRACED(glColor4ui, red, green, blue, alpha); Context& c = *current_context; set_attribute4(c, kColor, normalized(red), normalized(green), normalized(blue), normalized(alpha)); }
+SOFTGL_EXPORT void APIENTRY glColor4uiv(const GLuint* v) { SOFTGL_TRACED(glColor4uiv, v); Context& c = *current_context; set_attribute4(c, kColor, normalized(v[0]), normalized(v[1]), normalized(v[2]), normalized(v[3])); }
+SOFTGL_EXPORT void APIENTRY glColor4us(GLushort red, GLushort green, GLushort blue, GLushort alpha) { SOFTGL_TRACED(glColor4us, red, green, blue, alpha); Context& c = *current_context; set_attribute4(c, kColor, normalized(red), normalized(green), normalized(blue), normalized(alpha)); }
+SOFTGL_EXPORT void APIENTRY glColor4usv(const GLushort* v) { SOFTGL_TRACED(glColor4usv, v); Context& c = *current_context; set_attribute4(c, kColor, normalized(v[0]), normalized(v[1]), normalized(v[2]), normalized(v[3])); }
+SOFTGL_EXPORT void APIENTRY glEdgeFlag(GLboolean flag) { SOFTGL_TRACED(glEdgeFlag, flag); Context& c = *current_context; set_attribute1(c, kEdgeFlag, (flag ? 1.0f : 0.0f)); }
+SOFTGL_EXPORT void APIENTRY glEdgeFlagv(const GLboolean* flag) { SOFTGL_TRACED(glEdgeFlagv, flag); Context& c = *current_context; set_attribute1(c, kEdgeFlag, (flag[0] ? 1.0f : 0.0f)); }
+SOFTGL_EXPORT void APIENTRY glFogCoordd(GLdouble coord) { SOFTGL_TRACED(glFogCoordd, coord); Context& c = *current_context; set_attribute1(c, kFogCoordinate, float(coord)); }
+SOFTGL_EXPORT void APIENTRY glFogCoorddEXT(GLdouble coord) { SOFTGL_TRACED(glFogCoorddEXT, coord); Context& c = *current_context; set_attribute1(c, kFogCoordinate, float(coord)); }
+SOFTGL_EXPORT void APIENTRY glFogCoorddv(const GLdouble* coord) { SOFTGL_TRACED(glFogCoorddv, coord); Context& c = *current_context; set_attribute1(c, kFogCoordinate, float(coord[0])); }
+SOFTGL_EXPORT void APIENTRY glFogCoorddvEXT(const GLdouble* coord) { SOFTGL_TRACED(glFogCoorddvEXT, coord); Context& c = *current_context; set_attribute1(c, kFogCoordinate, float(coord[0])); }
+SOFTGL_EXPORT void APIENTRY glFogCoordf(GLfloat coord) { SOFTGL_TRACED(glFogCoordf, coord); Context& c = *current_context; set_attribute1(c, kFogCoordinate, coord); }
+SOFTGL_EXPORT void APIENTRY glFogCoordfEXT(GLfloat coord) { SOFTGL_TRACED(glFogCoordfEXT, coord); Context& c = *current_context; set_attribute1(c, kFogCoordinate, coord); }
+SOFTGL_EXPORT void APIENTRY glFogCoordfv(const GLfloat* coord) { SOFTGL_TRACED(glFogCoordfv, coord); Context& c = *current_context; set_attribute1(c, kFogCoordinate, coord[0]); }
+SOFTGL_EXPORT void APIENTRY glFogCoordfvEXT(const GLfloat* coord) { SOFTGL_TRACED(glFogCoordfvEXT, coord); Context& c = *current_context; set_attribute1(c, kFogCoordinate, coord[0]); }
+SOFTGL_EXPORT void APIENTRY glIndexd(GLdouble value) { SOFTGL_TRACED(glIndexd, value); Context& c = *current_context; set_attribute1(c, kColorIndex, float(value)); }
+SOFTGL_EXPORT void APIENTRY glIndexdv(const GLdouble* value) { SOFTGL_TRACED(glIndexdv, value); Context& c = *current_context; set_attribute1(c, kColorIndex, float(value[0])); }
+SOFTGL_EXPORT void APIENTRY glIndexf(GLfloat value) { SOFTGL_TRACED(glIndexf, value); Context& c = *current_context; set_attribute1(c, kColorIndex, value); }
+SOFTGL_EXPORT void APIENTRY glIndexfv(const GLfloat* value) { SOFTGL_TRACED(glIndexfv, value); Context& c = *current_context; set_attribute1(c, kColorIndex, value[0]); }
+SOFTGL_EXPORT void APIENTRY glIndexi(GLint value) { SOFTGL_TRACED(glIndexi, value); Context& c = *current_context; set_attribute1(c, kColorIndex, float(value)); }
+SOFTGL_EXPORT void APIENTRY glIndexiv(const GLint* value) { SOFTGL_TRACED(glIndexiv, value); Context& c = *current_context; set_attribute1(c, kColorIndex, float(value[0])); }
+SOFTGL_EXPORT void APIENTRY glIndexs(GLshort value) { SOFTGL_TRACED(glIndexs, value); Context& c = *current_context; set_attribute1(c, kColorIndex, float(value)); }
+SOFTGL_EXPORT void APIENTRY glIndexsv(const GLshort* value) { SOFTGL_TRACED(glIndexsv, value); Context& c = *current_context; set_attribute1(c, kColorIndex, float(value[0])); }
+SOFTGL_EXPORT void APIENTRY glIndexub(GLubyte value) { SOFTGL_TRACED(glIndexub, value); Context& c = *current_context; set_attribute1(c, kColorIndex, float(value)); }
+SOFTGL_EXPORT void APIENTRY glIndexubv(const GLubyte* value) { SOFTGL_TRACED(glIndexubv, value); Context& c = *current_context; set_attribute1(c, kColorIndex, float(value[0])); }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord1d(GLenum target, GLdouble s) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord1d, target, s); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute1(c, kTexCoord0 + int(unit), float(s));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord1dARB(GLenum target, GLdouble s) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord1dARB, target, s); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute1(c, kTexCoord0 + int(unit), float(s));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord1dv(GLenum target, const GLdouble* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord1dv, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute1(c, kTexCoord0 + int(unit), float(v[0]));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord1dvARB(GLenum target, const GLdouble* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord1dvARB, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute1(c, kTexCoord0 + int(unit), float(v[0]));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord1f(GLenum target, GLfloat s) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord1f, target, s); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute1(c, kTexCoord0 + int(unit), s);
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord1fARB(GLenum target, GLfloat s) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord1fARB, target, s); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute1(c, kTexCoord0 + int(unit), s);
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord1fv(GLenum target, const GLfloat* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord1fv, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute1(c, kTexCoord0 + int(unit), v[0]);
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord1fvARB(GLenum target, const GLfloat* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord1fvARB, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute1(c, kTexCoord0 + int(unit), v[0]);
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord1i(GLenum target, GLint s) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord1i, target, s); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute1(c, kTexCoord0 + int(unit), float(s));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord1iARB(GLenum target, GLint s) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord1iARB, target, s); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute1(c, kTexCoord0 + int(unit), float(s));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord1iv(GLenum target, const GLint* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord1iv, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute1(c, kTexCoord0 + int(unit), float(v[0]));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord1ivARB(GLenum target, const GLint* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord1ivARB, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute1(c, kTexCoord0 + int(unit), float(v[0]));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord1s(GLenum target, GLshort s) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord1s, target, s); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute1(c, kTexCoord0 + int(unit), float(s));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord1sARB(GLenum target, GLshort s) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord1sARB, target, s); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute1(c, kTexCoord0 + int(unit), float(s));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord1sv(GLenum target, const GLshort* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord1sv, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute1(c, kTexCoord0 + int(unit), float(v[0]));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord1svARB(GLenum target, const GLshort* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord1svARB, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute1(c, kTexCoord0 + int(unit), float(v[0]));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord2d(GLenum target, GLdouble s, GLdouble t) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord2d, target, s, t); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute2(c, kTexCoord0 + int(unit), float(s), float(t));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord2dARB(GLenum target, GLdouble s, GLdouble t) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord2dARB, target, s, t); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute2(c, kTexCoord0 + int(unit), float(s), float(t));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord2dv(GLenum target, const GLdouble* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord2dv, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute2(c, kTexCoord0 + int(unit), float(v[0]), float(v[1]));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord2dvARB(GLenum target, const GLdouble* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord2dvARB, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute2(c, kTexCoord0 + int(unit), float(v[0]), float(v[1]));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord2f(GLenum target, GLfloat s, GLfloat t) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord2f, target, s, t); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute2(c, kTexCoord0 + int(unit), s, t);
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord2fARB(GLenum target, GLfloat s, GLfloat t) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord2fARB, target, s, t); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute2(c, kTexCoord0 + int(unit), s, t);
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord2fv(GLenum target, const GLfloat* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord2fv, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute2(c, kTexCoord0 + int(unit), v[0], v[1]);
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord2fvARB(GLenum target, const GLfloat* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord2fvARB, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute2(c, kTexCoord0 + int(unit), v[0], v[1]);
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord2i(GLenum target, GLint s, GLint t) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord2i, target, s, t); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute2(c, kTexCoord0 + int(unit), float(s), float(t));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord2iARB(GLenum target, GLint s, GLint t) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord2iARB, target, s, t); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute2(c, kTexCoord0 + int(unit), float(s), float(t));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord2iv(GLenum target, const GLint* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord2iv, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute2(c, kTexCoord0 + int(unit), float(v[0]), float(v[1]));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord2ivARB(GLenum target, const GLint* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord2ivARB, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute2(c, kTexCoord0 + int(unit), float(v[0]), float(v[1]));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord2s(GLenum target, GLshort s, GLshort t) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord2s, target, s, t); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute2(c, kTexCoord0 + int(unit), float(s), float(t));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord2sARB(GLenum target, GLshort s, GLshort t) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord2sARB, target, s, t); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute2(c, kTexCoord0 + int(unit), float(s), float(t));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord2sv(GLenum target, const GLshort* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord2sv, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute2(c, kTexCoord0 + int(unit), float(v[0]), float(v[1]));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord2svARB(GLenum target, const GLshort* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord2svARB, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute2(c, kTexCoord0 + int(unit), float(v[0]), float(v[1]));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord3d(GLenum target, GLdouble s, GLdouble t, GLdouble r) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord3d, target, s, t, r); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute3(c, kTexCoord0 + int(unit), float(s), float(t), float(r));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord3dARB(GLenum target, GLdouble s, GLdouble t, GLdouble r) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord3dARB, target, s, t, r); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute3(c, kTexCoord0 + int(unit), float(s), float(t), float(r));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord3dv(GLenum target, const GLdouble* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord3dv, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute3(c, kTexCoord0 + int(unit), float(v[0]), float(v[1]), float(v[2]));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord3dvARB(GLenum target, const GLdouble* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord3dvARB, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute3(c, kTexCoord0 + int(unit), float(v[0]), float(v[1]), float(v[2]));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord3f(GLenum target, GLfloat s, GLfloat t, GLfloat r) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord3f, target, s, t, r); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute3(c, kTexCoord0 + int(unit), s, t, r);
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord3fARB(GLenum target, GLfloat s, GLfloat t, GLfloat r) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord3fARB, target, s, t, r); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute3(c, kTexCoord0 + int(unit), s, t, r);
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord3fv(GLenum target, const GLfloat* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord3fv, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute3(c, kTexCoord0 + int(unit), v[0], v[1], v[2]);
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord3fvARB(GLenum target, const GLfloat* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord3fvARB, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute3(c, kTexCoord0 + int(unit), v[0], v[1], v[2]);
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord3i(GLenum target, GLint s, GLint t, GLint r) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord3i, target, s, t, r); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute3(c, kTexCoord0 + int(unit), float(s), float(t), float(r));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord3iARB(GLenum target, GLint s, GLint t, GLint r) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord3iARB, target, s, t, r); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute3(c, kTexCoord0 + int(unit), float(s), float(t), float(r));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord3iv(GLenum target, const GLint* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord3iv, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute3(c, kTexCoord0 + int(unit), float(v[0]), float(v[1]), float(v[2]));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord3ivARB(GLenum target, const GLint* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord3ivARB, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute3(c, kTexCoord0 + int(unit), float(v[0]), float(v[1]), float(v[2]));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord3s(GLenum target, GLshort s, GLshort t, GLshort r) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord3s, target, s, t, r); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute3(c, kTexCoord0 + int(unit), float(s), float(t), float(r));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord3sARB(GLenum target, GLshort s, GLshort t, GLshort r) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord3sARB, target, s, t, r); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute3(c, kTexCoord0 + int(unit), float(s), float(t), float(r));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord3sv(GLenum target, const GLshort* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord3sv, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute3(c, kTexCoord0 + int(unit), float(v[0]), float(v[1]), float(v[2]));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord3svARB(GLenum target, const GLshort* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord3svARB, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute3(c, kTexCoord0 + int(unit), float(v[0]), float(v[1]), float(v[2]));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord4d(GLenum target, GLdouble s, GLdouble t, GLdouble r, GLdouble q) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord4d, target, s, t, r, q); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute4(c, kTexCoord0 + int(unit), float(s), float(t), float(r), float(q));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord4dARB(GLenum target, GLdouble s, GLdouble t, GLdouble r, GLdouble q) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord4dARB, target, s, t, r, q); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute4(c, kTexCoord0 + int(unit), float(s), float(t), float(r), float(q));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord4dv(GLenum target, const GLdouble* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord4dv, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute4(c, kTexCoord0 + int(unit), float(v[0]), float(v[1]), float(v[2]), float(v[3]));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord4dvARB(GLenum target, const GLdouble* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord4dvARB, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute4(c, kTexCoord0 + int(unit), float(v[0]), float(v[1]), float(v[2]), float(v[3]));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord4f(GLenum target, GLfloat s, GLfloat t, GLfloat r, GLfloat q) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord4f, target, s, t, r, q); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute4(c, kTexCoord0 + int(unit), s, t, r, q);
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord4fARB(GLenum target, GLfloat s, GLfloat t, GLfloat r, GLfloat q) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord4fARB, target, s, t, r, q); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute4(c, kTexCoord0 + int(unit), s, t, r, q);
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord4fv(GLenum target, const GLfloat* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord4fv, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute4(c, kTexCoord0 + int(unit), v[0], v[1], v[2], v[3]);
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord4fvARB(GLenum target, const GLfloat* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord4fvARB, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute4(c, kTexCoord0 + int(unit), v[0], v[1], v[2], v[3]);
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord4i(GLenum target, GLint s, GLint t, GLint r, GLint q) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord4i, target, s, t, r, q); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute4(c, kTexCoord0 + int(unit), float(s), float(t), float(r), float(q));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord4iARB(GLenum target, GLint s, GLint t, GLint r, GLint q) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord4iARB, target, s, t, r, q); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute4(c, kTexCoord0 + int(unit), float(s), float(t), float(r), float(q));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord4iv(GLenum target, const GLint* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord4iv, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute4(c, kTexCoord0 + int(unit), float(v[0]), float(v[1]), float(v[2]), float(v[3]));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord4ivARB(GLenum target, const GLint* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord4ivARB, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute4(c, kTexCoord0 + int(unit), float(v[0]), float(v[1]), float(v[2]), float(v[3]));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord4s(GLenum target, GLshort s, GLshort t, GLshort r, GLshort q) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord4s, target, s, t, r, q); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute4(c, kTexCoord0 + int(unit), float(s), float(t), float(r), float(q));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord4sARB(GLenum target, GLshort s, GLshort t, GLshort r, GLshort q) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord4sARB, target, s, t, r, q); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute4(c, kTexCoord0 + int(unit), float(s), float(t), float(r), float(q));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord4sv(GLenum target, const GLshort* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord4sv, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute4(c, kTexCoord0 + int(unit), float(v[0]), float(v[1]), float(v[2]), float(v[3]));
 }
 SOFTGL_EXPORT void APIENTRY glMultiTexCoord4svARB(GLenum target, const GLshort* v) {
-  Context& c = *current_context;
+  SOFTGL_TRACED(glMultiTexCoord4svARB, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute4(c, kTexCoord0 + int(unit), float(v[0]), float(v[1]), float(v[2]), float(v[3]));
 }
-SOFTGL_EXPORT void APIENTRY glNormal3b(GLbyte nx, GLbyte ny, GLbyte nz) { Context& c = *current_context; set_attribute3(c, kNormal, normalized(nx), normalized(ny), normalized(nz)); }
-SOFTGL_EXPORT void APIENTRY glNormal3bv(const GLbyte* v) { Context& c = *current_context; set_attribute3(c, kNormal, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
-SOFTGL_EXPORT void APIENTRY glNormal3d(GLdouble nx, GLdouble ny, GLdouble nz) { Context& c = *current_context; set_attribute3(c, kNormal, float(nx), float(ny), float(nz)); }
-SOFTGL_EXPORT void APIENTRY glNormal3dv(const GLdouble* v) { Context& c = *current_context; set_attribute3(c, kNormal, float(v[0]), float(v[1]), float(v[2])); }
-SOFTGL_EXPORT void APIENTRY glNormal3f(GLfloat nx, GLfloat ny, GLfloat nz) { Context& c = *current_context; set_attribute3(c, kNormal, nx, ny, nz); }
-SOFTGL_EXPORT void APIENTRY glNormal3fv(const GLfloat* v) { Context& c = *current_context; set_attribute3(c, kNormal, v[0], v[1], v[2]); }
-SOFTGL_EXPORT void APIENTRY glNormal3i(GLint nx, GLint ny, GLint nz) { Context& c = *current_context; set_attribute3(c, kNormal, normalized(nx), normalized(ny), normalized(nz)); }
-SOFTGL_EXPORT void APIENTRY glNormal3iv(const GLint* v) { Context& c = *current_context; set_attribute3(c, kNormal, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
-SOFTGL_EXPORT void APIENTRY glNormal3s(GLshort nx, GLshort ny, GLshort nz) { Context& c = *current_context; set_attribute3(c, kNormal, normalized(nx), normalized(ny), normalized(nz)); }
-SOFTGL_EXPORT void APIENTRY glNormal3sv(const GLshort* v) { Context& c = *current_context; set_attribute3(c, kNormal, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3b(GLbyte red, GLbyte green, GLbyte blue) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(red), normalized(green), normalized(blue)); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3bEXT(GLbyte red, GLbyte green, GLbyte blue) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(red), normalized(green), normalized(blue)); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3bv(const GLbyte* v) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3bvEXT(const GLbyte* v) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3d(GLdouble red, GLdouble green, GLdouble blue) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, float(red), float(green), float(blue)); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3dEXT(GLdouble red, GLdouble green, GLdouble blue) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, float(red), float(green), float(blue)); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3dv(const GLdouble* v) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, float(v[0]), float(v[1]), float(v[2])); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3dvEXT(const GLdouble* v) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, float(v[0]), float(v[1]), float(v[2])); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3f(GLfloat red, GLfloat green, GLfloat blue) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, red, green, blue); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3fEXT(GLfloat red, GLfloat green, GLfloat blue) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, red, green, blue); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3fv(const GLfloat* v) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, v[0], v[1], v[2]); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3fvEXT(const GLfloat* v) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, v[0], v[1], v[2]); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3i(GLint red, GLint green, GLint blue) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(red), normalized(green), normalized(blue)); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3iEXT(GLint red, GLint green, GLint blue) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(red), normalized(green), normalized(blue)); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3iv(const GLint* v) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3ivEXT(const GLint* v) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3s(GLshort red, GLshort green, GLshort blue) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(red), normalized(green), normalized(blue)); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3sEXT(GLshort red, GLshort green, GLshort blue) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(red), normalized(green), normalized(blue)); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3sv(const GLshort* v) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3svEXT(const GLshort* v) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3ub(GLubyte red, GLubyte green, GLubyte blue) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(red), normalized(green), normalized(blue)); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3ubEXT(GLubyte red, GLubyte green, GLubyte blue) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(red), normalized(green), normalized(blue)); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3ubv(const GLubyte* v) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3ubvEXT(const GLubyte* v) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3ui(GLuint red, GLuint green, GLuint blue) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(red), normalized(green), normalized(blue)); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3uiEXT(GLuint red, GLuint green, GLuint blue) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(red), normalized(green), normalized(blue)); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3uiv(const GLuint* v) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3uivEXT(const GLuint* v) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3us(GLushort red, GLushort green, GLushort blue) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(red), normalized(green), normalized(blue)); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3usEXT(GLushort red, GLushort green, GLushort blue) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(red), normalized(green), normalized(blue)); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3usv(const GLushort* v) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3usvEXT(const GLushort* v) { Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
-SOFTGL_EXPORT void APIENTRY glTexCoord1d(GLdouble s) { Context& c = *current_context; set_attribute1(c, kTexCoord0, float(s)); }
-SOFTGL_EXPORT void APIENTRY glTexCoord1dv(const GLdouble* v) { Context& c = *current_context; set_attribute1(c, kTexCoord0, float(v[0])); }
-SOFTGL_EXPORT void APIENTRY glTexCoord1f(GLfloat s) { Context& c = *current_context; set_attribute1(c, kTexCoord0, s); }
-SOFTGL_EXPORT void APIENTRY glTexCoord1fv(const GLfloat* v) { Context& c = *current_context; set_attribute1(c, kTexCoord0, v[0]); }
-SOFTGL_EXPORT void APIENTRY glTexCoord1i(GLint s) { Context& c = *current_context; set_attribute1(c, kTexCoord0, float(s)); }
-SOFTGL_EXPORT void APIENTRY glTexCoord1iv(const GLint* v) { Context& c = *current_context; set_attribute1(c, kTexCoord0, float(v[0])); }
-SOFTGL_EXPORT void APIENTRY glTexCoord1s(GLshort s) { Context& c = *current_context; set_attribute1(c, kTexCoord0, float(s)); }
-SOFTGL_EXPORT void APIENTRY glTexCoord1sv(const GLshort* v) { Context& c = *current_context; set_attribute1(c, kTexCoord0, float(v[0])); }
-SOFTGL_EXPORT void APIENTRY glTexCoord2d(GLdouble s, GLdouble t) { Context& c = *current_context; set_attribute2(c, kTexCoord0, float(s), float(t)); }
-SOFTGL_EXPORT void APIENTRY glTexCoord2dv(const GLdouble* v) { Context& c = *current_context; set_attribute2(c, kTexCoord0, float(v[0]), float(v[1])); }
-SOFTGL_EXPORT void APIENTRY glTexCoord2f(GLfloat s, GLfloat t) { Context& c = *current_context; set_attribute2(c, kTexCoord0, s, t); }
-SOFTGL_EXPORT void APIENTRY glTexCoord2fv(const GLfloat* v) { Context& c = *current_context; set_attribute2(c, kTexCoord0, v[0], v[1]); }
-SOFTGL_EXPORT void APIENTRY glTexCoord2i(GLint s, GLint t) { Context& c = *current_context; set_attribute2(c, kTexCoord0, float(s), float(t)); }
-SOFTGL_EXPORT void APIENTRY glTexCoord2iv(const GLint* v) { Context& c = *current_context; set_attribute2(c, kTexCoord0, float(v[0]), float(v[1])); }
-SOFTGL_EXPORT void APIENTRY glTexCoord2s(GLshort s, GLshort t) { Context& c = *current_context; set_attribute2(c, kTexCoord0, float(s), float(t)); }
-SOFTGL_EXPORT void APIENTRY glTexCoord2sv(const GLshort* v) { Context& c = *current_context; set_attribute2(c, kTexCoord0, float(v[0]), float(v[1])); }
-SOFTGL_EXPORT void APIENTRY glTexCoord3d(GLdouble s, GLdouble t, GLdouble r) { Context& c = *current_context; set_attribute3(c, kTexCoord0, float(s), float(t), float(r)); }
-SOFTGL_EXPORT void APIENTRY glTexCoord3dv(const GLdouble* v) { Context& c = *current_context; set_attribute3(c, kTexCoord0, float(v[0]), float(v[1]), float(v[2])); }
-SOFTGL_EXPORT void APIENTRY glTexCoord3f(GLfloat s, GLfloat t, GLfloat r) { Context& c = *current_context; set_attribute3(c, kTexCoord0, s, t, r); }
-SOFTGL_EXPORT void APIENTRY glTexCoord3fv(const GLfloat* v) { Context& c = *current_context; set_attribute3(c, kTexCoord0, v[0], v[1], v[2]); }
-SOFTGL_EXPORT void APIENTRY glTexCoord3i(GLint s, GLint t, GLint r) { Context& c = *current_context; set_attribute3(c, kTexCoord0, float(s), float(t), float(r)); }
-SOFTGL_EXPORT void APIENTRY glTexCoord3iv(const GLint* v) { Context& c = *current_context; set_attribute3(c, kTexCoord0, float(v[0]), float(v[1]), float(v[2])); }
-SOFTGL_EXPORT void APIENTRY glTexCoord3s(GLshort s, GLshort t, GLshort r) { Context& c = *current_context; set_attribute3(c, kTexCoord0, float(s), float(t), float(r)); }
-SOFTGL_EXPORT void APIENTRY glTexCoord3sv(const GLshort* v) { Context& c = *current_context; set_attribute3(c, kTexCoord0, float(v[0]), float(v[1]), float(v[2])); }
-SOFTGL_EXPORT void APIENTRY glTexCoord4d(GLdouble s, GLdouble t, GLdouble r, GLdouble q) { Context& c = *current_context; set_attribute4(c, kTexCoord0, float(s), float(t), float(r), float(q)); }
-SOFTGL_EXPORT void APIENTRY glTexCoord4dv(const GLdouble* v) { Context& c = *current_context; set_attribute4(c, kTexCoord0, float(v[0]), float(v[1]), float(v[2]), float(v[3])); }
-SOFTGL_EXPORT void APIENTRY glTexCoord4f(GLfloat s, GLfloat t, GLfloat r, GLfloat q) { Context& c = *current_context; set_attribute4(c, kTexCoord0, s, t, r, q); }
-SOFTGL_EXPORT void APIENTRY glTexCoord4fv(const GLfloat* v) { Context& c = *current_context; set_attribute4(c, kTexCoord0, v[0], v[1], v[2], v[3]); }
-SOFTGL_EXPORT void APIENTRY glTexCoord4i(GLint s, GLint t, GLint r, GLint q) { Context& c = *current_context; set_attribute4(c, kTexCoord0, float(s), float(t), float(r), float(q)); }
-SOFTGL_EXPORT void APIENTRY glTexCoord4iv(const GLint* v) { Context& c = *current_context; set_attribute4(c, kTexCoord0, float(v[0]), float(v[1]), float(v[2]), float(v[3])); }
-SOFTGL_EXPORT void APIENTRY glTexCoord4s(GLshort s, GLshort t, GLshort r, GLshort q) { Context& c = *current_context; set_attribute4(c, kTexCoord0, float(s), float(t), float(r), float(q)); }
-SOFTGL_EXPORT void APIENTRY glTexCoord4sv(const GLshort* v) { Context& c = *current_context; set_attribute4(c, kTexCoord0, float(v[0]), float(v[1]), float(v[2]), float(v[3])); }
-SOFTGL_EXPORT void APIENTRY glVertex2d(GLdouble x, GLdouble y) { Context& c = *current_context; emit_vertex2(c, float(x), float(y)); }
-SOFTGL_EXPORT void APIENTRY glVertex2dv(const GLdouble* v) { Context& c = *current_context; emit_vertex2(c, float(v[0]), float(v[1])); }
-SOFTGL_EXPORT void APIENTRY glVertex2f(GLfloat x, GLfloat y) { Context& c = *current_context; emit_vertex2(c, x, y); }
-SOFTGL_EXPORT void APIENTRY glVertex2fv(const GLfloat* v) { Context& c = *current_context; emit_vertex2(c, v[0], v[1]); }
-SOFTGL_EXPORT void APIENTRY glVertex2i(GLint x, GLint y) { Context& c = *current_context; emit_vertex2(c, float(x), float(y)); }
-SOFTGL_EXPORT void APIENTRY glVertex2iv(const GLint* v) { Context& c = *current_context; emit_vertex2(c, float(v[0]), float(v[1])); }
-SOFTGL_EXPORT void APIENTRY glVertex2s(GLshort x, GLshort y) { Context& c = *current_context; emit_vertex2(c, float(x), float(y)); }
-SOFTGL_EXPORT void APIENTRY glVertex2sv(const GLshort* v) { Context& c = *current_context; emit_vertex2(c, float(v[0]), float(v[1])); }
-SOFTGL_EXPORT void APIENTRY glVertex3d(GLdouble x, GLdouble y, GLdouble z) { Context& c = *current_context; emit_vertex3(c, float(x), float(y), float(z)); }
-SOFTGL_EXPORT void APIENTRY glVertex3dv(const GLdouble* v) { Context& c = *current_context; emit_vertex3(c, float(v[0]), float(v[1]), float(v[2])); }
-SOFTGL_EXPORT void APIENTRY glVertex3f(GLfloat x, GLfloat y, GLfloat z) { Context& c = *current_context; emit_vertex3(c, x, y, z); }
-SOFTGL_EXPORT void APIENTRY glVertex3fv(const GLfloat* v) { Context& c = *current_context; emit_vertex3(c, v[0], v[1], v[2]); }
-SOFTGL_EXPORT void APIENTRY glVertex3i(GLint x, GLint y, GLint z) { Context& c = *current_context; emit_vertex3(c, float(x), float(y), float(z)); }
-SOFTGL_EXPORT void APIENTRY glVertex3iv(const GLint* v) { Context& c = *current_context; emit_vertex3(c, float(v[0]), float(v[1]), float(v[2])); }
-SOFTGL_EXPORT void APIENTRY glVertex3s(GLshort x, GLshort y, GLshort z) { Context& c = *current_context; emit_vertex3(c, float(x), float(y), float(z)); }
-SOFTGL_EXPORT void APIENTRY glVertex3sv(const GLshort* v) { Context& c = *current_context; emit_vertex3(c, float(v[0]), float(v[1]), float(v[2])); }
-SOFTGL_EXPORT void APIENTRY glVertex4d(GLdouble x, GLdouble y, GLdouble z, GLdouble w) { Context& c = *current_context; emit_vertex4(c, float(x), float(y), float(z), float(w)); }
-SOFTGL_EXPORT void APIENTRY glVertex4dv(const GLdouble* v) { Context& c = *current_context; emit_vertex4(c, float(v[0]), float(v[1]), float(v[2]), float(v[3])); }
-SOFTGL_EXPORT void APIENTRY glVertex4f(GLfloat x, GLfloat y, GLfloat z, GLfloat w) { Context& c = *current_context; emit_vertex4(c, x, y, z, w); }
-SOFTGL_EXPORT void APIENTRY glVertex4fv(const GLfloat* v) { Context& c = *current_context; emit_vertex4(c, v[0], v[1], v[2], v[3]); }
-SOFTGL_EXPORT void APIENTRY glVertex4i(GLint x, GLint y, GLint z, GLint w) { Context& c = *current_context; emit_vertex4(c, float(x), float(y), float(z), float(w)); }
-SOFTGL_EXPORT void APIENTRY glVertex4iv(const GLint* v) { Context& c = *current_context; emit_vertex4(c, float(v[0]), float(v[1]), float(v[2]), float(v[3])); }
-SOFTGL_EXPORT void APIENTRY glVertex4s(GLshort x, GLshort y, GLshort z, GLshort w) { Context& c = *current_context; emit_vertex4(c, float(x), float(y), float(z), float(w)); }
-SOFTGL_EXPORT void APIENTRY glVertex4sv(const GLshort* v) { Context& c = *current_context; emit_vertex4(c, float(v[0]), float(v[1]), float(v[2]), float(v[3])); }
+SOFTGL_EXPORT void APIENTRY glNormal3b(GLbyte nx, GLbyte ny, GLbyte nz) { SOFTGL_TRACED(glNormal3b, nx, ny, nz); Context& c = *current_context; set_attribute3(c, kNormal, normalized(nx), normalized(ny), normalized(nz)); }
+SOFTGL_EXPORT void APIENTRY glNormal3bv(const GLbyte* v) { SOFTGL_TRACED(glNormal3bv, v); Context& c = *current_context; set_attribute3(c, kNormal, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
+SOFTGL_EXPORT void APIENTRY glNormal3d(GLdouble nx, GLdouble ny, GLdouble nz) { SOFTGL_TRACED(glNormal3d, nx, ny, nz); Context& c = *current_context; set_attribute3(c, kNormal, float(nx), float(ny), float(nz)); }
+SOFTGL_EXPORT void APIENTRY glNormal3dv(const GLdouble* v) { SOFTGL_TRACED(glNormal3dv, v); Context& c = *current_context; set_attribute3(c, kNormal, float(v[0]), float(v[1]), float(v[2])); }
+SOFTGL_EXPORT void APIENTRY glNormal3f(GLfloat nx, GLfloat ny, GLfloat nz) { SOFTGL_TRACED(glNormal3f, nx, ny, nz); Context& c = *current_context; set_attribute3(c, kNormal, nx, ny, nz); }
+SOFTGL_EXPORT void APIENTRY glNormal3fv(const GLfloat* v) { SOFTGL_TRACED(glNormal3fv, v); Context& c = *current_context; set_attribute3(c, kNormal, v[0], v[1], v[2]); }
+SOFTGL_EXPORT void APIENTRY glNormal3i(GLint nx, GLint ny, GLint nz) { SOFTGL_TRACED(glNormal3i, nx, ny, nz); Context& c = *current_context; set_attribute3(c, kNormal, normalized(nx), normalized(ny), normalized(nz)); }
+SOFTGL_EXPORT void APIENTRY glNormal3iv(const GLint* v) { SOFTGL_TRACED(glNormal3iv, v); Context& c = *current_context; set_attribute3(c, kNormal, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
+SOFTGL_EXPORT void APIENTRY glNormal3s(GLshort nx, GLshort ny, GLshort nz) { SOFTGL_TRACED(glNormal3s, nx, ny, nz); Context& c = *current_context; set_attribute3(c, kNormal, normalized(nx), normalized(ny), normalized(nz)); }
+SOFTGL_EXPORT void APIENTRY glNormal3sv(const GLshort* v) { SOFTGL_TRACED(glNormal3sv, v); Context& c = *current_context; set_attribute3(c, kNormal, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3b(GLbyte red, GLbyte green, GLbyte blue) { SOFTGL_TRACED(glSecondaryColor3b, red, green, blue); Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(red), normalized(green), normalized(blue)); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3bEXT(GLbyte red, GLbyte green, GLbyte blue) { SOFTGL_TRACED(glSecondaryColor3bEXT, red, green, blue); Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(red), normalized(green), normalized(blue)); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3bv(const GLbyte* v) { SOFTGL_TRACED(glSecondaryColor3bv, v); Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3bvEXT(const GLbyte* v) { SOFTGL_TRACED(glSecondaryColor3bvEXT, v); Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3d(GLdouble red, GLdouble green, GLdouble blue) { SOFTGL_TRACED(glSecondaryColor3d, red, green, blue); Context& c = *current_context; set_attribute3(c, kSecondaryColor, float(red), float(green), float(blue)); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3dEXT(GLdouble red, GLdouble green, GLdouble blue) { SOFTGL_TRACED(glSecondaryColor3dEXT, red, green, blue); Context& c = *current_context; set_attribute3(c, kSecondaryColor, float(red), float(green), float(blue)); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3dv(const GLdouble* v) { SOFTGL_TRACED(glSecondaryColor3dv, v); Context& c = *current_context; set_attribute3(c, kSecondaryColor, float(v[0]), float(v[1]), float(v[2])); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3dvEXT(const GLdouble* v) { SOFTGL_TRACED(glSecondaryColor3dvEXT, v); Context& c = *current_context; set_attribute3(c, kSecondaryColor, float(v[0]), float(v[1]), float(v[2])); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3f(GLfloat red, GLfloat green, GLfloat blue) { SOFTGL_TRACED(glSecondaryColor3f, red, green, blue); Context& c = *current_context; set_attribute3(c, kSecondaryColor, red, green, blue); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3fEXT(GLfloat red, GLfloat green, GLfloat blue) { SOFTGL_TRACED(glSecondaryColor3fEXT, red, green, blue); Context& c = *current_context; set_attribute3(c, kSecondaryColor, red, green, blue); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3fv(const GLfloat* v) { SOFTGL_TRACED(glSecondaryColor3fv, v); Context& c = *current_context; set_attribute3(c, kSecondaryColor, v[0], v[1], v[2]); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3fvEXT(const GLfloat* v) { SOFTGL_TRACED(glSecondaryColor3fvEXT, v); Context& c = *current_context; set_attribute3(c, kSecondaryColor, v[0], v[1], v[2]); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3i(GLint red, GLint green, GLint blue) { SOFTGL_TRACED(glSecondaryColor3i, red, green, blue); Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(red), normalized(green), normalized(blue)); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3iEXT(GLint red, GLint green, GLint blue) { SOFTGL_TRACED(glSecondaryColor3iEXT, red, green, blue); Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(red), normalized(green), normalized(blue)); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3iv(const GLint* v) { SOFTGL_TRACED(glSecondaryColor3iv, v); Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3ivEXT(const GLint* v) { SOFTGL_TRACED(glSecondaryColor3ivEXT, v); Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3s(GLshort red, GLshort green, GLshort blue) { SOFTGL_TRACED(glSecondaryColor3s, red, green, blue); Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(red), normalized(green), normalized(blue)); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3sEXT(GLshort red, GLshort green, GLshort blue) { SOFTGL_TRACED(glSecondaryColor3sEXT, red, green, blue); Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(red), normalized(green), normalized(blue)); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3sv(const GLshort* v) { SOFTGL_TRACED(glSecondaryColor3sv, v); Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3svEXT(const GLshort* v) { SOFTGL_TRACED(glSecondaryColor3svEXT, v); Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3ub(GLubyte red, GLubyte green, GLubyte blue) { SOFTGL_TRACED(glSecondaryColor3ub, red, green, blue); Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(red), normalized(green), normalized(blue)); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3ubEXT(GLubyte red, GLubyte green, GLubyte blue) { SOFTGL_TRACED(glSecondaryColor3ubEXT, red, green, blue); Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(red), normalized(green), normalized(blue)); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3ubv(const GLubyte* v) { SOFTGL_TRACED(glSecondaryColor3ubv, v); Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3ubvEXT(const GLubyte* v) { SOFTGL_TRACED(glSecondaryColor3ubvEXT, v); Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3ui(GLuint red, GLuint green, GLuint blue) { SOFTGL_TRACED(glSecondaryColor3ui, red, green, blue); Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(red), normalized(green), normalized(blue)); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3uiEXT(GLuint red, GLuint green, GLuint blue) { SOFTGL_TRACED(glSecondaryColor3uiEXT, red, green, blue); Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(red), normalized(green), normalized(blue)); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3uiv(const GLuint* v) { SOFTGL_TRACED(glSecondaryColor3uiv, v); Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3uivEXT(const GLuint* v) { SOFTGL_TRACED(glSecondaryColor3uivEXT, v); Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3us(GLushort red, GLushort green, GLushort blue) { SOFTGL_TRACED(glSecondaryColor3us, red, green, blue); Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(red), normalized(green), normalized(blue)); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3usEXT(GLushort red, GLushort green, GLushort blue) { SOFTGL_TRACED(glSecondaryColor3usEXT, red, green, blue); Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(red), normalized(green), normalized(blue)); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3usv(const GLushort* v) { SOFTGL_TRACED(glSecondaryColor3usv, v); Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
+SOFTGL_EXPORT void APIENTRY glSecondaryColor3usvEXT(const GLushort* v) { SOFTGL_TRACED(glSecondaryColor3usvEXT, v); Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
+SOFTGL_EXPORT void APIENTRY glTexCoord1d(GLdouble s) { SOFTGL_TRACED(glTexCoord1d, s); Context& c = *current_context; set_attribute1(c, kTexCoord0, float(s)); }
+SOFTGL_EXPORT void APIENTRY glTexCoord1dv(const GLdouble* v) { SOFTGL_TRACED(glTexCoord1dv, v); Context& c = *current_context; set_attribute1(c, kTexCoord0, float(v[0])); }
+SOFTGL_EXPORT void APIENTRY glTexCoord1f(GLfloat s) { SOFTGL_TRACED(glTexCoord1f, s); Context& c = *current_context; set_attribute1(c, kTexCoord0, s); }
+SOFTGL_EXPORT void APIENTRY glTexCoord1fv(const GLfloat* v) { SOFTGL_TRACED(glTexCoord1fv, v); Context& c = *current_context; set_attribute1(c, kTexCoord0, v[0]); }
+SOFTGL_EXPORT void APIENTRY glTexCoord1i(GLint s) { SOFTGL_TRACED(glTexCoord1i, s); Context& c = *current_context; set_attribute1(c, kTexCoord0, float(s)); }
+SOFTGL_EXPORT void APIENTRY glTexCoord1iv(const GLint* v) { SOFTGL_TRACED(glTexCoord1iv, v); Context& c = *current_context; set_attribute1(c, kTexCoord0, float(v[0])); }
+SOFTGL_EXPORT void APIENTRY glTexCoord1s(GLshort s) { SOFTGL_TRACED(glTexCoord1s, s); Context& c = *current_context; set_attribute1(c, kTexCoord0, float(s)); }
+SOFTGL_EXPORT void APIENTRY glTexCoord1sv(const GLshort* v) { SOFTGL_TRACED(glTexCoord1sv, v); Context& c = *current_context; set_attribute1(c, kTexCoord0, float(v[0])); }
+SOFTGL_EXPORT void APIENTRY glTexCoord2d(GLdouble s, GLdouble t) { SOFTGL_TRACED(glTexCoord2d, s, t); Context& c = *current_context; set_attribute2(c, kTexCoord0, float(s), float(t)); }
+SOFTGL_EXPORT void APIENTRY glTexCoord2dv(const GLdouble* v) { SOFTGL_TRACED(glTexCoord2dv, v); Context& c = *current_context; set_attribute2(c, kTexCoord0, float(v[0]), float(v[1])); }
+SOFTGL_EXPORT void APIENTRY glTexCoord2f(GLfloat s, GLfloat t) { SOFTGL_TRACED(glTexCoord2f, s, t); Context& c = *current_context; set_attribute2(c, kTexCoord0, s, t); }
+SOFTGL_EXPORT void APIENTRY glTexCoord2fv(const GLfloat* v) { SOFTGL_TRACED(glTexCoord2fv, v); Context& c = *current_context; set_attribute2(c, kTexCoord0, v[0], v[1]); }
+SOFTGL_EXPORT void APIENTRY glTexCoord2i(GLint s, GLint t) { SOFTGL_TRACED(glTexCoord2i, s, t); Context& c = *current_context; set_attribute2(c, kTexCoord0, float(s), float(t)); }
+SOFTGL_EXPORT void APIENTRY glTexCoord2iv(const GLint* v) { SOFTGL_TRACED(glTexCoord2iv, v); Context& c = *current_context; set_attribute2(c, kTexCoord0, float(v[0]), float(v[1])); }
+SOFTGL_EXPORT void APIENTRY glTexCoord2s(GLshort s, GLshort t) { SOFTGL_TRACED(glTexCoord2s, s, t); Context& c = *current_context; set_attribute2(c, kTexCoord0, float(s), float(t)); }
+SOFTGL_EXPORT void APIENTRY glTexCoord2sv(const GLshort* v) { SOFTGL_TRACED(glTexCoord2sv, v); Context& c = *current_context; set_attribute2(c, kTexCoord0, float(v[0]), float(v[1])); }
+SOFTGL_EXPORT void APIENTRY glTexCoord3d(GLdouble s, GLdouble t, GLdouble r) { SOFTGL_TRACED(glTexCoord3d, s, t, r); Context& c = *current_context; set_attribute3(c, kTexCoord0, float(s), float(t), float(r)); }
+SOFTGL_EXPORT void APIENTRY glTexCoord3dv(const GLdouble* v) { SOFTGL_TRACED(glTexCoord3dv, v); Context& c = *current_context; set_attribute3(c, kTexCoord0, float(v[0]), float(v[1]), float(v[2])); }
+SOFTGL_EXPORT void APIENTRY glTexCoord3f(GLfloat s, GLfloat t, GLfloat r) { SOFTGL_TRACED(glTexCoord3f, s, t, r); Context& c = *current_context; set_attribute3(c, kTexCoord0, s, t, r); }
+SOFTGL_EXPORT void APIENTRY glTexCoord3fv(const GLfloat* v) { SOFTGL_TRACED(glTexCoord3fv, v); Context& c = *current_context; set_attribute3(c, kTexCoord0, v[0], v[1], v[2]); }
+SOFTGL_EXPORT void APIENTRY glTexCoord3i(GLint s, GLint t, GLint r) { SOFTGL_TRACED(glTexCoord3i, s, t, r); Context& c = *current_context; set_attribute3(c, kTexCoord0, float(s), float(t), float(r)); }
+SOFTGL_EXPORT void APIENTRY glTexCoord3iv(const GLint* v) { SOFTGL_TRACED(glTexCoord3iv, v); Context& c = *current_context; set_attribute3(c, kTexCoord0, float(v[0]), float(v[1]), float(v[2])); }
+SOFTGL_EXPORT void APIENTRY glTexCoord3s(GLshort s, GLshort t, GLshort r) { SOFTGL_TRACED(glTexCoord3s, s, t, r); Context& c = *current_context; set_attribute3(c, kTexCoord0, float(s), float(t), float(r)); }
+SOFTGL_EXPORT void APIENTRY glTexCoord3sv(const GLshort* v) { SOFTGL_TRACED(glTexCoord3sv, v); Context& c = *current_context; set_attribute3(c, kTexCoord0, float(v[0]), float(v[1]), float(v[2])); }
+SOFTGL_EXPORT void APIENTRY glTexCoord4d(GLdouble s, GLdouble t, GLdouble r, GLdouble q) { SOFTGL_TRACED(glTexCoord4d, s, t, r, q); Context& c = *current_context; set_attribute4(c, kTexCoord0, float(s), float(t), float(r), float(q)); }
+SOFTGL_EXPORT void APIENTRY glTexCoord4dv(const GLdouble* v) { SOFTGL_TRACED(glTexCoord4dv, v); Context& c = *current_context; set_attribute4(c, kTexCoord0, float(v[0]), float(v[1]), float(v[2]), float(v[3])); }
+SOFTGL_EXPORT void APIENTRY glTexCoord4f(GLfloat s, GLfloat t, GLfloat r, GLfloat q) { SOFTGL_TRACED(glTexCoord4f, s, t, r, q); Context& c = *current_context; set_attribute4(c, kTexCoord0, s, t, r, q); }
+SOFTGL_EXPORT void APIENTRY glTexCoord4fv(const GLfloat* v) { SOFTGL_TRACED(glTexCoord4fv, v); Context& c = *current_context; set_attribute4(c, kTexCoord0, v[0], v[1], v[2], v[3]); }
+SOFTGL_EXPORT void APIENTRY glTexCoord4i(GLint s, GLint t, GLint r, GLint q) { SOFTGL_TRACED(glTexCoord4i, s, t, r, q); Context& c = *current_context; set_attribute4(c, kTexCoord0, float(s), float(t), float(r), float(q)); }
+SOFTGL_EXPORT void APIENTRY glTexCoord4iv(const GLint* v) { SOFTGL_TRACED(glTexCoord4iv, v); Context& c = *current_context; set_attribute4(c, kTexCoord0, float(v[0]), float(v[1]), float(v[2]), float(v[3])); }
+SOFTGL_EXPORT void APIENTRY glTexCoord4s(GLshort s, GLshort t, GLshort r, GLshort q) { SOFTGL_TRACED(glTexCoord4s, s, t, r, q); Context& c = *current_context; set_attribute4(c, kTexCoord0, float(s), float(t), float(r), float(q)); }
+SOFTGL_EXPORT void APIENTRY glTexCoord4sv(const GLshort* v) { SOFTGL_TRACED(glTexCoord4sv, v); Context& c = *current_context; set_attribute4(c, kTexCoord0, float(v[0]), float(v[1]), float(v[2]), float(v[3])); }
+SOFTGL_EXPORT void APIENTRY glVertex2d(GLdouble x, GLdouble y) { SOFTGL_TRACED(glVertex2d, x, y); Context& c = *current_context; emit_vertex2(c, float(x), float(y)); }
+SOFTGL_EXPORT void APIENTRY glVertex2dv(const GLdouble* v) { SOFTGL_TRACED(glVertex2dv, v); Context& c = *current_context; emit_vertex2(c, float(v[0]), float(v[1])); }
+SOFTGL_EXPORT void APIENTRY glVertex2f(GLfloat x, GLfloat y) { SOFTGL_TRACED(glVertex2f, x, y); Context& c = *current_context; emit_vertex2(c, x, y); }
+SOFTGL_EXPORT void APIENTRY glVertex2fv(const GLfloat* v) { SOFTGL_TRACED(glVertex2fv, v); Context& c = *current_context; emit_vertex2(c, v[0], v[1]); }
+SOFTGL_EXPORT void APIENTRY glVertex2i(GLint x, GLint y) { SOFTGL_TRACED(glVertex2i, x, y); Context& c = *current_context; emit_vertex2(c, float(x), float(y)); }
+SOFTGL_EXPORT void APIENTRY glVertex2iv(const GLint* v) { SOFTGL_TRACED(glVertex2iv, v); Context& c = *current_context; emit_vertex2(c, float(v[0]), float(v[1])); }
+SOFTGL_EXPORT void APIENTRY glVertex2s(GLshort x, GLshort y) { SOFTGL_TRACED(glVertex2s, x, y); Context& c = *current_context; emit_vertex2(c, float(x), float(y)); }
+SOFTGL_EXPORT void APIENTRY glVertex2sv(const GLshort* v) { SOFTGL_TRACED(glVertex2sv, v); Context& c = *current_context; emit_vertex2(c, float(v[0]), float(v[1])); }
+SOFTGL_EXPORT void APIENTRY glVertex3d(GLdouble x, GLdouble y, GLdouble z) { SOFTGL_TRACED(glVertex3d, x, y, z); Context& c = *current_context; emit_vertex3(c, float(x), float(y), float(z)); }
+SOFTGL_EXPORT void APIENTRY glVertex3dv(const GLdouble* v) { SOFTGL_TRACED(glVertex3dv, v); Context& c = *current_context; emit_vertex3(c, float(v[0]), float(v[1]), float(v[2])); }
+SOFTGL_EXPORT void APIENTRY glVertex3f(GLfloat x, GLfloat y, GLfloat z) { SOFTGL_TRACED(glVertex3f, x, y, z); Context& c = *current_context; emit_vertex3(c, x, y, z); }
+SOFTGL_EXPORT void APIENTRY glVertex3fv(const GLfloat* v) { SOFTGL_TRACED(glVertex3fv, v); Context& c = *current_context; emit_vertex3(c, v[0], v[1], v[2]); }
+SOFTGL_EXPORT void APIENTRY glVertex3i(GLint x, GLint y, GLint z) { SOFTGL_TRACED(glVertex3i, x, y, z); Context& c = *current_context; emit_vertex3(c, float(x), float(y), float(z)); }
+SOFTGL_EXPORT void APIENTRY glVertex3iv(const GLint* v) { SOFTGL_TRACED(glVertex3iv, v); Context& c = *current_context; emit_vertex3(c, float(v[0]), float(v[1]), float(v[2])); }
+SOFTGL_EXPORT void APIENTRY glVertex3s(GLshort x, GLshort y, GLshort z) { SOFTGL_TRACED(glVertex3s, x, y, z); Context& c = *current_context; emit_vertex3(c, float(x), float(y), float(z)); }
+SOFTGL_EXPORT void APIENTRY glVertex3sv(const GLshort* v) { SOFTGL_TRACED(glVertex3sv, v); Context& c = *current_context; emit_vertex3(c, float(v[0]), float(v[1]), float(v[2])); }
+SOFTGL_EXPORT void APIENTRY glVertex4d(GLdouble x, GLdouble y, GLdouble z, GLdouble w) { SOFTGL_TRACED(glVertex4d, x, y, z, w); Context& c = *current_context; emit_vertex4(c, float(x), float(y), float(z), float(w)); }
+SOFTGL_EXPORT void APIENTRY glVertex4dv(const GLdouble* v) { SOFTGL_TRACED(glVertex4dv, v); Context& c = *current_context; emit_vertex4(c, float(v[0]), float(v[1]), float(v[2]), float(v[3])); }
+SOFTGL_EXPORT void APIENTRY glVertex4f(GLfloat x, GLfloat y, GLfloat z, GLfloat w) { SOFTGL_TRACED(glVertex4f, x, y, z, w); Context& c = *current_context; emit_vertex4(c, x, y, z, w); }
+SOFTGL_EXPORT void APIENTRY glVertex4fv(const GLfloat* v) { SOFTGL_TRACED(glVertex4fv, v); Context& c = *current_context; emit_vertex4(c, v[0], v[1], v[2], v[3]); }
+SOFTGL_EXPORT void APIENTRY glVertex4i(GLint x, GLint y, GLint z, GLint w) { SOFTGL_TRACED(glVertex4i, x, y, z, w); Context& c = *current_context; emit_vertex4(c, float(x), float(y), float(z), float(w)); }
+SOFTGL_EXPORT void APIENTRY glVertex4iv(const GLint* v) { SOFTGL_TRACED(glVertex4iv, v); Context& c = *current_context; emit_vertex4(c, float(v[0]), float(v[1]), float(v[2]), float(v[3])); }
+SOFTGL_EXPORT void APIENTRY glVertex4s(GLshort x, GLshort y, GLshort z, GLshort w) { SOFTGL_TRACED(glVertex4s, x, y, z, w); Context& c = *current_context; emit_vertex4(c, float(x), float(y), float(z), float(w)); }
+SOFTGL_EXPORT void APIENTRY glVertex4sv(const GLshort* v) { SOFTGL_TRACED(glVertex4sv, v); Context& c = *current_context; emit_vertex4(c, float(v[0]), float(v[1]), float(v[2]), float(v[3])); }
 
 }

@@ -5,7 +5,7 @@
 
 #include "api/unbuilt_command.h"
 
-#define STUB(name) __attribute__((visibility("default"))) uintptr_t name() { softgl::unbuilt_command(); return 0; }
+#define STUB(name) __attribute__((visibility("default"))) uintptr_t name() { softgl::unsupported_command(#name); return 0; }
 
 extern "C" {
 STUB(glActiveShaderProgram)

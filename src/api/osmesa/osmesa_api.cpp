@@ -5,6 +5,7 @@
 #include <cstring>
 #include <new>
 
+#include "api/call_trace.h"
 #include "api/names.h"
 #include "commands/framebuffer/flush.h"
 #include "context/context.h"
@@ -113,11 +114,13 @@ const struct {
 extern "C" {
 
 SOFTGL_EXPORT OSMesaContext OSMesaCreateContext(GLenum format, OSMesaContext sharelist) {
+  SOFTGL_TRACED(OSMesaCreateContext, format, sharelist);
   return OSMesaCreateContextExt(format, 24, 8, 0, sharelist);
 }
 
 SOFTGL_EXPORT OSMesaContext OSMesaCreateContextExt(GLenum format, GLint depthBits, GLint stencilBits,
                                                    GLint accumBits, OSMesaContext sharelist) {
+  SOFTGL_TRACED(OSMesaCreateContextExt, format, depthBits, stencilBits, accumBits, sharelist);
   const int attributes[] = {OSMESA_FORMAT,     int(format),         OSMESA_DEPTH_BITS,
                             depthBits,         OSMESA_STENCIL_BITS, stencilBits,
                             OSMESA_ACCUM_BITS, accumBits,           0};
@@ -125,6 +128,7 @@ SOFTGL_EXPORT OSMesaContext OSMesaCreateContextExt(GLenum format, GLint depthBit
 }
 
 SOFTGL_EXPORT OSMesaContext OSMesaCreateContextAttribs(const int* attribList, OSMesaContext sharelist) {
+  SOFTGL_TRACED(OSMesaCreateContextAttribs, attribList, sharelist);
   ContextRequest request;
   if (attribList && !read_attributes(attribList, request)) return nullptr;
   // What GL 1.5 can be asked for: OSMesa answers with the newest compatible version, which here is 1.5.
@@ -147,6 +151,7 @@ SOFTGL_EXPORT OSMesaContext OSMesaCreateContextAttribs(const int* attribList, OS
 }
 
 SOFTGL_EXPORT void OSMesaDestroyContext(OSMesaContext ctx) {
+  SOFTGL_TRACED(OSMesaDestroyContext, ctx);
   if (!ctx) return;
   // The buffer is not written: programs free it first and then destroy the context.
   if (current_context == ctx) current_context = none_context();
@@ -155,6 +160,7 @@ SOFTGL_EXPORT void OSMesaDestroyContext(OSMesaContext ctx) {
 
 SOFTGL_EXPORT GLboolean OSMesaMakeCurrent(OSMesaContext ctx, void* buffer, GLenum type, GLsizei width,
                                           GLsizei height) {
+  SOFTGL_TRACED(OSMesaMakeCurrent, ctx, buffer, type, width, height);
   if (!ctx && !buffer) {
     leave(current_context);
     current_context = none_context();
@@ -195,9 +201,13 @@ SOFTGL_EXPORT GLboolean OSMesaMakeCurrent(OSMesaContext ctx, void* buffer, GLenu
   return GL_TRUE;
 }
 
-SOFTGL_EXPORT OSMesaContext OSMesaGetCurrentContext() { return current(); }
+SOFTGL_EXPORT OSMesaContext OSMesaGetCurrentContext() {
+  SOFTGL_TRACED(OSMesaGetCurrentContext);
+  return current();
+}
 
 SOFTGL_EXPORT void OSMesaPixelStore(GLint pname, GLint value) {
+  SOFTGL_TRACED(OSMesaPixelStore, pname, value);
   osmesa_context* c = current();
   if (!c) return;
   switch (pname) {
@@ -208,6 +218,7 @@ SOFTGL_EXPORT void OSMesaPixelStore(GLint pname, GLint value) {
 }
 
 SOFTGL_EXPORT void OSMesaGetIntegerv(GLint pname, GLint* value) {
+  SOFTGL_TRACED(OSMesaGetIntegerv, pname, value);
   if (!value) return;
   const osmesa_context* c = current();
   switch (pname) {
@@ -225,6 +236,7 @@ SOFTGL_EXPORT void OSMesaGetIntegerv(GLint pname, GLint* value) {
 
 SOFTGL_EXPORT GLboolean OSMesaGetDepthBuffer(OSMesaContext c, GLint* width, GLint* height,
                                              GLint* bytesPerValue, void** buffer) {
+  SOFTGL_TRACED(OSMesaGetDepthBuffer, c, width, height, bytesPerValue, buffer);
   GLint w = 0, h = 0, bytes = 0;
   void* data = nullptr;
   if (c && c->framebuffer.surface.depth_stencil && depth_copy_bytes(c->framebuffer) > 0) {
@@ -249,6 +261,7 @@ SOFTGL_EXPORT GLboolean OSMesaGetDepthBuffer(OSMesaContext c, GLint* width, GLin
 
 SOFTGL_EXPORT GLboolean OSMesaGetColorBuffer(OSMesaContext c, GLint* width, GLint* height, GLint* format,
                                              void** buffer) {
+  SOFTGL_TRACED(OSMesaGetColorBuffer, c, width, height, format, buffer);
   const bool there = c && c->framebuffer.surface.color;
   if (width) *width = there ? c->framebuffer.surface.width : 0;
   if (height) *height = there ? c->framebuffer.surface.height : 0;
@@ -258,14 +271,19 @@ SOFTGL_EXPORT GLboolean OSMesaGetColorBuffer(OSMesaContext c, GLint* width, GLin
 }
 
 SOFTGL_EXPORT OSMESAproc OSMesaGetProcAddress(const char* funcName) {
+  SOFTGL_TRACED(OSMesaGetProcAddress, funcName);
   if (!funcName) return nullptr;
   for (const auto& f : kFunctions)
     if (std::strcmp(f.name, funcName) == 0) return f.function;
   return find_door(funcName);
 }
 
-SOFTGL_EXPORT void OSMesaColorClamp(GLboolean) {} // fixed-point surfaces always clamp, others never
+SOFTGL_EXPORT void OSMesaColorClamp(GLboolean enable) {
+  SOFTGL_TRACED(OSMesaColorClamp, enable);
+} // fixed-point surfaces always clamp, others never
 
-SOFTGL_EXPORT void OSMesaPostprocess(OSMesaContext, const char*, unsigned) {}
+SOFTGL_EXPORT void OSMesaPostprocess(OSMesaContext osmesa, const char* filter, unsigned enable_value) {
+  SOFTGL_TRACED(OSMesaPostprocess, osmesa, filter, enable_value);
+}
 
 } // extern "C"

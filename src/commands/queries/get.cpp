@@ -116,6 +116,12 @@ bool read(Context& c, GLenum pname, Values& out) {
 
 } // namespace
 
+int state_value_count(Context& c, GLenum pname) {
+  Values values;
+  if (const Row* row = find_row(pname)) return row->read(c, values), values.count;
+  return find_capability(pname) || find_array(c.client, pname) ? 1 : 0;
+}
+
 namespace gl {
 
 void GetBooleanv(Context& c, GLenum pname, GLboolean* data) {
