@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <new>
+#include <optional>
 
 #include "base/float_environment.h"
 #include "base/thread_pool.h"
+#include "frame/frame_trace.h"
 #include "frame/tile_worker.h"
 #include "geometry/geometry.h"
 #include "raster/raster_draws.h"
@@ -111,7 +113,8 @@ public:
       : frame_(frame), surface_(surface), reader_(reader),
         tiles_(size_t(surface.tiles_x) * size_t(surface.tiles_y)), head_(tiles_), tail_(tiles_) {}
 
-  void run() {
+  /// Does all of it; returns in how many rounds.
+  int run() {
     for (const Frame::Item& item : frame_.items_) {
       if (item.clear) {
         close_unit();
@@ -125,6 +128,7 @@ public:
       }
     }
     finish_round(reader_);
+    return rounds_;
   }
 
 private:
@@ -181,6 +185,7 @@ private:
   void finish_round(const TileReader* reader = nullptr) {
     close_unit();
     if (units_.empty() && !reader) return;
+    ++rounds_;
     ThreadPool& pool = ThreadPool::instance();
     for (int i = 0; i < pool.workers(); ++i) {
       (*frame_.workers_)[i].arena.reset();
@@ -313,10 +318,17 @@ private:
   size_t unit_start_ = 0;
   uint32_t open_steps_ = 0, round_steps_ = 0;
   bool stencil_drawn_ = false;
+  int rounds_ = 0;
 };
 
 Frame::Frame() : most_round_steps_(kFirstRoundSteps) {}
 Frame::~Frame() = default;
+
+void Frame::append(const DrawRecord* draw) {
+  if (tracing) [[unlikely]]
+    trace_draw(*draw);
+  items_.push_back({draw, nullptr});
+}
 
 void Frame::prepare(std::vector<Pages>& pages) {
   // 70,000 triangles of a mesh make 1.2 MB of vertices, and in lists, where each takes 32 bytes for every
@@ -341,7 +353,10 @@ void Frame::flush(const Surface& surface, const TileReader* reader) {
   if (!items_.empty() && surface.tiles_x > 0 && surface.tiles_y > 0) {
     const FloatEnvironment environment;
     make_workers(0);
-    FrameWork(*this, surface, reader).run();
+    std::optional<FlushTrace> trace;
+    if (tracing) trace.emplace(items_);
+    const int rounds = FrameWork(*this, surface, reader).run();
+    if (trace) trace->end(arena_.used(), rounds, ThreadPool::instance().workers());
     most_round_steps_ = std::min(2 * most_round_steps_, kRoundSteps);
   }
   items_.clear();

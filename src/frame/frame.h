@@ -26,7 +26,7 @@ public:
     retained_bytes_ += bytes;
   }
   /// Adds a draw or a clear behind all earlier ones. The record lies in arena().
-  void append(const DrawRecord* draw) { items_.push_back({draw, nullptr}); }
+  void append(const DrawRecord* draw);
   void append(const ClearRecord* clear) { items_.push_back({nullptr, clear}); }
   bool empty() const { return items_.empty(); }
   struct Item {
