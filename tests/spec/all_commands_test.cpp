@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "spec/state_snapshot.h"
+#include "support/traced_program.h"
 
 using namespace softgl::test;
 
@@ -197,5 +198,24 @@ TEST_CASE("null pointers do no harm", "[spec][errors]") {
       while (gl.GetError() != GL_NO_ERROR) {}
     }
     CHECK(gl.GetError() == GL_NO_ERROR);
+  }
+}
+
+TEST_CASE("every command is in the trace by its own name", "[spec][trace]") {
+  const TracedRun run = run_traced([](const Gl& gl) {
+    CurrentContext context(gl);
+    for (const Command& command : commands) {
+      command.call(gl, 1, memory);
+      gl.EndList();
+      gl.End();
+    }
+  });
+  CHECK(run.status == 0);
+  size_t at = 0;
+  for (const Command& command : commands) {
+    const std::string line = "\ngl" + command.name + "(";
+    const size_t found = run.trace.find(line, at);
+    if (found == std::string::npos) FAIL("gl" << command.name << " is not in the trace");
+    at = found + 1;
   }
 }
