@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
-#include <iterator>
+#include <utility>
 
 #include "api/argument_conversion.h"
 #include "api/trace_tables.h"
@@ -16,9 +16,6 @@ constinit thread_local bool inside_traced_call = false;
 namespace {
 
 constexpr int kMostValues = 64; // of an array
-
-/// The error that waited before the call: it is put aside to see whether the call raises one.
-thread_local GLenum error_before = GL_NO_ERROR;
 
 const char* text_at(uint32_t place) { return kTraceText + place; }
 
@@ -211,17 +208,15 @@ Context* context_of_errors(const char* name) {
   return watched && !(c->guard & kNoContext) ? c : nullptr;
 }
 
-void begin_call(const char* name, const TraceText& text) {
+GLenum begin_call(const char* name, const TraceText& text) {
   trace_call(text);
   inside_traced_call = true;
-  if (Context* c = context_of_errors(name)) {
-    error_before = c->error;
-    c->error = GL_NO_ERROR;
-  }
+  Context* c = context_of_errors(name);
+  return c ? std::exchange(c->error, GLenum(GL_NO_ERROR)) : GL_NO_ERROR;
 }
 
 /// The error that the call raised; the one that waited before is back in its place.
-GLenum end_call(const char* name) {
+GLenum end_call(const char* name, GLenum error_before) {
   GLenum raised = GL_NO_ERROR;
   if (Context* c = context_of_errors(name)) {
     raised = c->error;
@@ -239,7 +234,7 @@ void put_error(TraceText& text, GLenum error) {
 
 } // namespace
 
-void begin_traced_call(TracedCall call, const uint64_t* arguments) {
+uint32_t begin_traced_call(TracedCall call, const uint64_t* arguments) {
   const TraceCall& row = kTraceCalls[int(call)];
   TraceText text;
   text.put(text_at(row.name));
@@ -249,13 +244,13 @@ void begin_traced_call(TracedCall call, const uint64_t* arguments) {
     put_argument(text, kTraceParameters[row.parameter + i], arguments, i);
   }
   text.put(')');
-  begin_call(text_at(row.name), text);
+  return begin_call(text_at(row.name), text);
 }
 
-void end_traced_call(TracedCall call, const uint64_t* arguments, uint64_t result) {
+void end_traced_call(TracedCall call, const uint64_t* arguments, uint64_t result, uint32_t error_before) {
   const TraceCall& row = kTraceCalls[int(call)];
   const char* name = text_at(row.name);
-  const GLenum error = end_call(name);
+  const GLenum error = end_call(name, error_before);
   TraceText text;
   const char* between = " = ";
   if (row.result != TraceType::Void) {
@@ -275,16 +270,16 @@ void end_traced_call(TracedCall call, const uint64_t* arguments, uint64_t result
   trace_result(name, text);
 }
 
-void begin_unsupported_call(const char* name) {
+uint32_t begin_unsupported_call(const char* name) {
   TraceText text;
   text.put(name);
   text.put("(?)");
-  begin_call(name, text);
+  return begin_call(name, text);
 }
 
-void end_unsupported_call(const char* name) {
+void end_unsupported_call(const char* name, uint32_t error_before) {
   TraceText text;
-  put_error(text, end_call(name));
+  put_error(text, end_call(name, error_before));
   trace_result(name, text);
 }
 

@@ -15,8 +15,10 @@ namespace softgl {
 extern constinit thread_local bool inside_traced_call
     __attribute__((tls_model("initial-exec"), visibility("hidden")));
 
-[[gnu::cold]] void begin_traced_call(TracedCall call, const uint64_t* arguments);
-[[gnu::cold]] void end_traced_call(TracedCall call, const uint64_t* arguments, uint64_t result);
+/// Returns the error that waited before the call: it is put aside to see whether the call raises one.
+[[gnu::cold]] uint32_t begin_traced_call(TracedCall call, const uint64_t* arguments);
+[[gnu::cold]] void end_traced_call(TracedCall call, const uint64_t* arguments, uint64_t result,
+                                   uint32_t error_before);
 
 /// A value as the tables' types read it: integers extended to 64 bits, floating-point numbers as a double.
 template <class T> uint64_t traced_value(T value) {
@@ -32,20 +34,20 @@ template <class T> uint64_t traced_value(T value) {
 template <class Result, class... Arguments> [[gnu::cold, gnu::noinline]] Result
 traced_call(TracedCall call, Result (*door)(Arguments...), std::type_identity_t<Arguments>... arguments) {
   const uint64_t values[] = {traced_value(arguments)..., 0};
-  begin_traced_call(call, values);
+  const uint32_t error_before = begin_traced_call(call, values);
   if constexpr (std::is_void_v<Result>) {
     door(arguments...);
-    end_traced_call(call, values, 0);
+    end_traced_call(call, values, 0, error_before);
   } else {
     const Result result = door(arguments...);
-    end_traced_call(call, values, traced_value(result));
+    end_traced_call(call, values, traced_value(result), error_before);
     return result;
   }
 }
 
 /// A call of a function that is there for its name only: nothing is known of its arguments.
-[[gnu::cold]] void begin_unsupported_call(const char* name);
-[[gnu::cold]] void end_unsupported_call(const char* name);
+[[gnu::cold]] uint32_t begin_unsupported_call(const char* name);
+[[gnu::cold]] void end_unsupported_call(const char* name, uint32_t error_before);
 
 } // namespace softgl
 

@@ -54,9 +54,9 @@ void unbuilt_command() {
 
 void unsupported_command(const char* name) {
   if (!tracing) return unbuilt_command();
-  begin_unsupported_call(name);
+  const uint32_t error_before = begin_unsupported_call(name);
   unbuilt_command();
-  end_unsupported_call(name);
+  end_unsupported_call(name, error_before);
 }
 
 } // namespace softgl

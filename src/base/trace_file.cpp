@@ -31,8 +31,8 @@ constinit int open_line = 0; // the thread whose line has no end yet
 /// Threads are counted as they come.
 int this_thread() {
   static std::atomic<int> count{0};
-  static thread_local const int number = ++count;
-  return number;
+  static constinit thread_local int number = 0;
+  return number ? number : number = ++count;
 }
 
 /// The first thread's lines carry no number: most programs have one.
