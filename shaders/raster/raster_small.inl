@@ -122,7 +122,6 @@ public:
     }
     first_ = end;
   }
-  void restart() { first_ = 0; }
 
 private:
   const RasterDraw& draw_;

@@ -56,7 +56,6 @@ struct VertexProgram {
   bool normalize;   // as OSMesa does: a normal of zero becomes not a number
   bool unit_normal; // made a unit vector; a normal of zero stays zero, and so does the eye's
   bool lit;
-  bool clamp_color;
   bool fog, fog_from_attribute;
   bool point_attenuated;
   const TransformConstants* transform;

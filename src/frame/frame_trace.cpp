@@ -79,7 +79,6 @@ std::string to_string(const VertexProgram& v) {
   Words words;
   if (v.lighting) words.add(lighting_words(*v.lighting));
   words.add("normalize", v.normalize || v.unit_normal);
-  words.add("clamp_color", v.clamp_color);
   words.add(v.fog_from_attribute ? "fog_coord" : "fog", v.fog);
   words.add("point_attenuation", v.point_attenuated);
   for (int unit = 0; unit < 8; ++unit) {

@@ -1,6 +1,7 @@
 // Lines follow OSMesa 22.3.6 (llvmpipe): a diamond-exit test at both ends, then a parallelogram whose ends
 // are vertical (x-major) or horizontal (y-major), filled by the edge rule of triangles.
 #include "raster/line_setup.h"
+#include "raster/snap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +12,6 @@ namespace {
 
 bool not_negative(float x) { return x >= 0; }
 float fraction(float x) { return x - std::floor(x); }
-int32_t snap(float x) {
-  const float f = 256.0f * x;
-  return static_cast<int32_t>(f >= 0.0f ? f + 0.5f : f - 0.5f);
-}
 bool on_surface(const float* v) { return std::fabs(v[0]) < 32768.0f * 2 && std::fabs(v[1]) < 32768.0f * 2; }
 
 /// The ends as drawn: window positions plus these moves.

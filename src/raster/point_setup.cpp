@@ -6,15 +6,11 @@
 #include <cmath>
 
 #include "draw/draw_record.h"
+#include "raster/snap.h"
 
 namespace softgl {
 
 namespace {
-
-int32_t snap(float x) {
-  const float f = 256.0f * x;
-  return static_cast<int32_t>(f >= 0.0f ? f + 0.5f : f - 0.5f);
-}
 
 /// Clips the box to the pixels that may change. False: nothing is left.
 bool set_box(const RasterConstants& r, const WindowBox& box, RasterPrimitive& out) {

@@ -4,6 +4,7 @@
 
 #include "context/context.h"
 #include "context/shading.h"
+#include "snapshot/drawn_box.h"
 #include "snapshot/polygons.h"
 
 namespace softgl {
@@ -31,17 +32,9 @@ const RasterConstants* make_raster_constants(const Context& context, Arena& aren
   const State& s = context.state;
   const Surface& surface = context.framebuffer.surface;
   auto& r = *arena.make<RasterConstants>();
-  r.x0 = r.y0 = 0;
-  r.x1 = surface.width;
-  r.y1 = surface.height;
-  if (s.scissor.enabled) {
-    const int64_t x0 = s.scissor.x, y1 = int64_t(surface.height) - s.scissor.y;
-    const int64_t x1 = x0 + s.scissor.width, y0 = y1 - s.scissor.height;
-    r.x0 = static_cast<int32_t>(std::clamp<int64_t>(x0, 0, surface.width));
-    r.x1 = static_cast<int32_t>(std::clamp<int64_t>(x1, 0, surface.width));
-    r.y0 = static_cast<int32_t>(std::clamp<int64_t>(y0, 0, surface.height));
-    r.y1 = static_cast<int32_t>(std::clamp<int64_t>(y1, 0, surface.height));
-  }
+  const WindowBox box = drawn_box(s.scissor, surface);
+  r.x0 = box.x0, r.y0 = box.y0;
+  r.x1 = box.x1, r.y1 = box.y1;
   // Positive areas are counter-clockwise in GL's y-up sense.
   const bool positive_is_front = s.polygon.front_face == GL_CCW;
   r.back = positive_is_front ? 0 : 1;

@@ -172,7 +172,6 @@ const VertexProgram* make_vertex_program(const Context& c, const SnapshotCache& 
   p->clip_planes = cache.clip_planes;
   p->lighting = cache.lighting;
   p->lit = cache.lighting && !key.lit;
-  p->clamp_color = true;
   p->fog = key.fog_coordinate;
   p->fog_from_attribute = s.fog.coordinate_source == GL_FOG_COORDINATE;
   p->normal_to_eye = cache.eye_space;

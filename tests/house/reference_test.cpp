@@ -135,13 +135,13 @@ TEST_CASE("every row of DEVIATIONS.md names its test, every row of FIDELITY.md i
 
 TEST_CASE("a document that names what is not there is refused", "[house]") {
   auto missing = [](const char* text) { return what_is_missing(text, "reference"); };
-  CHECK(
-      missing("| case | `src/cli/main.cpp`, `main()` | `tests/catch_main.cpp`, `CATCH_CONFIG_RUNNER` |\n") ==
-      "");
+  CHECK(missing("| case | `src/cli/command/main.cpp`, `main()` | `tests/catch_main.cpp`, "
+                "`CATCH_CONFIG_RUNNER` |\n") == "");
   CHECK(missing("See `src/cli/maim.cpp`.\n") == "line 1: there is no src/cli/maim.cpp\n");
-  CHECK(missing("`src/cli/main.cpp` has `mean()`\n") == "line 1: no file named here has mean()\n");
+  CHECK(missing("`src/cli/command/main.cpp` has `mean()`\n") == "line 1: no file named here has mean()\n");
   // The file is named in another row.
-  CHECK(missing("| `src/cli/main.cpp` |\n| `main()` |\n") == "line 2: no file named here has main()\n");
+  CHECK(missing("| `src/cli/command/main.cpp` |\n| `main()` |\n") ==
+        "line 2: no file named here has main()\n");
   CHECK(missing("a word\nand `DrawnRecord`\n") == "line 1: no source has DrawnRecord\n");
   CHECK(missing("| `[lit]`, `[teapot]` and `[unlit]` |\n") ==
         "line 1: there is no scene and no family unlit\n");

@@ -153,8 +153,7 @@ TEST_CASE("the trace has calls, draws and flushes in the specification's names",
       "glVertex2s(-1, 1)\n"
       "glEnd()\n"
       "glDisable(GL_LIGHTING)\n"
-      "  draw GL_TRIANGLES: 3 vertices, 1 primitives; attributes position normal; vertex lit:1 two_sided "
-      "clamp_color; "
+      "  draw GL_TRIANGLES: 3 vertices, 1 primitives; attributes position normal; vertex lit:1 two_sided; "
       "raster box:0,0,64,64 two_sided; fragment depth:less,write mask:rg-a rgba8 z24s8\n"
       "glFinish()\n"
       "  flush 1 draws, 0 clears, 1 primitives, N bytes, 1 rounds, N workers, N us\n"
@@ -217,7 +216,7 @@ TEST_CASE("the trace shows what vertex programs and fragments of a draw do", "[t
     if (line.rfind("  draw", 0) == 0) draws += line + "\n";
   CHECK(draws ==
         "  draw GL_LINE_LOOP|GL_QUAD_STRIP: 9 vertices, 5 primitives; attributes position; vertex "
-        "normalize clamp_color fog clip_planes:1; "
+        "normalize fog clip_planes:1; "
         "raster box:0,48,32,64 cull:cw; fragment fog:exp mask:rgba rgba8 z24s8\n"
         "  draw pixels 0,63,1,64; raster box:0,48,32,64 cull:cw; fragment fog:exp mask:rgba rgba8 z24s8\n");
 }

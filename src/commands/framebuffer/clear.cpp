@@ -6,6 +6,7 @@
 #include "commands/framebuffer/flush.h"
 #include "commands/generated/commands.h"
 #include "context/context.h"
+#include "snapshot/drawn_box.h"
 
 namespace softgl {
 namespace {
@@ -52,18 +53,9 @@ void Clear(Context& c, GLbitfield mask) {
   const Surface& surface = c.framebuffer.surface;
   const State& s = c.state;
   ClearRecord record{};
-  record.x1 = surface.width;
-  record.y1 = surface.height;
-  if (s.scissor.enabled) {
-    // Window y goes down in the surface.
-    const int64_t left = s.scissor.x, right = left + s.scissor.width;
-    const int64_t bottom = int64_t(surface.height) - s.scissor.y, top = bottom - s.scissor.height;
-    const auto within = [](int64_t v, int32_t end) { return int32_t(std::clamp<int64_t>(v, 0, end)); };
-    record.x0 = within(left, surface.width);
-    record.x1 = within(right, surface.width);
-    record.y0 = within(top, surface.height);
-    record.y1 = within(bottom, surface.height);
-  }
+  const WindowBox box = drawn_box(s.scissor, surface);
+  record.x0 = box.x0, record.y0 = box.y0;
+  record.x1 = box.x1, record.y1 = box.y1;
   if (record.x0 >= record.x1 || record.y0 >= record.y1) return;
 
   const bool part = record.x0 > 0 || record.y0 > 0 || record.x1 < surface.width || record.y1 < surface.height;

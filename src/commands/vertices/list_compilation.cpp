@@ -4,6 +4,7 @@
 #include <new>
 #include <utility>
 
+#include "base/bits.h"
 #include "commands/vertices/attribute_doors.h"
 #include "commands/vertices/run_playback.h"
 #include "commands/vertices/vertex_chunk.h"
@@ -62,8 +63,7 @@ void defer(VertexBuilder& b, int slot, const float* value) {
 void record_uniform_attributes(Context& c) {
   VertexBuilder& b = c.builder;
   const uint32_t count = b.vertex_count();
-  for (uint32_t left = b.present & ~1u; left; left &= left - 1) {
-    const int slot = __builtin_ctz(left);
+  for (const int slot : Bits(b.present & ~1u)) {
     const unsigned offset = b.offset[slot];
     if (b.first_set[slot] || !is_uniform(b.base, count, b.slots, offset)) continue;
     float value[4], last[4];
@@ -86,8 +86,7 @@ std::shared_ptr<VertexRun> take_run(VertexBuilder& b, bool partial) {
   run->partial = partial;
   std::memcpy(run->offset, b.offset, sizeof run->offset);
   std::memcpy(run->final_value, b.value, b.slots * 16);
-  for (uint32_t left = b.present & ~1u; left; left &= left - 1) {
-    const int slot = __builtin_ctz(left);
+  for (const int slot : Bits(b.present & ~1u)) {
     run->first_set[slot] = b.first_set[slot];
     if (b.first_set[slot]) run->late |= 1u << slot;
   }
@@ -115,10 +114,7 @@ void keep_vertices(Context& c, bool partial) {
       play_run(c, run);
     }
   } else { // only attributes were set
-    for (uint32_t left = b.present & ~1u & ~b.deferred; left; left &= left - 1) {
-      const int slot = __builtin_ctz(left);
-      defer(b, slot, b.value[b.offset[slot]]);
-    }
+    for (const int slot : Bits(b.present & ~1u & ~b.deferred)) defer(b, slot, b.value[b.offset[slot]]);
   }
 }
 
@@ -186,10 +182,7 @@ void close_compiled_run(Context& c) {
   b.mode = kNoPrimitive;
   b.limit = nullptr;
   c.guard &= ~(kRunPending | kInsideBeginEnd);
-  for (uint32_t left = std::exchange(b.deferred, 0); left; left &= left - 1) {
-    const int slot = __builtin_ctz(left);
-    append_attribute(c, slot, b.deferred_value[slot]);
-  }
+  for (const int slot : Bits(std::exchange(b.deferred, 0))) append_attribute(c, slot, b.deferred_value[slot]);
 }
 
 void compile_end(Context& c) {

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <new>
 
+#include "base/bits.h"
 #include "commands/vertices/attribute_doors.h"
 #include "context/context.h"
 
@@ -14,8 +15,7 @@ namespace softgl {
 
 void describe_vertices(const VertexRun& run, const float* vertices, VertexSource& source) {
   source.present = run.present;
-  for (uint32_t left = run.present; left; left &= left - 1) {
-    const int slot = __builtin_ctz(left);
+  for (const int slot : Bits(run.present)) {
     source.stream[slot] = AttributeStream{
         reinterpret_cast<const unsigned char*>(vertices + 4 * run.offset[slot]), 16 * run.slots};
   }
@@ -31,25 +31,19 @@ void replay_calls(Context& c, const VertexRun& run) {
     if (range.begins) gl::Begin(c, range.mode);
     for (uint32_t i = range.first; i < range.first + range.count; ++i) {
       const float* vertex = vertices + size_t(run.indices.empty() ? i : run.indices[i]) * 4 * run.slots;
-      for (uint32_t left = run.present & ~1u; left; left &= left - 1) {
-        const int slot = __builtin_ctz(left);
+      for (const int slot : Bits(run.present & ~1u))
         if (i >= run.first_set[slot]) set(slot, vertex + 4 * run.offset[slot]);
-      }
       emit_vertex4(c, vertex[0], vertex[1], vertex[2], vertex[3]);
     }
     if (range.ends) gl::End(c);
   }
-  for (uint32_t left = run.present & ~1u; left; left &= left - 1) {
-    const int slot = __builtin_ctz(left);
-    set(slot, run.final_value[run.offset[slot]]);
-  }
+  for (const int slot : Bits(run.present & ~1u)) set(slot, run.final_value[run.offset[slot]]);
 }
 
 /// The vertices with the present current values where the list sets none.
 const std::shared_ptr<VertexBlock>& fill_late_values(Context& c, VertexRun& run) {
   bool same = run.late_block != nullptr;
-  for (uint32_t left = run.late; left; left &= left - 1) {
-    const int slot = __builtin_ctz(left);
+  for (const int slot : Bits(run.late)) {
     const float* now = &c.state.current.slot[slot].x;
     if (std::memcmp(run.late_value[slot], now, 16)) {
       same = false;
@@ -62,8 +56,7 @@ const std::shared_ptr<VertexBlock>& fill_late_values(Context& c, VertexRun& run)
   block->vertices = static_cast<float*>(std::malloc(bytes + 16));
   if (!block->vertices) throw std::bad_alloc();
   std::memcpy(block->vertices, run.block->vertices, bytes);
-  for (uint32_t left = run.late; left; left &= left - 1) {
-    const int slot = __builtin_ctz(left);
+  for (const int slot : Bits(run.late)) {
     float* to = block->vertices + 4 * run.offset[slot];
     const uint32_t end = std::min(run.first_set[slot], run.vertex_count);
     for (uint32_t i = 0; i < end; ++i) std::memcpy(to + i * stride, run.late_value[slot], 16);
@@ -150,10 +143,7 @@ void play_run(Context& c, const std::shared_ptr<VertexRun>& run) {
       draw_run(c, run);
     } catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
   }
-  for (uint32_t left = run->present & ~1u; left; left &= left - 1) {
-    const int slot = __builtin_ctz(left);
-    set_current(c, slot, run->final_value[run->offset[slot]]);
-  }
+  for (const int slot : Bits(run->present & ~1u)) set_current(c, slot, run->final_value[run->offset[slot]]);
 }
 
 } // namespace softgl

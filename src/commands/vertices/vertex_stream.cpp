@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/bits.h"
 #include "commands/vertices/attribute_doors.h"
 #include "commands/vertices/list_compilation.h"
 #include "commands/vertices/vertex_chunk.h"
@@ -32,8 +33,7 @@ void draw_chunk(Context& c) {
   if (b.primitives.empty()) return;
   auto* source = arena.allocate_array<VertexSource>(1); // only the present streams are written
   source->present = b.present;
-  for (uint32_t left = b.present; left; left &= left - 1) {
-    const int slot = __builtin_ctz(left);
+  for (const int slot : Bits(b.present)) {
     source->stream[slot] =
         AttributeStream{reinterpret_cast<const unsigned char*>(base + 4 * b.offset[slot]), 16 * b.slots};
   }
@@ -101,8 +101,7 @@ void split_run(Context& c) {
 void apply_deferred(Context& c) {
   VertexBuilder& b = c.builder;
   if (!b.compiling && b.vertex_count() > kWidenLimit) {
-    for (uint32_t left = b.deferred; left; left &= left - 1) {
-      const int slot = __builtin_ctz(left);
+    for (const int slot : Bits(b.deferred)) {
       if (std::memcmp(b.deferred_value[slot], &c.state.current.slot[slot], 16)) {
         close_run(c);
         open_chunk(c);
@@ -111,8 +110,7 @@ void apply_deferred(Context& c) {
     }
   }
   static constexpr float unknown[4] = {0, 0, 0, 1};
-  for (uint32_t left = b.deferred; left; left &= left - 1) {
-    const int slot = __builtin_ctz(left);
+  for (const int slot : Bits(b.deferred)) {
     const float* now = b.deferred_value[slot];
     const float* before = b.compiling ? unknown : &c.state.current.slot[slot].x;
     if (!b.compiling && !std::memcmp(now, before, 16)) continue;
@@ -189,14 +187,8 @@ void close_run(Context& c) {
   if (b.compiling) return close_compiled_run(c);
   c.guard &= ~kRunPending;
   or_drop_vertices(c, [&] { draw_chunk(c); });
-  for (uint32_t left = b.present & ~1u; left; left &= left - 1) {
-    const int slot = __builtin_ctz(left);
-    set_current(c, slot, b.value[b.offset[slot]]);
-  }
-  for (uint32_t left = b.deferred; left; left &= left - 1) {
-    const int slot = __builtin_ctz(left);
-    set_current(c, slot, b.deferred_value[slot]);
-  }
+  for (const int slot : Bits(b.present & ~1u)) set_current(c, slot, b.value[b.offset[slot]]);
+  for (const int slot : Bits(b.deferred)) set_current(c, slot, b.deferred_value[slot]);
   b.deferred = 0;
   forget_layout(b);
 }
