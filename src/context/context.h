@@ -51,6 +51,12 @@ struct Context {
 /// Initial-exec, because it is one pointer and is read by every call.
 extern constinit thread_local Context* current_context __attribute__((tls_model("initial-exec")));
 
+/// A group of the state that is about to change, as edit<&State::fog>(c); sets its dirty bits.
+template <auto kGroup> auto& edit(Context& c) {
+  c.dirty |= kDirtyBitsOf<kGroup>;
+  return c.state.*kGroup;
+}
+
 /// Records `code` unless an earlier error waits to be read (2.5).
 inline void set_error(Context& c, GLenum code) {
   if (c.error == GL_NO_ERROR) c.error = code;

@@ -1,4 +1,5 @@
-// The snapshot blocks that the next draw may use again, in the arena of the frame being built.
+// The snapshots that the next draw may use again, in the arena of the frame being built. The table in
+// snapshot/derived_state.cpp says what each is made of.
 #pragma once
 
 #include "shaders/common/shaded_vertex.h"
@@ -10,20 +11,23 @@ struct RasterConstants;
 struct FragmentProgram;
 
 struct SnapshotCache {
+  // Values of the draw call.
+  uint32_t present = 0; // its streams
+  float color[4] = {};  // its constant color, where it feeds the material
+  bool draws_points = false;
+  // What is made of the state and of them, in this order.
+  const FragmentProgram* fragment = nullptr; // as the state asks for it
+  uint32_t fragment_inputs = 0;              // what vertices must carry for it
+  const RasterConstants* raster = nullptr;
+  bool eye_space = false;            // lights are in eye space, not in object space
+  int8_t material_source[5][2] = {}; // find_material_sources()
   const TransformConstants* transform = nullptr;
   const ClipPlaneConstants* clip_planes = nullptr;
-  const LightingConstants* lighting = nullptr;
   const CoordinateConstants* coordinates[8] = {};
-  const VertexProgram* vertex = nullptr;
-  const RasterConstants* raster = nullptr;
-  const FragmentProgram* fragment = nullptr;         // as the state asks for it
-  const FragmentProgram* fragment_of_draw = nullptr; // the same; where it lights fragments, with the lights
   ShadedLayout layout;
-  // What the blocks were made for, beyond the dirty bits.
-  uint32_t present = 0; // attribute streams
-  float color[4] = {};  // the draw's constant colour, where it feeds the material
-  uint32_t lighting_mode = ~0u;
-  bool eye_space = false, draws_points = false;
+  const LightingConstants* lighting = nullptr;
+  const VertexProgram* vertex = nullptr;
+  const FragmentProgram* fragment_of_draw = nullptr; // `fragment`; where it lights fragments, with the lights
 };
 
 } // namespace softgl

@@ -114,6 +114,8 @@ struct PointState {
   Vec3 distance_attenuation{1, 0, 0};
   uint32_t coord_replace = 0; // GL_COORD_REPLACE_ARB by texture unit
   GLenum sprite_origin = GL_UPPER_LEFT;
+
+  bool attenuated() const { return distance_attenuation != Vec3(1, 0, 0); }
 };
 struct LineState {
   float width = 1;
@@ -312,19 +314,50 @@ struct ClientState {
   VertexArrayState vertex_array;
 };
 
-/// Dirty bits: a command sets the bits of the groups it changed; draw_record.cpp clears them when it has
-/// taken a new snapshot. An unset bit means that the last snapshot block may be used again.
+/// Dirty bits: one per group of State or kind of object. A command sets the bits of the groups that it
+/// changes; snapshot/derived_state.cpp makes the snapshots anew that name them as inputs, and clears them.
 enum DirtyBit : uint32_t {
-  kDirtyMatrices = 1u << 0,  // modelview, projection, texture matrices
-  kDirtyViewport = 1u << 1,  // viewport, depth range, framebuffer size
-  kDirtyLighting = 1u << 2,  // lights, light model, colour material, material
-  kDirtyTransform = 1u << 3, // normalize, rescale, clip planes, texture generation, point attenuation
-  kDirtyRaster = 1u << 4,    // point, line, polygon, scissor
-  kDirtyFragment = 1u << 5,  // fog, texture environment, alpha test, blend, depth, stencil, masks
-  kDirtyTexture = 1u << 6,   // bindings, parameters, images
-  kDirtyCurrent = 1u << 7,   // current attributes below kMaterial0 (cleared by vertex/)
-  kDirtyArrays = 1u << 8,    // vertex array pointers and enables, buffer contents (cleared by vertex/)
-  kDirtyAll = (1u << 9) - 1
+  kDirtyModelview = 1u << 0, // the top of the stack
+  kDirtyProjection = 1u << 1,
+  kDirtyTextureMatrices = 1u << 2,
+  kDirtyTransform = 1u << 3, // without the matrix mode
+  kDirtyViewport = 1u << 4,
+  kDirtyFog = 1u << 5,
+  kDirtyLighting = 1u << 6, // LightingState but for what the next two tell
+  kDirtyLights = 1u << 7,
+  kDirtyMaterial = 1u << 8, // the current material, and which parameters follow the color
+  kDirtyPoint = 1u << 9,
+  kDirtyLine = 1u << 10,
+  kDirtyPolygon = 1u << 11,
+  kDirtyPolygonStipple = 1u << 12,
+  kDirtyTexture = 1u << 13,           // enables, bindings and environments of the units
+  kDirtyTextureGeneration = 1u << 14, // of the units
+  kDirtyTextureObjects = 1u << 15,    // parameters and images
+  kDirtyScissor = 1u << 16,
+  kDirtyColorBuffer = 1u << 17,
+  kDirtyDepth = 1u << 18,
+  kDirtyStencil = 1u << 19,
+  kDirtyFramebuffer = 1u << 20, // its size and formats
+  kDirtyCurrent = 1u << 21,     // current attributes below kMaterial0; cleared by commands/vertices/
+  kDirtyArrays = 1u << 22,      // vertex arrays and the contents of buffers; cleared by commands/vertices/
+  kDirtyAll = (1u << 23) - 1
 };
+
+/// The dirty bits of a group of State; none where no snapshot reads it.
+template <auto kGroup> constexpr uint32_t kDirtyBitsOf = 0;
+template <> inline constexpr uint32_t kDirtyBitsOf<&State::transform> = kDirtyTransform;
+template <> inline constexpr uint32_t kDirtyBitsOf<&State::viewport> = kDirtyViewport;
+template <> inline constexpr uint32_t kDirtyBitsOf<&State::fog> = kDirtyFog;
+template <> inline constexpr uint32_t kDirtyBitsOf<&State::lighting> =
+    kDirtyLighting | kDirtyLights | kDirtyMaterial;
+template <> inline constexpr uint32_t kDirtyBitsOf<&State::point> = kDirtyPoint;
+template <> inline constexpr uint32_t kDirtyBitsOf<&State::line> = kDirtyLine;
+template <> inline constexpr uint32_t kDirtyBitsOf<&State::polygon> = kDirtyPolygon;
+template <> inline constexpr uint32_t kDirtyBitsOf<&State::polygon_stipple> = kDirtyPolygonStipple;
+template <> inline constexpr uint32_t kDirtyBitsOf<&State::texture> = kDirtyTexture | kDirtyTextureGeneration;
+template <> inline constexpr uint32_t kDirtyBitsOf<&State::scissor> = kDirtyScissor;
+template <> inline constexpr uint32_t kDirtyBitsOf<&State::color_buffer> = kDirtyColorBuffer;
+template <> inline constexpr uint32_t kDirtyBitsOf<&State::depth> = kDirtyDepth;
+template <> inline constexpr uint32_t kDirtyBitsOf<&State::stencil> = kDirtyStencil;
 
 } // namespace softgl

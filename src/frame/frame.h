@@ -25,6 +25,17 @@ public:
     retained_.push_back({std::move(object), bytes});
     retained_bytes_ += bytes;
   }
+  /// Where memory and retained objects stand, and back there: forgets what was added since.
+  struct Mark {
+    Arena::Mark arena;
+    size_t retained, retained_bytes;
+  };
+  Mark mark() const { return {arena_.mark(), retained_.size(), retained_bytes_}; }
+  void rewind(const Mark& m) {
+    arena_.rewind(m.arena);
+    retained_.resize(m.retained);
+    retained_bytes_ = m.retained_bytes;
+  }
   /// Adds a draw or a clear behind all earlier ones. The record lies in arena().
   void append(const DrawRecord* draw);
   void append(const ClearRecord* clear) { items_.push_back({nullptr, clear}); }

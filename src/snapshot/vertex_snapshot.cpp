@@ -35,8 +35,7 @@ PolygonMode polygon_mode(GLenum mode) {
 
 bool needs_eye_space(const Context& c, uint32_t texture_units) {
   const State& s = c.state;
-  const Vec3 a = s.point.distance_attenuation;
-  if (a.x != 1 || a.y != 0 || a.z != 0) return true;
+  if (s.point.attenuated()) return true;
   for (int u = 0; u < kMaxTextureUnits; ++u)
     if (texture_units >> u & 1)
       for (const TextureGeneration& g : s.texture.unit[u].generation)
@@ -156,8 +155,7 @@ ShadedLayout make_layout(const Context& c, const FragmentKey& key, const int8_t 
   if (key.secondary || key.fog_coordinate) l.secondary = next++;
   if (two_sided) l.back_color = next++;
   if (two_sided && key.secondary) l.back_secondary = next++;
-  const Vec3 a = c.state.point.distance_attenuation;
-  if (points && (a.x != 1 || a.y != 0 || a.z != 0)) l.point = next++;
+  if (points && c.state.point.attenuated()) l.point = next++;
   for (int u = 0; u < kMaxTextureUnits; ++u)
     if (key.texture_units >> u & 1) l.texcoord[u] = next++;
   l.slots = uint8_t(next);

@@ -1,5 +1,4 @@
-// From State to the constants of a vertex program. Only this, light_snapshot.cpp, draw_record.cpp,
-// feedback.cpp and raster_position.cpp see Context.
+// From State to the constants of a vertex program.
 #pragma once
 
 #include "base/arena.h"

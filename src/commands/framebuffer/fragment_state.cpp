@@ -66,7 +66,7 @@ BufferName classify_buffer(GLenum buffer) {
 } // namespace
 
 void Fog(Context& c, GLenum pname, const GLfloat* params) {
-  FogState& fog = c.state.fog;
+  FogState& fog = edit<&State::fog>(c);
   const float v = params[0];
   switch (pname) {
   case GL_FOG_MODE:
@@ -88,14 +88,12 @@ void Fog(Context& c, GLenum pname, const GLfloat* params) {
     break;
   default: return set_error(c, GL_INVALID_ENUM);
   }
-  c.dirty |= kDirtyFragment | kDirtyLighting;
 }
 
 void Scissor(Context& c, GLint x, GLint y, GLsizei width, GLsizei height) {
   if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
-  ScissorState& scissor = c.state.scissor;
+  ScissorState& scissor = edit<&State::scissor>(c);
   scissor.x = x, scissor.y = y, scissor.width = width, scissor.height = height;
-  c.dirty |= kDirtyRaster;
 }
 
 void SampleCoverage(Context& c, GLfloat value, GLboolean invert) {
@@ -105,32 +103,31 @@ void SampleCoverage(Context& c, GLfloat value, GLboolean invert) {
 
 void AlphaFunc(Context& c, GLenum func, GLfloat ref) {
   if (!is_comparison(func)) return set_error(c, GL_INVALID_ENUM);
-  c.state.color_buffer.alpha_function = func;
-  c.state.color_buffer.alpha_reference = ref;
-  c.dirty |= kDirtyFragment;
+  ColorBufferState& color = edit<&State::color_buffer>(c);
+  color.alpha_function = func;
+  color.alpha_reference = ref;
 }
 
 void StencilFunc(Context& c, GLenum func, GLint ref, GLuint mask) {
   if (!is_comparison(func)) return set_error(c, GL_INVALID_ENUM);
-  c.state.stencil.function = func;
-  c.state.stencil.reference = ref;
-  c.state.stencil.value_mask = mask;
-  c.dirty |= kDirtyFragment;
+  StencilState& stencil = edit<&State::stencil>(c);
+  stencil.function = func;
+  stencil.reference = ref;
+  stencil.value_mask = mask;
 }
 
 void StencilOp(Context& c, GLenum fail, GLenum zfail, GLenum zpass) {
   if (!is_stencil_operation(fail) || !is_stencil_operation(zfail) || !is_stencil_operation(zpass))
     return set_error(c, GL_INVALID_ENUM);
-  c.state.stencil.fail = fail;
-  c.state.stencil.depth_fail = zfail;
-  c.state.stencil.depth_pass = zpass;
-  c.dirty |= kDirtyFragment;
+  StencilState& stencil = edit<&State::stencil>(c);
+  stencil.fail = fail;
+  stencil.depth_fail = zfail;
+  stencil.depth_pass = zpass;
 }
 
 void DepthFunc(Context& c, GLenum func) {
   if (!is_comparison(func)) return set_error(c, GL_INVALID_ENUM);
-  c.state.depth.function = func;
-  c.dirty |= kDirtyFragment;
+  edit<&State::depth>(c).function = func;
 }
 
 void BlendFuncSeparate(Context& c, GLenum source_rgb, GLenum destination_rgb, GLenum source_alpha,
@@ -138,12 +135,11 @@ void BlendFuncSeparate(Context& c, GLenum source_rgb, GLenum destination_rgb, GL
   if (!is_blend_factor(source_rgb, true) || !is_blend_factor(source_alpha, true) ||
       !is_blend_factor(destination_rgb, false) || !is_blend_factor(destination_alpha, false))
     return set_error(c, GL_INVALID_ENUM);
-  ColorBufferState& color = c.state.color_buffer;
+  ColorBufferState& color = edit<&State::color_buffer>(c);
   color.blend_source_rgb = source_rgb;
   color.blend_source_alpha = source_alpha;
   color.blend_destination_rgb = destination_rgb;
   color.blend_destination_alpha = destination_alpha;
-  c.dirty |= kDirtyFragment;
 }
 void BlendFunc(Context& c, GLenum source, GLenum destination) {
   BlendFuncSeparate(c, source, destination, source, destination);
@@ -153,19 +149,16 @@ void BlendEquation(Context& c, GLenum mode) {
   if (mode != GL_FUNC_ADD && mode != GL_FUNC_SUBTRACT && mode != GL_FUNC_REVERSE_SUBTRACT && mode != GL_MIN &&
       mode != GL_MAX)
     return set_error(c, GL_INVALID_ENUM);
-  c.state.color_buffer.blend_equation = mode;
-  c.dirty |= kDirtyFragment;
+  edit<&State::color_buffer>(c).blend_equation = mode;
 }
 
 void BlendColor(Context& c, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
-  c.state.color_buffer.blend_color = {red, green, blue, alpha};
-  c.dirty |= kDirtyFragment;
+  edit<&State::color_buffer>(c).blend_color = {red, green, blue, alpha};
 }
 
 void LogicOp(Context& c, GLenum opcode) {
   if (opcode < GL_CLEAR || opcode > GL_SET) return set_error(c, GL_INVALID_ENUM);
-  c.state.color_buffer.logic_op_mode = opcode;
-  c.dirty |= kDirtyFragment;
+  edit<&State::color_buffer>(c).logic_op_mode = opcode;
 }
 
 void DrawBuffer(Context& c, GLenum buffer) {
@@ -174,8 +167,7 @@ void DrawBuffer(Context& c, GLenum buffer) {
     if (name == BufferName::Unknown) return set_error(c, GL_INVALID_ENUM);
     if (name == BufferName::Absent) return set_error(c, GL_INVALID_OPERATION);
   }
-  c.state.color_buffer.draw_buffer = buffer;
-  c.dirty |= kDirtyFragment;
+  edit<&State::color_buffer>(c).draw_buffer = buffer;
 }
 
 void ReadBuffer(Context& c, GLenum buffer) {
@@ -186,19 +178,12 @@ void ReadBuffer(Context& c, GLenum buffer) {
 }
 
 void ColorMask(Context& c, GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha) {
-  bool* mask = c.state.color_buffer.mask;
+  bool* mask = edit<&State::color_buffer>(c).mask;
   mask[0] = red != 0, mask[1] = green != 0, mask[2] = blue != 0, mask[3] = alpha != 0;
-  c.dirty |= kDirtyFragment;
 }
 void IndexMask(Context& c, GLuint mask) { c.state.color_buffer.index_mask = mask; }
-void DepthMask(Context& c, GLboolean flag) {
-  c.state.depth.mask = flag != 0;
-  c.dirty |= kDirtyFragment;
-}
-void StencilMask(Context& c, GLuint mask) {
-  c.state.stencil.write_mask = mask;
-  c.dirty |= kDirtyFragment;
-}
+void DepthMask(Context& c, GLboolean flag) { edit<&State::depth>(c).mask = flag != 0; }
+void StencilMask(Context& c, GLuint mask) { edit<&State::stencil>(c).write_mask = mask; }
 
 void ClearAccum(Context& c, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
   const auto clamp = [](float v) { return v > -1.0f ? (v > 1.0f ? 1.0f : v) : -1.0f; };

@@ -37,7 +37,7 @@ void track_color_material(Context& c) {
   Vec4* slot = c.state.current.slot;
   for (int i = 0; i < kMaterialSlots; ++i)
     if (slots >> i & 1) slot[kMaterial0 + i] = slot[kColor];
-  c.dirty |= kDirtyLighting | kDirtyCurrent;
+  c.dirty |= kDirtyMaterial | kDirtyCurrent;
 }
 
 namespace gl {
@@ -117,7 +117,7 @@ void Light(Context& c, GLenum name, GLenum pname, const float* params) {
     break;
   default: return set_error(c, GL_INVALID_ENUM);
   }
-  c.dirty |= kDirtyLighting;
+  c.dirty |= kDirtyLights;
 }
 
 void GetLightfv(Context& c, GLenum name, GLenum pname, float* params) {
@@ -160,7 +160,7 @@ void LightModel(Context& c, GLenum pname, const float* params) {
     break;
   default: return set_error(c, GL_INVALID_ENUM);
   }
-  c.dirty |= kDirtyLighting | kDirtyFragment;
+  c.dirty |= kDirtyLighting;
 }
 
 void Material(Context& c, GLenum face, GLenum pname, const float* params) {
@@ -244,13 +244,13 @@ void ColorMaterial(Context& c, GLenum face, GLenum mode) {
   c.state.lighting.color_material_face = face;
   c.state.lighting.color_material_parameter = mode;
   track_color_material(c);
-  c.dirty |= kDirtyLighting | kDirtyCurrent;
+  c.dirty |= kDirtyMaterial | kDirtyCurrent;
 }
 
 void ShadeModel(Context& c, GLenum mode) {
   if (mode != GL_FLAT && mode != GL_SMOOTH && mode != GL_PHONG_WIN) return set_error(c, GL_INVALID_ENUM);
   c.state.lighting.shade_model = mode;
-  c.dirty |= kDirtyLighting | kDirtyRaster | kDirtyFragment;
+  c.dirty |= kDirtyLighting;
 }
 
 } // namespace gl

@@ -19,13 +19,15 @@ static_assert(std::is_trivially_copyable_v<State>, "attribute groups are copied 
 struct Group {
   GLbitfield mask;
   size_t offset, size;
+  uint32_t dirty; // DirtyBit
 };
 // clang-format off
-#define GROUP(bit, member) {bit, offsetof(State, member), sizeof(State::member)}
+#define GROUP(bit, member) {bit, offsetof(State, member), sizeof(State::member), kDirtyBitsOf<&State::member>}
 // clang-format on
 const Group groups[] = {
-    {GL_CURRENT_BIT, offsetof(State, current), kMaterial0 * sizeof(Vec4)},
-    {GL_LIGHTING_BIT, offsetof(State, current) + kMaterial0 * sizeof(Vec4), kMaterialSlots * sizeof(Vec4)},
+    {GL_CURRENT_BIT, offsetof(State, current), kMaterial0 * sizeof(Vec4), kDirtyCurrent},
+    {GL_LIGHTING_BIT, offsetof(State, current) + kMaterial0 * sizeof(Vec4), kMaterialSlots * sizeof(Vec4),
+     kDirtyMaterial},
     GROUP(GL_CURRENT_BIT, raster_position),
     GROUP(GL_TRANSFORM_BIT, transform),
     GROUP(GL_VIEWPORT_BIT, viewport),
@@ -81,6 +83,7 @@ void restore_textures(Context& c, const std::vector<SavedTexture>& saved) {
     else
       texture.object->parameters = *texture.parameters;
   }
+  c.dirty |= kDirtyTextureObjects;
 }
 
 } // namespace
@@ -114,12 +117,16 @@ void PopAttrib(Context& c) {
     if (group.mask & saved.mask) {
       std::memcpy(state + group.offset, from, group.size);
       from += group.size;
+      c.dirty |= group.dirty;
     }
   if (saved.mask & GL_ENABLE_BIT)
-    for_each_enable([&](const Capability& e, int unit) { e.set(c.state, unit, bool(*from++)); });
-  restore_textures(c, saved.textures);
+    for_each_enable([&](const Capability& e, int unit) {
+      const bool value = bool(*from++);
+      if (e.get(c.state, unit) != value) c.dirty |= e.dirty;
+      e.set(c.state, unit, value);
+    });
+  if (saved.mask & GL_TEXTURE_BIT) restore_textures(c, saved.textures);
   c.attribute_stack.server.pop_back();
-  c.dirty |= kDirtyAll;
 }
 
 void PushClientAttrib(Context& c, GLbitfield mask) {

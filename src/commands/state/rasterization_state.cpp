@@ -8,12 +8,11 @@ namespace softgl::gl {
 
 void PointSize(Context& c, GLfloat size) {
   if (size <= 0.0f) return set_error(c, GL_INVALID_VALUE);
-  c.state.point.size = size;
-  c.dirty |= kDirtyRaster | kDirtyTransform;
+  edit<&State::point>(c).size = size;
 }
 
 void PointParameter(Context& c, GLenum pname, const GLfloat* params) {
-  PointState& point = c.state.point;
+  PointState& point = edit<&State::point>(c);
   float* size = nullptr;
   switch (pname) {
   case GL_POINT_SIZE_MIN: size = &point.size_min; break;
@@ -31,45 +30,41 @@ void PointParameter(Context& c, GLenum pname, const GLfloat* params) {
     if (params[0] < 0.0f) return set_error(c, GL_INVALID_VALUE);
     *size = params[0];
   }
-  c.dirty |= kDirtyRaster | kDirtyTransform;
 }
 
 void LineWidth(Context& c, GLfloat width) {
   if (width <= 0.0f) return set_error(c, GL_INVALID_VALUE);
-  c.state.line.width = width;
-  c.dirty |= kDirtyRaster;
+  edit<&State::line>(c).width = width;
 }
 
 void LineStipple(Context& c, GLint factor, GLushort pattern) {
-  c.state.line.stipple_factor = std::clamp(factor, 1, 256);
-  c.state.line.stipple_pattern = pattern;
-  c.dirty |= kDirtyRaster;
+  LineState& line = edit<&State::line>(c);
+  line.stipple_factor = std::clamp(factor, 1, 256);
+  line.stipple_pattern = pattern;
 }
 
 void CullFace(Context& c, GLenum mode) {
   if (mode != GL_FRONT && mode != GL_BACK && mode != GL_FRONT_AND_BACK) return set_error(c, GL_INVALID_ENUM);
-  c.state.polygon.cull_face = mode;
-  c.dirty |= kDirtyRaster;
+  edit<&State::polygon>(c).cull_face = mode;
 }
 
 void FrontFace(Context& c, GLenum mode) {
   if (mode != GL_CW && mode != GL_CCW) return set_error(c, GL_INVALID_ENUM);
-  c.state.polygon.front_face = mode;
-  c.dirty |= kDirtyRaster;
+  edit<&State::polygon>(c).front_face = mode;
 }
 
 void PolygonMode(Context& c, GLenum face, GLenum mode) {
   if (mode != GL_POINT && mode != GL_LINE && mode != GL_FILL) return set_error(c, GL_INVALID_ENUM);
   if (face != GL_FRONT && face != GL_BACK && face != GL_FRONT_AND_BACK) return set_error(c, GL_INVALID_ENUM);
-  if (face != GL_BACK) c.state.polygon.mode[0] = mode;
-  if (face != GL_FRONT) c.state.polygon.mode[1] = mode;
-  c.dirty |= kDirtyRaster;
+  PolygonState& polygon = edit<&State::polygon>(c);
+  if (face != GL_BACK) polygon.mode[0] = mode;
+  if (face != GL_FRONT) polygon.mode[1] = mode;
 }
 
 void PolygonOffset(Context& c, GLfloat factor, GLfloat units) {
-  c.state.polygon.offset_factor = factor;
-  c.state.polygon.offset_units = units;
-  c.dirty |= kDirtyRaster;
+  PolygonState& polygon = edit<&State::polygon>(c);
+  polygon.offset_factor = factor;
+  polygon.offset_units = units;
 }
 
 namespace {
@@ -92,6 +87,7 @@ unsigned bit_mask(size_t bit, bool lsb_first) { return lsb_first ? 1u << (bit & 
 void PolygonStipple(Context& c, const GLubyte* mask) {
   if (!mask) return;
   const softgl::PixelStore& store = c.client.pixel_store.unpack;
+  PolygonStippleState& stipple = edit<&State::polygon_stipple>(c);
   for (int y = 0; y < 32; ++y) {
     const StippleRow row = stipple_row(store, y);
     uint32_t bits = 0;
@@ -99,9 +95,8 @@ void PolygonStipple(Context& c, const GLubyte* mask) {
       const size_t bit = row.bit + x;
       bits = bits << 1 | ((mask[row.byte + bit / 8] & bit_mask(bit, store.lsb_first)) != 0);
     }
-    c.state.polygon_stipple.row[y] = bits;
+    stipple.row[y] = bits;
   }
-  c.dirty |= kDirtyRaster | kDirtyFragment;
 }
 
 void GetPolygonStipple(Context& c, GLubyte* mask) {

@@ -96,7 +96,7 @@ void set_environment(Context& c, GLenum pname, const float* params) {
   } else {
     return set_error(c, GL_INVALID_ENUM);
   }
-  c.dirty |= kDirtyFragment | kDirtyTexture;
+  c.dirty |= kDirtyTexture;
 }
 
 // The values of a TexEnv query; count 0 and an error if there are none.
@@ -167,11 +167,11 @@ void TexEnv(Context& c, GLenum target, GLenum pname, const GLfloat* params) {
     set_environment(c, pname, params);
   } else if (target == GL_TEXTURE_FILTER_CONTROL && pname == GL_TEXTURE_LOD_BIAS) {
     active_unit(c).lod_bias = params[0];
-    c.dirty |= kDirtyFragment | kDirtyTexture;
+    c.dirty |= kDirtyTexture;
   } else if (target == GL_POINT_SPRITE && pname == GL_COORD_REPLACE) {
     if (params[0] != 0.0f && params[0] != 1.0f) return set_error(c, GL_INVALID_VALUE);
-    c.state.point.coord_replace = (c.state.point.coord_replace & ~(1u << i)) | uint32_t(params[0]) << i;
-    c.dirty |= kDirtyRaster | kDirtyFragment | kDirtyTransform;
+    uint32_t& units = edit<&State::point>(c).coord_replace;
+    units = (units & ~(1u << i)) | uint32_t(params[0]) << i;
   } else {
     set_error(c, GL_INVALID_ENUM);
   }
@@ -204,7 +204,7 @@ void TexGen(Context& c, GLenum coord, GLenum pname, const GLfloat* params) {
   case GL_EYE_PLANE: g->eye_plane = transform_plane(plane, inverse(c.matrices.modelview.top())); break;
   default: return set_error(c, GL_INVALID_ENUM);
   }
-  c.dirty |= kDirtyTransform;
+  c.dirty |= kDirtyTextureGeneration;
 }
 
 void GetTexGenfv(Context& c, GLenum coord, GLenum pname, GLfloat* params) {

@@ -29,7 +29,7 @@ GLenum check_image_size(const ImageTarget& t, GLint level, GLsizei width, GLsize
 void image_changed(Context& c, TextureObject& object, int face, int level) {
   if (object.parameters.generate_mipmap && level == object.parameters.base_level)
     generate_mipmaps(object, face);
-  c.dirty |= kDirtyTexture;
+  c.dirty |= kDirtyTextureObjects;
 }
 
 namespace {

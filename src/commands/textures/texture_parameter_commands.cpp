@@ -88,7 +88,7 @@ void TexParameter(Context& c, GLenum target, GLenum pname, const GLfloat* params
     break;
   default: return set_error(c, GL_INVALID_ENUM);
   }
-  c.dirty |= kDirtyTexture;
+  c.dirty |= kDirtyTextureObjects;
 }
 
 namespace {

@@ -5,11 +5,15 @@
 namespace softgl::gl {
 namespace {
 
-// The current matrix, about to change.
-Matrix& edit(Context& c) {
-  c.dirty |= kDirtyMatrices;
-  return c.matrices.current(c.state).top();
+// The current matrix stack, whose top is about to change.
+MatrixStack& edit_stack(Context& c) {
+  const GLenum mode = c.state.transform.matrix_mode;
+  c.dirty |= mode == GL_PROJECTION ? kDirtyProjection
+             : mode == GL_TEXTURE  ? kDirtyTextureMatrices
+                                   : kDirtyModelview;
+  return c.matrices.current(c.state);
 }
+Matrix& edit_matrix(Context& c) { return edit_stack(c).top(); }
 
 } // namespace
 
@@ -19,26 +23,26 @@ void MatrixMode(Context& c, GLenum mode) {
   c.state.transform.matrix_mode = mode;
 }
 
-void LoadIdentity(Context& c) { set_identity(edit(c)); }
+void LoadIdentity(Context& c) { set_identity(edit_matrix(c)); }
 void LoadMatrix(Context& c, const float* m) {
-  if (m) load(edit(c), m);
+  if (m) load(edit_matrix(c), m);
 }
 void MultMatrix(Context& c, const float* m) {
-  if (m) multiply(edit(c), m);
+  if (m) multiply(edit_matrix(c), m);
 }
-void Rotate(Context& c, float angle, float x, float y, float z) { rotate(edit(c), angle, x, y, z); }
-void Translate(Context& c, float x, float y, float z) { translate(edit(c), x, y, z); }
-void Scale(Context& c, float x, float y, float z) { scale(edit(c), x, y, z); }
+void Rotate(Context& c, float angle, float x, float y, float z) { rotate(edit_matrix(c), angle, x, y, z); }
+void Translate(Context& c, float x, float y, float z) { translate(edit_matrix(c), x, y, z); }
+void Scale(Context& c, float x, float y, float z) { scale(edit_matrix(c), x, y, z); }
 
 void Frustum(Context& c, float left, float right, float bottom, float top, float near_value,
              float far_value) {
   if (near_value <= 0.0f || far_value <= 0.0f || near_value == far_value || left == right || bottom == top)
     return set_error(c, GL_INVALID_VALUE);
-  frustum(edit(c), left, right, bottom, top, near_value, far_value);
+  frustum(edit_matrix(c), left, right, bottom, top, near_value, far_value);
 }
 void Ortho(Context& c, float left, float right, float bottom, float top, float near_value, float far_value) {
   if (left == right || bottom == top || near_value == far_value) return set_error(c, GL_INVALID_VALUE);
-  ortho(edit(c), left, right, bottom, top, near_value, far_value);
+  ortho(edit_matrix(c), left, right, bottom, top, near_value, far_value);
 }
 
 void PushMatrix(Context& c) {
@@ -51,10 +55,8 @@ void PushMatrix(Context& c) {
   stack.entry.push_back(Matrix(stack.top()));
 }
 void PopMatrix(Context& c) {
-  MatrixStack& stack = c.matrices.current(c.state);
-  if (stack.depth() == 1) return set_error(c, GL_STACK_UNDERFLOW);
-  stack.entry.pop_back();
-  c.dirty |= kDirtyMatrices;
+  if (c.matrices.current(c.state).depth() == 1) return set_error(c, GL_STACK_UNDERFLOW);
+  edit_stack(c).entry.pop_back();
 }
 
 } // namespace softgl::gl

@@ -10,27 +10,25 @@ void Viewport(Context& c, GLint x, GLint y, GLsizei width, GLsizei height) {
   if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
   // OSMesa 22.3.6 keeps the corner within its viewport bounds range.
   constexpr GLint kBounds = 32768;
-  ViewportState& v = c.state.viewport;
+  ViewportState& v = edit<&State::viewport>(c);
   v.x = std::clamp(x, -kBounds, kBounds - 1);
   v.y = std::clamp(y, -kBounds, kBounds - 1);
   v.width = std::min(width, kMaxViewportDimension);
   v.height = std::min(height, kMaxViewportDimension);
-  c.dirty |= kDirtyViewport;
 }
 
 void DepthRange(Context& c, GLdouble n, GLdouble f) {
   const auto clamp = [](double v) { return v > 0.0 ? (v > 1.0 ? 1.0 : v) : 0.0; };
-  c.state.viewport.near_depth = clamp(n);
-  c.state.viewport.far_depth = clamp(f);
-  c.dirty |= kDirtyViewport;
+  ViewportState& v = edit<&State::viewport>(c);
+  v.near_depth = clamp(n);
+  v.far_depth = clamp(f);
 }
 
 void ClipPlane(Context& c, GLenum plane, const GLdouble* equation) {
   const GLenum i = plane - GL_CLIP_PLANE0;
   if (i >= GLenum(kMaxClipPlanes)) return set_error(c, GL_INVALID_ENUM);
   const Vec4 v{float(equation[0]), float(equation[1]), float(equation[2]), float(equation[3])};
-  c.state.transform.clip_plane[i] = transform_plane(v, inverse(c.matrices.modelview.top()));
-  c.dirty |= kDirtyTransform;
+  edit<&State::transform>(c).clip_plane[i] = transform_plane(v, inverse(c.matrices.modelview.top()));
 }
 
 void GetClipPlane(Context& c, GLenum plane, GLdouble* equation) {

@@ -197,11 +197,7 @@ void set_current(Context& c, int slot, const float* value) {
   Vec4& current = c.state.current.slot[slot];
   if (!std::memcmp(&current, value, 16)) return;
   std::memcpy(&current, value, 16);
-  if (slot >= kMaterial0)
-    c.dirty |= kDirtyLighting;
-  else
-    c.dirty |= kDirtyCurrent;
-  if (slot == kColor && c.state.lighting.color_material_enabled) c.dirty |= kDirtyLighting;
+  c.dirty |= slot >= kMaterial0 ? kDirtyMaterial : kDirtyCurrent;
 }
 
 const Vec4* current_constants(Context& c) {
