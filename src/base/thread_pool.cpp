@@ -168,7 +168,7 @@ struct ThreadPool::State {
     const bool started = pthread_create(&thread, &attributes, main, begin.get()) == 0;
     pthread_attr_destroy(&attributes);
     if (!started) return false;
-    begin.release();
+    (void)begin.release(); // the thread has it now
     threads.push_back(thread);
     return true;
   }

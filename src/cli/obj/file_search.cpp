@@ -44,9 +44,9 @@ std::string find_named_file(const std::string& folder, std::string_view name, bo
   std::replace(path.begin(), path.end(), '\\', '/');
   const bool drive = path.size() > 2 && path[1] == ':' && path[2] == '/';
   const bool absolute = path[0] == '/' || drive;
-  const std::string joined = absolute ? path : folder + "/" + path;
+  std::string joined = absolute ? path : folder + "/" + path;
   if (!drive && is_readable_file(joined)) return joined;
-  if (const std::string exact = folder + "/" + std::string(name); !absolute && is_readable_file(exact))
+  if (std::string exact = folder + "/" + std::string(name); !absolute && is_readable_file(exact))
     return exact;
   const std::string last = path.substr(path.rfind('/') + 1); // npos + 1 = 0
   if (last.empty() || last == "." || last == "..") return {};

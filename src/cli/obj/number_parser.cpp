@@ -38,9 +38,10 @@ template <class T> bool read_exactly(const char* first, const char* last, T& val
 constexpr TokenEnds kTokenEnds;
 const bool kEndsToken[256] = {
 #define SOFTGL_ROW(n) \
-  kTokenEnds.table[n], kTokenEnds.table[n + 1], kTokenEnds.table[n + 2], kTokenEnds.table[n + 3], \
-      kTokenEnds.table[n + 4], kTokenEnds.table[n + 5], kTokenEnds.table[n + 6], kTokenEnds.table[n + 7]
-#define SOFTGL_ROWS(n) SOFTGL_ROW(n), SOFTGL_ROW(n + 8), SOFTGL_ROW(n + 16), SOFTGL_ROW(n + 24)
+  kTokenEnds.table[n], kTokenEnds.table[(n) + 1], kTokenEnds.table[(n) + 2], kTokenEnds.table[(n) + 3], \
+      kTokenEnds.table[(n) + 4], kTokenEnds.table[(n) + 5], kTokenEnds.table[(n) + 6], \
+      kTokenEnds.table[(n) + 7]
+#define SOFTGL_ROWS(n) SOFTGL_ROW(n), SOFTGL_ROW((n) + 8), SOFTGL_ROW((n) + 16), SOFTGL_ROW((n) + 24)
     SOFTGL_ROWS(0),   SOFTGL_ROWS(32),  SOFTGL_ROWS(64),  SOFTGL_ROWS(96),
     SOFTGL_ROWS(128), SOFTGL_ROWS(160), SOFTGL_ROWS(192), SOFTGL_ROWS(224)};
 
