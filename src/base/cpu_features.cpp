@@ -2,7 +2,9 @@
 
 #include <cstdlib>
 #include <cstring>
-#if __has_include(<sys/platform/x86.h>)
+// Clang does not know the type _Bool in C++, which this header of glibc uses.
+#if __has_include(<sys/platform/x86.h>) && !defined(__clang__)
+#define SOFTGL_ASK_GLIBC
 #include <sys/platform/x86.h>
 #else
 #include <cpuid.h>
@@ -23,7 +25,7 @@ struct Features {
   bool v2, v3, v4; // what each level adds to the one below
 };
 
-#if __has_include(<sys/platform/x86.h>)
+#ifdef SOFTGL_ASK_GLIBC
 /// The C library (glibc 2.33) has asked already. In a virtual machine CPUID takes 12 us, and a dozen of them
 /// a fiftieth of the way from loading the library to a first picture.
 Features features() {
