@@ -9,7 +9,8 @@
 namespace softgl::test {
 namespace {
 
-constexpr int kSeedsPerCase = 10, kCasesPerFamily = 10; // 100 scenes of each family
+// 100 scenes of each family. A process takes time to start.
+constexpr int kSeedsPerCase = 50, kCasesPerFamily = 2;
 
 class Invoker : public Catch::ITestInvoker {
 public:

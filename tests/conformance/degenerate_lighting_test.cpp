@@ -54,7 +54,7 @@ std::vector<float> draw_all(const Gl& gl) {
 
 } // namespace
 
-TEST_CASE("lighting without an answer has OSMesa's floats", "[conformance][lighting]") {
+TEST_CASE("lighting without an answer has OSMesa's floats", "[conformance][lighting][slow]") {
   fix_environment();
   const std::vector<float> ours = draw_all(softgl_library()), theirs = draw_all(osmesa_library());
   size_t different = 0, finite = 0;

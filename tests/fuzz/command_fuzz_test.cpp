@@ -64,7 +64,7 @@ TEST_CASE("hostile commands do no harm", "[fuzz]") {
 }
 
 // A stream further on kills OSMesa: their number is fixed.
-TEST_CASE("hostile commands raise errors where OSMesa does", "[fuzz]") {
+TEST_CASE("hostile commands raise errors where OSMesa does", "[fuzz][slow]") {
   for (uint64_t seed = 1000; seed < 1200; seed++) {
     const auto ours = run(softgl_library(), seed, 60, true), theirs = run(osmesa_library(), seed, 60, true);
     for (size_t i = 0; i < ours.size(); i++) {
