@@ -231,10 +231,12 @@ bool CombinerAlgebra::rewrite() {
 void CombinerAlgebra::simplify(CombinerValue* results, int count) {
   results_ = results, result_count_ = count;
   for (int i = 0; i < count; ++i) ++node(results[i]).uses;
-  do {
+  for (bool progress = true; progress;) {
     remove_unused();
     share_equals();
-  } while (rewrite() | fold_constants());
+    progress = rewrite();
+    progress |= fold_constants();
+  }
   remove_unused();
 }
 
