@@ -15,6 +15,7 @@ struct TileEdges {
   int32_t block_min[4], block_max[4]; // least and greatest change over an 8x8 block
   int32_t x0, y0, x1, y1;             // box inside the tile, half open
   bool inside;                        // all edges accept the whole tile
+  int32_t least;                      // -1: no block counts as inside; else 0
 };
 
 SOFTGL_INLINE void set_edge(TileEdges& t, int i, int32_t c, int32_t a, int32_t b) {
@@ -24,14 +25,15 @@ SOFTGL_INLINE void set_edge(TileEdges& t, int i, int32_t c, int32_t a, int32_t b
 }
 
 /// False: no pixel of the tile is covered. Looks at the first `Edges` edges.
-template <int Edges>
-SOFTGL_INLINE bool clip_to_tile(const RasterPrimitive& p, int32_t tile_x, int32_t tile_y, TileEdges& t) {
+template <int Edges> SOFTGL_INLINE bool clip_to_tile(const RasterDraw& draw, const RasterPrimitive& p,
+                                                     int32_t tile_x, int32_t tile_y, TileEdges& t) {
   t.x0 = p.x0 > tile_x ? p.x0 - tile_x : 0;
   t.y0 = p.y0 > tile_y ? p.y0 - tile_y : 0;
   t.x1 = p.x1 < tile_x + kTileSize ? p.x1 - tile_x : kTileSize;
   t.y1 = p.y1 < tile_y + kTileSize ? p.y1 - tile_y : kTileSize;
   if (t.x0 >= t.x1 || t.y0 >= t.y1) return false;
-  t.inside = true;
+  t.inside = draw.whole_blocks;
+  t.least = draw.whole_blocks ? 0 : -1;
   for (int i = 0; i < Edges; ++i) {
     const int32_t a = p.a[i], b = p.b[i];
     int64_t c = p.c[i] - int64_t(a) * tile_x + int64_t(b) * tile_y;
@@ -76,7 +78,7 @@ template <int Edges> SOFTGL_INLINE void edge_steps(const TileEdges& t, EdgeSteps
 enum class BlockPlace { Outside, Cut, Inside };
 template <int Edges>
 SOFTGL_INLINE BlockPlace place_block(const TileEdges& t, int32_t x, int32_t y, int32_t e[4]) {
-  int32_t least = 0, greatest = 0; // only their signs matter
+  int32_t least = t.least, greatest = 0; // only their signs matter
   for (int i = 0; i < Edges; ++i) {
     e[i] = t.c[i] - t.a[i] * x + t.b[i] * y;
     greatest |= e[i] + t.block_max[i];

@@ -22,13 +22,14 @@ enum class DirectColor { Store, Over, Any };
 template <bool DepthTest, DirectColor Color, int Edges>
 static void direct_primitive(const RasterDraw& draw, const TileTarget& tile, const RasterPrimitive& p) {
   TileEdges edges;
-  if (!clip_to_tile<Edges>(p, tile.x, tile.y, edges)) return;
+  if (!clip_to_tile<Edges>(draw, p, tile.x, tile.y, edges)) return;
   EdgeSteps<Edges> steps;
   if (!edges.inside) edge_steps<Edges>(edges, steps);
   const FragmentKey& key = draw.program->key;
   const float scale = depth_scale(key);
   const Compare function = Compare(key.depth_function);
   const bool less = function == Compare::Less;
+  const bool stores_blocks = draw.whole_blocks && draw.color_mask == ~uint32_t(0);
   const IntV depth_mask = splat(key.depth_write ? 0xffffff : 0), color_mask = splat(int32_t(draw.color_mask));
   const bool flat = draw.varying[0].flat, divide = !flat && !p.w_is_one; // the first varying is the colour
   const FloatV offset = splat(p.depth_offset);
@@ -124,8 +125,7 @@ static void direct_primitive(const RasterDraw& draw, const TileTarget& tile, con
         return source;
       };
       // Most blocks of large primitives are hit or missed as a whole.
-      if (first == 0 && last == 8 && draw.color_mask == ~uint32_t(0) &&
-          sign_bits(all) == (uint64_t(1) << kWidth) - 1) {
+      if (first == 0 && last == 8 && stores_blocks && sign_bits(all) == (uint64_t(1) << kWidth) - 1) {
         FloatV py = row_coordinates(y, 0);
         for (int at = 0; at < 64; py += float(kRows))
           for (int h = 0; h < kHalves; ++h, at += kWidth) store(color + at, merged(at, h, py));

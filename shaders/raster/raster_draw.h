@@ -40,6 +40,8 @@ struct RasterDraw {
   bool small;          // triangles of few pixels are shaded with lane = fragment; not stippled ones
   bool opaque;         // alpha is 1 at all vertices, so it is 1 / w times w everywhere, which rounds to 255
   bool direct;         // no stage runs, RGBA8, no stencil: blocks of pixels bypass the FragmentBlock
+  bool early_depth;    // a fragment's depth can be tested before its stages run
+  bool whole_blocks;   // no edge is looked at in blocks that lie inside all of them
   uint32_t color_mask; // of an RGBA8 word
 };
 constexpr int kPlaneZ = 0, kPlaneW = 1, kPlaneColor = 2;

@@ -7,11 +7,6 @@
 namespace softgl {
 namespace SOFTGL_ISA {
 
-/// True where a fragment's depth can be tested before its stages run.
-SOFTGL_INLINE bool tests_early(const FragmentProgram& program) {
-  return !program.key.stencil && !program.writes_depth;
-}
-
 /// Strips of one primitive on their way through the fragment program.
 struct StripBatch {
   int32_t strips = 0;
@@ -93,11 +88,11 @@ static void merge_fragments(const TileTarget& tile, const FragmentProgram& progr
 template <bool Depth> static void staged_primitive(const RasterDraw& draw, const TileTarget& tile,
                                                    const RasterPrimitive& p, FragmentBlock& block) {
   TileEdges edges;
-  if (!clip_to_tile<4>(p, tile.x, tile.y, edges)) return;
+  if (!clip_to_tile<4>(draw, p, tile.x, tile.y, edges)) return;
   const FragmentKey& key = draw.program->key;
   const Compare function = Compare(key.depth_function);
   const float scale = depth_scale(key);
-  const bool early = Depth && tests_early(*draw.program);
+  const bool early = Depth && draw.early_depth;
   const uint64_t* stipple =
       p.edges == 3 ? draw.raster->stipple : nullptr; // triangles only: not lines and points
   EdgeSteps<4> steps;
@@ -181,11 +176,11 @@ template <bool Depth> static void dense_primitive(const RasterDraw& draw, const 
                                                   const RasterPrimitive& p, FragmentBlock& block,
                                                   DenseBatch& batch) {
   TileEdges edges;
-  if (!clip_to_tile<4>(p, tile.x, tile.y, edges)) return;
+  if (!clip_to_tile<4>(draw, p, tile.x, tile.y, edges)) return;
   const FragmentKey& key = draw.program->key;
   const Compare function = Compare(key.depth_function);
   const float scale = depth_scale(key);
-  const bool early = Depth && tests_early(*draw.program);
+  const bool early = Depth && draw.early_depth;
   EdgeSteps<4> steps;
   if (!edges.inside) edge_steps<4>(edges, steps);
   for (int by = edges.y0 & ~7; by < edges.y1; by += 8)

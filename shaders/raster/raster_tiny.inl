@@ -16,7 +16,9 @@ public:
       : draw_(draw), in_(in), out_(out) {}
 
   void run(FragmentBlock& block) {
-    const bool grouped = kWidth > 4 && covered() * 4 >= 5 * __builtin_popcountll(out_.small);
+    const bool grouped =
+        in_.shares_planes && kWidth > 4 && covered() * 4 >= 5 * __builtin_popcountll(out_.small);
+    out_.shared_planes = grouped;
     if (draw_.program->step_count)
       grouped ? shade<true, true>(block) : shade<true, false>(block);
     else

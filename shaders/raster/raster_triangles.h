@@ -19,7 +19,8 @@ constexpr int kMaxRuns = 4 * kSetupBatch; // each triangle in up to four tiles
 struct TriangleInput {
   int32_t count;
   int32_t tiles_x;                              // of the surface
-  int32_t tiny_pixels;                          // kTinyPixels or kTinyPixelsInOrder
+  int32_t tiny_pixels;                          // kTinyPixels or kTinyPixelsInOrder; 0: none is tiny
+  bool shares_planes;                           // fragments of a tiny triangle may share planes
   const ShadedVertices::Slot* const* corner[3]; // [corner][triangle]
 };
 
@@ -27,8 +28,9 @@ struct TriangleInput {
 struct TriangleOutput {
   // One bit a triangle.
   uint64_t small, large;
-  uint64_t negative; // area; corners 0 and 1 are exchanged
-  bool tiny;         // the small ones are finished fragments; else they go to their tiles as they are
+  uint64_t negative;  // area; corners 0 and 1 are exchanged
+  bool shared_planes; // of tiny ones: their fragments have shared planes
+  bool tiny;          // the small ones are finished fragments; else they go to their tiles as they are
   // Of small triangles: the tile of the box's first pixel; bit 0: the box reaches into the next column of
   // tiles, bit 1: into the next row.
   alignas(64) uint32_t tile[kSetupBatch], further[kSetupBatch];

@@ -1,5 +1,7 @@
 #include "base/pages.h"
 
+#include "base/fast_paths.h"
+
 #include <cstdint>
 #include <sys/mman.h>
 
@@ -17,14 +19,15 @@ void* map_pages(size_t bytes) {
   const size_t before = -reinterpret_cast<uintptr_t>(begin) % kHugePage;
   if (before) munmap(begin, before);
   if (before < spare) munmap(begin + before + length, spare - before);
-  madvise(begin + before, length, MADV_HUGEPAGE);
+  if (takes(FastPath::HugePages)) madvise(begin + before, length, MADV_HUGEPAGE);
   return begin + before;
 }
 
 void prefer_huge_pages(Pages pages) {
   const auto first = reinterpret_cast<uintptr_t>(pages.memory) & ~uintptr_t(4095);
   const auto last = (reinterpret_cast<uintptr_t>(pages.memory) + pages.bytes + 4095) & ~uintptr_t(4095);
-  if (last - first >= kHugePage) madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
+  if (last - first >= kHugePage && takes(FastPath::HugePages))
+    madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
 }
 
 void populate_pages([[maybe_unused]] Pages pages) {

@@ -4,6 +4,7 @@
 #include <new>
 #include <optional>
 
+#include "base/fast_paths.h"
 #include "base/float_environment.h"
 #include "base/thread_pool.h"
 #include "frame/frame_trace.h"
@@ -150,18 +151,14 @@ private:
     stencil_drawn_ = stencil_drawn_ || draw.fragment->key.stencil;
     const auto* raster = frame_.arena_.make<RasterDraw>(make_raster_draw(draw));
     if (steps <= kSmallDraw && call.vertex_count <= kSmallDraw) {
-      pieces_.push_back({&draw, raster, nullptr, 0, 0, 0});
+      const bool before = !draw.rectangle && !takes(FastPath::OrderedVertices);
+      pieces_.push_back({&draw, raster, before ? shade_before(draw) : nullptr, 0, 0, 0});
       count_steps(static_cast<uint32_t>(std::max<uint64_t>(steps, call.vertex_count)));
       return;
     }
     close_unit();
-    const ShadedVertices* vertices = nullptr;
-    if (!reads_in_order(draw)) {
-      vertices = allocate_vertices(draw, call.first_vertex, call.vertex_count, frame_.arena_);
-      for (uint32_t first = 0; first < call.vertex_count; first += kShadeChunk)
-        shade_.push_back(
-            {&draw, vertices, call.first_vertex + first, std::min(kShadeChunk, call.vertex_count - first)});
-    }
+    const bool in_order = reads_in_order(draw) && takes(FastPath::OrderedVertices);
+    const ShadedVertices* vertices = in_order ? nullptr : shade_before(draw);
     for (uint32_t i = 0; i < call.primitive_count; ++i) {
       const uint32_t count = assembly_steps(call.primitives[i]);
       for (uint32_t first = 0; first < count;) {
@@ -174,11 +171,22 @@ private:
     close_unit();
   }
 
+  /// Plans the shading of all vertices of a draw before its primitives are assembled.
+  const ShadedVertices* shade_before(const DrawRecord& draw) {
+    const DrawCall& call = draw.call;
+    const ShadedVertices* vertices =
+        allocate_vertices(draw, call.first_vertex, call.vertex_count, frame_.arena_);
+    for (uint32_t first = 0; first < call.vertex_count; first += kShadeChunk)
+      shade_.push_back(
+          {&draw, vertices, call.first_vertex + first, std::min(kShadeChunk, call.vertex_count - first)});
+    return vertices;
+  }
+
   void count_steps(uint32_t steps) {
     open_steps_ += steps;
     round_steps_ += steps;
     if (open_steps_ >= kUnitSteps) close_unit();
-    if (round_steps_ >= frame_.most_round_steps_) finish_round();
+    if (round_steps_ >= frame_.most_round_steps_ && takes(FastPath::Rounds)) finish_round();
   }
 
   /// Does everything planned so far and forgets it.

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "base/fast_paths.h"
 #include "fragment/fragment_keys.h"
 #include "geometry/geometry.h"
 #include "shaders/fragment/fragment_program.h"
@@ -140,9 +141,11 @@ void FlushTrace::end(size_t arena_bytes, int rounds, int workers) const {
   using namespace std::chrono;
   const auto time = duration_cast<microseconds>(steady_clock::now() - begin_);
   TraceText text;
+  const uint32_t taken = taken_fast_paths.exchange(0, std::memory_order_relaxed);
   text.print("flush %zu draws, %zu clears, %llu primitives, %zu bytes, %d rounds, %d workers, %lld us",
              draws_, clears_, static_cast<unsigned long long>(primitives_), arena_bytes, rounds, workers,
              static_cast<long long>(time.count()));
+  if (taken) text.put((", fast paths " + to_names(taken)).c_str());
   trace_work(text);
 }
 

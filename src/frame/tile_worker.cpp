@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstring>
 
+#include "base/fast_paths.h"
 #include "frame/frame.h"
 
 namespace softgl {
@@ -120,7 +121,7 @@ void clear_color(const ClearRecord& c, const Surface& s, uint32_t tile, const Bo
 void execute_clear(const ClearRecord& c, const Surface& s, uint32_t tile) {
   const Box box = clear_box(c, s, tile);
   if (box.x0 >= box.x1 || box.y0 >= box.y1) return;
-  const bool whole = covers_tile(c, s, tile);
+  const bool whole = covers_tile(c, s, tile) && takes(FastPath::WaitingClears);
   if (!whole) write_tile(s, tile);
   if (c.color) clear_color(c, s, tile, box, whole);
   if (!s.depth_stencil || !(c.depth || c.stencil)) return;
@@ -159,7 +160,7 @@ bool clear_hides_all(const ClearRecord& c, const Surface& s, uint32_t tile, bool
   if (stencil_drawn && s.depth_format == DepthFormat::Z24S8 &&
       !(c.stencil && (c.stencil_write_mask & 255) == 255))
     return false;
-  return covers_tile(c, s, tile);
+  return covers_tile(c, s, tile) && takes(FastPath::HidingClears);
 }
 
 void execute_tile(const Surface& surface, uint32_t tile, const TileChunk* work, const RasterKernels& kernels,
@@ -176,7 +177,8 @@ void execute_tile(const Surface& surface, uint32_t tile, const TileChunk* work, 
           static_cast<uint8_t*>(surface.color) + first * size_t(bytes_per_pixel(surface.color_format));
       target.depth_stencil = surface.depth_stencil ? surface.depth_stencil + first : nullptr;
       const TileWords& words = surface.tile[tile].depth_stencil;
-      target.one_stencil = surface.depth_format != DepthFormat::Z24S8 || words.known >> 24 == 255;
+      target.one_stencil = (surface.depth_format != DepthFormat::Z24S8 || words.known >> 24 == 255) &&
+                           takes(FastPath::DepthWords);
       target.stencil_bits = surface.depth_format == DepthFormat::Z24S8 ? words.word & 0xff000000u : 0;
     }
     switch (segment.kind) {

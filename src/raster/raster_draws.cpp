@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "base/fast_paths.h"
 #include "shaders/vertex/vertex_program.h"
 
 namespace softgl {
@@ -66,11 +67,13 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
   }
   d.plane_count = static_cast<uint8_t>(planes);
   const auto format = static_cast<ColorFormat>(key.color_format);
-  d.opaque = draw.vertex && is_opaque(*draw.vertex);
-  d.small = (format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565) && !d.program->reads_quads &&
-            !d.raster->stipple;
-  d.direct =
-      draw.fragment->step_count == 0 && !d.raster->stipple && format == ColorFormat::Rgba8 && !key.stencil;
+  d.opaque = draw.vertex && is_opaque(*draw.vertex) && takes(FastPath::OpaqueColors);
+  d.small = is_enabled(FastPath::Small) && (format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565) &&
+            !d.program->reads_quads && !d.raster->stipple;
+  d.direct = draw.fragment->step_count == 0 && !d.raster->stipple && format == ColorFormat::Rgba8 &&
+             !key.stencil && takes(FastPath::Direct);
+  d.early_depth = !key.stencil && !draw.fragment->writes_depth && takes(FastPath::EarlyDepth);
+  d.whole_blocks = takes(FastPath::WholeBlocks);
   for (int c = 0; c < 4; ++c)
     if (key.color_mask >> c & 1) d.color_mask |= 0xffu << (8 * c);
   return d;

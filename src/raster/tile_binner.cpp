@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstring>
 
+#include "base/fast_paths.h"
 #include "raster/line_setup.h"
 #include "raster/point_setup.h"
 
@@ -109,8 +110,11 @@ void TileBinner::bin_further(const SmallTriangle& t, uint32_t tile, uint32_t fur
 
 void TileBinner::triangles(const DrawRecord&, const AssembledTriangles& batch) {
   if (draw_->raster->cull == 3) return;
-  const TriangleInput in = {
-      batch.count, tiles_x_, tiny_pixels_, {batch.corner[0], batch.corner[1], batch.corner[2]}};
+  const TriangleInput in = {batch.count,
+                            tiles_x_,
+                            tiny_pixels_,
+                            shares_planes_,
+                            {batch.corner[0], batch.corner[1], batch.corner[2]}};
   TriangleOutput& out = scratch_.output;
   kernels_.raster->prepare_triangles(*draw_, in, out, scratch_.block);
   RasterPrimitive* record[kSetupBatch];
@@ -124,6 +128,8 @@ void TileBinner::triangles(const DrawRecord&, const AssembledTriangles& batch) {
     for (; large && std::countr_zero(large) < triangle; large &= large - 1) bin(**next++);
   };
   if (out.tiny) {
+    count_as_taken(FastPath::Tiny);
+    if (out.shared_planes) count_as_taken(FastPath::SharedPlanes);
     const bool killing = draw_->program->key.alpha_function != static_cast<uint64_t>(Compare::Always);
     for (int32_t i = 0; i < out.run_count; ++i) {
       const TriangleOutput::Run& run = out.run[i];
@@ -136,6 +142,7 @@ void TileBinner::triangles(const DrawRecord&, const AssembledTriangles& batch) {
     bin_large_before(kSetupBatch);
   } else {
     uint64_t small = out.small;
+    if (small) count_as_taken(FastPath::Small);
     for (; large; large &= large - 1) {
       const uint64_t before = (large & -large) - 1;
       bin_small(batch, out, small & before);

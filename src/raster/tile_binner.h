@@ -1,6 +1,7 @@
 // Takes assembled primitives and puts them into the lists of the tiles they touch.
 #pragma once
 
+#include "base/fast_paths.h"
 #include "base/kernel_table.h"
 #include "draw/assembled_primitives.h"
 #include "raster/tile_list.h"
@@ -27,7 +28,8 @@ public:
   /// `in_order`.
   void set_draw(const RasterDraw* draw, bool in_order = false) {
     draw_ = draw;
-    tiny_pixels_ = in_order ? kTinyPixelsInOrder : kTinyPixels;
+    tiny_pixels_ = !is_enabled(FastPath::Tiny) ? 0 : in_order ? kTinyPixelsInOrder : kTinyPixels;
+    shares_planes_ = is_enabled(FastPath::SharedPlanes);
     keeps_vertices_ = false;
   }
   /// True when lists point to vertices of the batches since set_draw().
@@ -53,6 +55,7 @@ private:
   const Kernels& kernels_;
   const RasterDraw* draw_ = nullptr;
   int32_t tiny_pixels_ = kTinyPixels;
+  bool shares_planes_ = true;
   bool keeps_vertices_ = false;
   uint8_t *next_ = nullptr, *end_ = nullptr; // memory for primitives
 };

@@ -25,6 +25,7 @@ void TileLists::open(List& l, TileSegment::Kind kind, const RasterDraw* draw, si
     l.next = reinterpret_cast<uint8_t*>(chunk + 1);
     l.end = reinterpret_cast<uint8_t*>(chunk) + size;
   }
+  SOFTGL_ASSERT(static_cast<size_t>(l.end - l.next) >= sizeof(TileSegment) + entry);
   l.open = new (l.next) TileSegment;
   l.open->kind = kind;
   l.open->capacity = 0;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/arena.h"
+#include "base/assert.h"
 #include "shaders/raster/raster_draw.h"
 
 namespace softgl {
@@ -87,6 +88,8 @@ public:
   }
   void end_triangles(uint32_t tile, SmallTriangle* end) {
     List& l = lists_[tile];
+    SOFTGL_ASSERT(l.open && l.open->kind == TileSegment::Triangles);
+    SOFTGL_ASSERT(reinterpret_cast<uint8_t*>(end) >= l.next && reinterpret_cast<uint8_t*>(end) <= l.end);
     l.open->count += static_cast<uint32_t>(end - reinterpret_cast<SmallTriangle*>(l.next));
     l.next = reinterpret_cast<uint8_t*>(end);
   }
@@ -108,6 +111,7 @@ public:
     }
     const uint32_t count = l.open->count, room = l.open->capacity - count;
     given = wanted < room ? wanted : room;
+    SOFTGL_ASSERT(given > 0);
     l.open->count += given;
     const SmallFragments f = l.open->fragments();
     return {f.pixel + count, f.depth + count, f.color + count};
@@ -142,6 +146,7 @@ private:
   }
 
   List& list(uint32_t tile) {
+    SOFTGL_ASSERT(tile < lists_.size());
     List& l = lists_[tile];
     if (l.stamp != stamp_) {
       l = List{};
@@ -166,9 +171,12 @@ template <class Visit> void for_each_segment(const TileChunk* chunk, Visit&& vis
   for (; chunk; chunk = chunk->next) {
     const auto* p = reinterpret_cast<const uint8_t*>(chunk + 1);
     const uint8_t* end = p + chunk->used;
+    SOFTGL_ASSERT(!chunk->size || sizeof(TileChunk) + chunk->used <= chunk->size);
     while (p < end) {
       const auto& segment = *reinterpret_cast<const TileSegment*>(p);
       p = segment.entries() + segment.entry_bytes();
+      SOFTGL_ASSERT(p <= end && reinterpret_cast<uintptr_t>(&segment) % alignof(TileSegment) == 0);
+      SOFTGL_ASSERT(segment.kind != TileSegment::Fragments || segment.count <= segment.capacity);
       // The next one comes from a far cache.
       const auto* next = p < end ? p : reinterpret_cast<const uint8_t*>(chunk->next);
       if (next)

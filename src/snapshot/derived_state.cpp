@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/assert.h"
+#include "base/fast_paths.h"
 #include "context/context.h"
 #include "snapshot/fragment_snapshot.h"
 #include "snapshot/raster_snapshot.h"
@@ -217,6 +218,7 @@ void update_snapshots(Context& c, const DrawCall& call) {
     std::abort();
   }
 #endif
+  if (!takes(FastPath::KeptSnapshots)) c.dirty |= kDirtySnapshots;
   SnapshotCache& cache = c.snapshots;
   Making making{c, find_changes(c, call, cache), c.frame.arena(), c.state};
   if (!(making.changed >> 32) && !(making.changed & kDirtySnapshots)) return;

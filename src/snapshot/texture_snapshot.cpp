@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "base/fast_paths.h"
 #include "base/kernel_table.h"
 #include "context/context.h"
 #include "shaders/texture/texture_constants.h"
@@ -200,7 +201,8 @@ void append_texture_stages(Context& c, Arena& arena, FragmentProgram& program, F
     if (finds_level(*units[u])) program.lod_units = uint8_t(program.lod_units | 1u << u);
   }
   auto fused = [&](int u) {
-    return simple && fixed_point(*units[u]) && is_modulate(chain.unit[u], u, base[u]);
+    return simple && fixed_point(*units[u]) && is_modulate(chain.unit[u], u, base[u]) &&
+           takes(FastPath::FusedTextures);
   };
   for (int u = 0; u < kMaxTextureUnits; ++u)
     if (units[u] && !fused(u))

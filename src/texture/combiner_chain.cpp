@@ -3,6 +3,7 @@
 #include <cstring>
 #include <map>
 
+#include "base/fast_paths.h"
 #include "texture/combiner_algebra.h"
 
 namespace softgl {
@@ -191,6 +192,7 @@ std::shared_ptr<const CombinerProgram> make_combiner_program(const CombinerChain
 }
 
 std::shared_ptr<const CombinerProgram> CombinerCache::program(const CombinerChain& chain) {
+  if (!takes(FastPath::KeptCombiners)) return make_combiner_program(chain);
   for (const auto& [known, program] : kept_)
     if (std::memcmp(&known, &chain, sizeof chain) == 0) return program;
   if (kept_.size() == kLimit) kept_.clear();

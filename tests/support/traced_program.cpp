@@ -69,6 +69,7 @@ TracedRun run_traced(const std::function<void(const Gl&)>& program, const std::s
 std::string comparable_trace(const std::string& trace) {
   std::string text = trace.substr(trace.find('\n') + 1);
   text = std::regex_replace(text, std::regex("0x[0-9a-f]{6,}"), "POINTER");
+  text = std::regex_replace(text, std::regex(", fast paths [a-z_,]+"), "");
   return std::regex_replace(text, std::regex("[0-9]+ (bytes|workers|us)"), "N $1");
 }
 

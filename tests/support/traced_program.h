@@ -19,7 +19,7 @@ struct TracedRun {
 TracedRun run_traced(const std::function<void(const Gl&)>& program, const std::string& file = {});
 
 /// The trace without what differs from run to run: pointers become POINTER, times and amounts of memory N,
-/// and the first line goes.
+/// and the first line and the names of fast paths go.
 std::string comparable_trace(const std::string& trace);
 
 } // namespace softgl::test

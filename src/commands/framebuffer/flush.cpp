@@ -1,6 +1,7 @@
 #include "commands/framebuffer/flush.h"
 
 #include "base/early_pages.h"
+#include "base/fast_paths.h"
 #include "commands/generated/commands.h"
 #include "commands/vertices/list_compilation.h"
 #include "commands/vertices/vertex_chunk.h"
@@ -25,12 +26,15 @@ void finish_and_resolve(Context& c) {
   const VerticesAside aside(c); // a context may leave its thread between Begin and End
   Framebuffer& f = c.framebuffer;
   const Resolver resolver(f.surface, f.client);
-  if (!c.frame.empty())
+  if (!c.frame.empty() && takes(FastPath::EarlyCopies)) {
     execute_frame(c, &resolver);
-  else if (f.unresolved)
+  } else {
+    if (!c.frame.empty())
+      flush_frame(c);
+    else if (!f.unresolved)
+      return;
     resolve(f.surface, f.client);
-  else
-    return;
+  }
   f.unresolved = false;
   if (!f.depth_copy.empty()) {
     write_tiles(f);
@@ -45,7 +49,7 @@ void prepare_first_frame(Context& c) {
   constexpr int64_t kLeast = 256 * 1024, kMost = 8 << 20;
   const Surface& s = c.framebuffer.surface;
   const int64_t pixels = int64_t(s.width) * s.height;
-  if (pixels < kLeast || pixels > kMost) return;
+  if (pixels < kLeast || pixels > kMost || !takes(FastPath::EarlyPages)) return;
   std::vector<Pages> pages = {open_early_pages()};
   c.frame.prepare(pages);
   c.framebuffer.prepare(pages);

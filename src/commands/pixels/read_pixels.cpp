@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/fast_paths.h"
 #include "base/unit_range.h"
 #include "commands/framebuffer/flush.h"
 #include "commands/generated/commands.h"
@@ -82,7 +83,7 @@ void read_color_rows(const Context& c, const Target& t, int first, int end, unsi
       pack_pixels(t.format, reinterpret_cast<const uint16_t(*)[4]>(row), t.count, t.swap, t.pixels(r));
     }
   } else if (s.color_format == ColorFormat::Rgba8 && t.format.format == GL_RGBA &&
-             t.format.channel == PixelChannel::UnsignedByte) {
+             t.format.channel == PixelChannel::UnsignedByte && takes(FastPath::CopiedRows)) {
     for (int r = first; r < end; ++r) surface_row(r, t.pixels(r));
   } else {
     auto* rgba = reinterpret_cast<uint8_t(*)[4]>(converted);

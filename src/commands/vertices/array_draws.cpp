@@ -1,6 +1,7 @@
 // DrawArrays, DrawElements and their relatives (GL 1.5, 2.8).
 #include <algorithm>
 
+#include "base/fast_paths.h"
 #include "commands/generated/commands.h"
 #include "commands/vertices/array_element.h"
 #include "commands/vertices/array_fetch.h"
@@ -122,7 +123,8 @@ void draw_elements(Context& c, GLenum mode, uint32_t count, GLenum type, const v
   DrawCall call;
   const auto [low, high] = indices.range;
   // Vertices nobody asks for cost as much as the others, 2-4 ns; to look each index up costs 1-2 ns.
-  if (high >= arrays->limit || uint64_t(high) - low > 2 * uint64_t(indices.count) + 64) {
+  const bool scattered = uint64_t(high) - low > 2 * uint64_t(indices.count) + 64;
+  if (high >= arrays->limit || (scattered && takes(FastPath::CompactVertices))) {
     const CompactVertices vertices = compact(c, *arrays, indices.data, type, indices.count);
     call.indices = vertices.indices;
     call.vertex_count = vertices.vertex_count;

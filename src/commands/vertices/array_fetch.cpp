@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/fast_paths.h"
 #include "commands/vertices/index_range.h"
 #include "context/buffer_objects.h"
 #include "context/context.h"
@@ -121,7 +122,7 @@ AttributeStream copy_tight(Context& c, const ArrayCache::Array& array, uint32_t 
 } // namespace
 
 ArrayCache* current_arrays(Context& c) {
-  if (!is_valid(c)) rebuild(c);
+  if (!is_valid(c) || !takes(FastPath::KeptArrays)) rebuild(c);
   ArrayCache& a = c.arrays;
   for (int i = 0; i < a.watched_count; ++i)
     if (a.watched[i].object->mapped) {

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "base/cpu_features.h"
+#include "base/fast_paths.h"
 
 namespace softgl {
 namespace {
@@ -59,6 +60,7 @@ IndexRange copy_indices(const void* indices, GLenum type, uint32_t count, void* 
 }
 
 IndexRange index_range(BufferObject& buffer, size_t offset, GLenum type, uint32_t count) {
+  if (!takes(FastPath::CachedRanges)) return index_range(buffer.storage->bytes + offset, type, count);
   std::lock_guard lock(buffer.ranges_mutex);
   if (!buffer.ranges)
     buffer.ranges = std::make_unique<BufferObject::CachedRange[]>(BufferObject::kCachedRanges);

@@ -8,6 +8,7 @@
 #include <new>
 
 #include "base/bits.h"
+#include "base/fast_paths.h"
 #include "commands/vertices/attribute_doors.h"
 #include "context/context.h"
 
@@ -113,7 +114,7 @@ void draw_run(Context& c, const std::shared_ptr<VertexRun>& pointer) {
   DrawCall call;
   call.vertex_count = run.vertex_count;
   std::unique_lock lock(run.mutex);
-  if (++run.plays == 2 && !run.late && run.vertex_count >= kFewVertices) {
+  if (++run.plays == 2 && !run.late && run.vertex_count >= kFewVertices && takes(FastPath::JoinedVertices)) {
     try {
       join_equal_vertices(run);
     } catch (const std::bad_alloc&) {} // they stay apart

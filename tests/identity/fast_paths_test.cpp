@@ -1,0 +1,199 @@
+// SOFTGL_DISABLE: every fast path draws what the general one draws, and is off when its name is there.
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "base/fast_paths.h"
+#include "support/environment.h"
+#include "support/runner.h"
+#include "support/traced_program.h"
+
+namespace softgl::test {
+namespace {
+
+/// 20,001 colored vertices on a spiral, more than a round has.
+struct Spiral {
+  std::vector<float> position, color;
+  Spiral() {
+    for (int i = 0; i <= 20000; ++i) {
+      const float t = float(i) / 20000, angle = 200 * t, radius = 1.2f * t + 0.05f * float(i % 3);
+      position.insert(position.end(), {radius * std::cos(angle), radius * std::sin(angle), t - 0.5f});
+      color.insert(color.end(), {t, float(i % 5) / 4, 1 - t});
+    }
+  }
+};
+
+void draw_arrays(const Gl& gl) {
+  static const Spiral spiral;
+  gl.EnableClientState(GL_VERTEX_ARRAY);
+  gl.VertexPointer(3, GL_FLOAT, 0, spiral.position.data());
+  gl.EnableClientState(GL_COLOR_ARRAY);
+  gl.ColorPointer(3, GL_FLOAT, 0, spiral.color.data());
+  gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 20001);
+  const GLuint scattered[] = {1, 20000, 9000, 5, 7000, 14000};
+  gl.DrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_INT, scattered);
+  GLuint buffer[2];
+  gl.GenBuffers(2, buffer);
+  gl.BindBuffer(GL_ARRAY_BUFFER, buffer[0]);
+  gl.BufferData(GL_ARRAY_BUFFER, GLsizeiptr(spiral.position.size() * 4), spiral.position.data(),
+                GL_STATIC_DRAW);
+  gl.VertexPointer(3, GL_FLOAT, 0, nullptr);
+  gl.DisableClientState(GL_COLOR_ARRAY);
+  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer[1]);
+  const GLushort near[] = {100, 101, 102, 103, 104, 105};
+  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, sizeof near, near, GL_STATIC_DRAW);
+  for (float shade : {0.25f, 0.5f}) {
+    gl.Color3f(shade, 1, 1 - shade);
+    gl.DrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_SHORT, nullptr);
+  }
+  gl.DeleteBuffers(2, buffer);
+  gl.DisableClientState(GL_VERTEX_ARRAY);
+}
+
+void draw_list(const Gl& gl) {
+  const GLuint list = gl.GenLists(1);
+  gl.NewList(list, GL_COMPILE);
+  gl.Begin(GL_TRIANGLES);
+  for (int i = 0; i < 100; ++i) {
+    const float x = 0.018f * float(i / 2) - 0.9f, y = 0.3f + 0.1f * float(i % 3);
+    gl.Vertex3f(x, y, -0.8f), gl.Vertex3f(x + 0.018f, y, -0.8f), gl.Vertex3f(x, y + 0.05f, -0.8f);
+  }
+  gl.End();
+  gl.EndList();
+  for (float down : {0.0f, 0.4f, 0.8f}) {
+    gl.Translatef(0, -down, 0);
+    gl.CallList(list);
+    gl.LoadIdentity();
+  }
+  gl.DeleteLists(list, 1);
+}
+
+void draw_textures(const Gl& gl) {
+  GLuint texture;
+  gl.GenTextures(1, &texture);
+  gl.BindTexture(GL_TEXTURE_2D, texture);
+  std::vector<GLubyte> texels(size_t(16) * 16 * 4);
+  for (size_t i = 0; i < texels.size(); ++i) texels[i] = GLubyte(i * 37);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 16, 16, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl.Enable(GL_TEXTURE_2D);
+  for (GLint mode : {GL_MODULATE, GL_BLEND, GL_DECAL, GL_BLEND}) {
+    gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, mode);
+    gl.Translatef(0.4f, 0, 0);
+    gl.Begin(GL_QUADS);
+    gl.Color4f(0.9f, 0.6f, 0.3f, 0.8f);
+    gl.TexCoord2f(0, 0), gl.Vertex3f(-1.3f, -1, -0.9f);
+    gl.TexCoord2f(3, 0), gl.Vertex3f(-1, -1, -0.9f);
+    gl.TexCoord2f(3, 3), gl.Vertex3f(-1, -0.5f, 0.2f);
+    gl.TexCoord2f(0, 3), gl.Vertex3f(-1.3f, -0.5f, 0.2f);
+    gl.End();
+  }
+  gl.LoadIdentity();
+  gl.Disable(GL_TEXTURE_2D);
+  gl.DeleteTextures(1, &texture);
+}
+
+/// Lit with alpha 1 everywhere.
+void draw_opaque(const Gl& gl) {
+  gl.Enable(GL_LIGHTING), gl.Enable(GL_LIGHT0);
+  gl.Begin(GL_TRIANGLES);
+  gl.Normal3f(0, 0.6f, 0.8f), gl.Vertex4f(-0.9f, -0.2f, 0, 1.5f);
+  gl.Normal3f(0.6f, 0, 0.8f), gl.Vertex4f(0.7f, 0, 0, 0.9f);
+  gl.Normal3f(0, 0, 1), gl.Vertex4f(0, 0.8f, 0, 1.2f);
+  gl.End();
+  gl.Disable(GL_LIGHTING);
+}
+
+/// Takes every fast path once at least.
+void draw_everything(Stage& s) {
+  const Gl& gl = s.gl;
+  gl.Enable(GL_DEPTH_TEST);
+  gl.ClearColor(0.2f, 0.4f, 0.6f, 1);
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  draw_list(gl);
+  gl.ClearColor(0.1f, 0, 0.2f, 1);
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT); // hides the list
+  draw_arrays(gl);
+  draw_list(gl);
+  draw_textures(gl);
+  draw_opaque(gl);
+  gl.Finish();
+  std::vector<GLubyte> pixels(size_t(s.width) * size_t(s.height) * 4);
+  gl.ReadPixels(0, 0, s.width, s.height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  // What was read is part of the picture.
+  gl.DrawPixels(s.width / 2, s.height / 2, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+}
+
+struct Run {
+  std::string hashes; // a line for each scene
+  uint32_t taken = 0; // the fast paths that the flushes name
+};
+
+Run run_without(const std::string& names) {
+  names.empty() ? unsetenv("SOFTGL_DISABLE") : setenv("SOFTGL_DISABLE", names.c_str(), 1);
+  const TracedRun traced = run_traced([](const Gl& gl) {
+    const auto print = [&](const Scene& scene, uint64_t seed) {
+      std::fprintf(stderr, "%s %d %016llx\n", scene.name.c_str(), int(seed),
+                   static_cast<unsigned long long>(draw(gl, scene, seed).hash()));
+    };
+    print({"every fast path", draw_everything, false, 512, 512}, 0);
+    for (const char* family : {"triangles", "alpha", "blend", "depth", "near", "points", "lit",
+                               "polygon_stipples", "texture", "texture_units", "combine", "lists", "arrays"})
+      for (uint64_t seed = 0; seed < uint64_t(seed_count(4)); ++seed) print(*find_scene(family), seed);
+  });
+  unsetenv("SOFTGL_DISABLE");
+  CHECK(traced.status == 0);
+  Run run{traced.errors};
+  const std::string label = ", fast paths ";
+  for (size_t at = traced.trace.find(label); at != std::string::npos; at = traced.trace.find(label, at)) {
+    at += label.size();
+    std::string unknown;
+    run.taken |=
+        kAllFastPaths & ~enabled_by(traced.trace.substr(at, traced.trace.find('\n', at) - at), unknown);
+    CHECK(unknown == "");
+  }
+  return run;
+}
+
+const Run& usual_run() {
+  static const Run run = run_without("");
+  return run;
+}
+
+} // namespace
+
+TEST_CASE("each fast path draws what the general one draws", "[identity]") {
+  const Run& usual = usual_run();
+  REQUIRE(usual.hashes.find("every fast path 0 ") == 0);
+  for (uint32_t i = 0; i < uint32_t(FastPath::Count); ++i) {
+    const std::string name = to_names(1u << i);
+    INFO(name);
+    // Vectors of four lanes, as the first instruction set has, share no planes.
+    if (FastPath(i) != FastPath::SharedPlanes) CHECK((usual.taken >> i & 1) == 1);
+    const Run run = run_without(name);
+    CHECK((run.taken >> i & 1) == 0);
+    CHECK(run.hashes == usual.hashes);
+  }
+}
+
+TEST_CASE("without any fast path the picture is the same", "[identity]") {
+  const Run run = run_without("all");
+  CHECK(to_names(run.taken) == "");
+  CHECK(run.hashes == usual_run().hashes);
+}
+
+TEST_CASE("SOFTGL_DISABLE with an unknown name says which there are", "[identity]") {
+  setenv("SOFTGL_DISABLE", "tiny,tinny", 1);
+  const TracedRun run = run_traced([](const Gl&) {});
+  unsetenv("SOFTGL_DISABLE");
+  CHECK(run.status == 0);
+  CHECK(run.errors ==
+        "softgl: SOFTGL_DISABLE has no fast path \"tinny\": there are all," + to_names(kAllFastPaths) + "\n");
+}
+
+} // namespace softgl::test
