@@ -4,6 +4,7 @@
 #include <new>
 #include <optional>
 
+#include "base/assert.h"
 #include "base/fast_paths.h"
 #include "base/float_environment.h"
 #include "base/thread_pool.h"
@@ -234,6 +235,7 @@ private:
     if (piece.count) {
       const PrimitiveRange& range = call.primitives[piece.primitive];
       const ElementRange elements = elements_of_steps(range, piece.first, piece.count);
+      SOFTGL_ASSERT(elements.count && uint64_t(elements.first) + elements.count <= range.count);
       first = range.first + elements.first, count = elements.count;
     }
     const ShadedVertices* vertices = allocate_vertices(*piece.draw, first, count, arena);
@@ -274,7 +276,10 @@ private:
 
   /// Links the units' lists of each tile in the order of the units.
   void join() {
+    [[maybe_unused]] uint32_t piece = 0;
     for (const Unit& unit : units_) {
+      SOFTGL_ASSERT(unit.clear || unit.first_piece == piece);
+      piece += unit.piece_count;
       if (unit.clear) {
         join_clear(unit);
         continue;
@@ -285,6 +290,7 @@ private:
   }
 
   void link(uint32_t tile, TileChunk* first, TileChunk* last) {
+    SOFTGL_ASSERT(tile < tiles_ && first && last && !last->next);
     if (head_[tile])
       tail_[tile]->next = first;
     else
@@ -295,6 +301,7 @@ private:
   void join_clear(const Unit& unit) {
     const ClearRecord& c = *unit.clear;
     if (c.x0 >= c.x1 || c.y0 >= c.y1) return;
+    SOFTGL_ASSERT(c.x0 >= 0 && c.y0 >= 0 && c.x1 <= surface_.width && c.y1 <= surface_.height);
     for (int32_t ty = c.y0 >> 6; ty <= (c.y1 - 1) >> 6; ++ty)
       for (int32_t tx = c.x0 >> 6; tx <= (c.x1 - 1) >> 6; ++tx) {
         const auto tile = static_cast<uint32_t>(ty * surface_.tiles_x + tx);
@@ -333,6 +340,8 @@ Frame::Frame() : most_round_steps_(kFirstRoundSteps) {}
 Frame::~Frame() = default;
 
 void Frame::append(const DrawRecord* draw) {
+  SOFTGL_ASSERT(draw->raster && draw->fragment && draw->layout.slots >= 1);
+  SOFTGL_ASSERT(draw->rectangle ? draw->call.primitive_count == 0 : draw->vertex != nullptr);
   if (tracing) [[unlikely]]
     trace_draw(*draw);
   items_.push_back({draw, nullptr});
@@ -359,6 +368,8 @@ void Frame::make_workers(size_t bytes) {
 
 void Frame::flush(const Surface& surface, const TileReader* reader) {
   if (!items_.empty() && surface.tiles_x > 0 && surface.tiles_y > 0) {
+    SOFTGL_ASSERT(surface.tiles_x == (surface.width + kTileSize - 1) / kTileSize &&
+                  surface.tiles_y == (surface.height + kTileSize - 1) / kTileSize);
     const FloatEnvironment environment;
     make_workers(0);
     std::optional<FlushTrace> trace;

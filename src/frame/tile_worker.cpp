@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstring>
 
+#include "base/assert.h"
 #include "base/fast_paths.h"
 #include "frame/frame.h"
 
@@ -165,11 +166,13 @@ bool clear_hides_all(const ClearRecord& c, const Surface& s, uint32_t tile, bool
 
 void execute_tile(const Surface& surface, uint32_t tile, const TileChunk* work, const RasterKernels& kernels,
                   FragmentBlock& scratch) {
+  SOFTGL_ASSERT(tile < uint32_t(surface.tiles_x) * uint32_t(surface.tiles_y));
   TileTarget target;
   target.x = static_cast<int32_t>(tile % uint32_t(surface.tiles_x)) * kTileSize;
   target.y = static_cast<int32_t>(tile / uint32_t(surface.tiles_x)) * kTileSize;
   for_each_segment(work, [&](const TileSegment& segment) {
     const auto count = static_cast<int32_t>(segment.count);
+    SOFTGL_ASSERT(segment.kind == TileSegment::Clear ? segment.clear != nullptr : segment.draw && count > 0);
     if (segment.kind != TileSegment::Clear) {
       open_tile(surface, tile, *segment.draw);
       const size_t first = first_pixel(surface, tile);

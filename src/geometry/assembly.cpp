@@ -1,6 +1,7 @@
 // Primitive assembly (GL 1.5, 2.6.1): vertices become triangles, lines and points in the corner order that
 // OSMesa hands to set-up, because the order decides last bits. GL_QUADS are cut from corner 0 to corner 2,
 // flat-shaded ones from 1 to 3, see reference/DEVIATIONS.md.
+#include "base/assert.h"
 #include "geometry/clipping.h"
 #include "geometry/geometry.h"
 #include "geometry/line_stipple.h"
@@ -295,6 +296,8 @@ private:
 
 void assemble(const DrawRecord& draw, const ShadedVertices& vertices, const PrimitiveRange& range,
               uint32_t first_step, uint32_t step_count, Arena& arena, PrimitiveSink& sink) {
+  SOFTGL_ASSERT(uint64_t(first_step) + step_count <= assembly_steps(range));
+  SOFTGL_ASSERT(vertices.slot && vertices.clip_mask);
   Assembler assembler(draw, vertices, range, arena, sink);
   const void* indices = draw.call.indices;
   if (!indices) return assembler.run(NoIndices{range.first}, first_step, step_count);

@@ -1,3 +1,4 @@
+#include "base/assert.h"
 #include "base/kernel_table.h"
 #include "geometry/geometry.h"
 #include "geometry/vertex_job.h"
@@ -29,6 +30,8 @@ ShadedVertices* allocate_vertices(const DrawRecord& draw, uint32_t first, uint32
 void shade_vertices(const DrawRecord& draw, uint32_t first, uint32_t count, const ShadedVertices& out) {
   const VertexJob job = make_vertex_job(draw);
   const uint32_t offset = first - out.first;
+  SOFTGL_ASSERT(first >= out.first && offset % 64 == 0 && uint64_t(offset) + count <= out.count);
+  SOFTGL_ASSERT(first >= draw.call.first_vertex && uint64_t(first) + count <= job.end);
   kernels().vertex->shade(job, first, count, out.slot + size_t(offset) * draw.layout.slots,
                           out.clip_mask + offset);
 }

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstring>
 
+#include "base/assert.h"
 #include "base/fast_paths.h"
 #include "raster/line_setup.h"
 #include "raster/point_setup.h"
@@ -26,6 +27,7 @@ RasterPrimitive* TileBinner::new_primitive() {
 
 void TileBinner::bin(const RasterPrimitive& p) {
   if (p.x0 >= p.x1 || p.y0 >= p.y1) return;
+  SOFTGL_ASSERT(p.x0 >= 0 && p.y0 >= 0 && p.x1 <= tiles_x_ * kTileSize && p.edges >= 0 && p.edges <= 4);
   const int32_t tx0 = p.x0 >> 6, tx1 = (p.x1 - 1) >> 6, ty0 = p.y0 >> 6, ty1 = (p.y1 - 1) >> 6;
   const bool many = tx1 > tx0 || ty1 > ty0;
   for (int32_t ty = ty0; ty <= ty1; ++ty)
@@ -109,6 +111,7 @@ void TileBinner::bin_further(const SmallTriangle& t, uint32_t tile, uint32_t fur
 }
 
 void TileBinner::triangles(const DrawRecord&, const AssembledTriangles& batch) {
+  SOFTGL_ASSERT(draw_ && batch.count > 0 && batch.count <= kSetupBatch);
   if (draw_->raster->cull == 3) return;
   const TriangleInput in = {batch.count,
                             tiles_x_,
@@ -155,6 +158,7 @@ void TileBinner::triangles(const DrawRecord&, const AssembledTriangles& batch) {
 }
 
 void TileBinner::lines(const DrawRecord&, const AssembledLines& batch) {
+  SOFTGL_ASSERT(draw_ && batch.count > 0 && batch.count <= kAssemblyBatch);
   for (int32_t i = 0; i < batch.count; ++i) {
     RasterPrimitive* p = new_primitive();
     if (setup_line(*draw_, batch.corner[0][i], batch.corner[1][i], batch.back >> i & 1, *p)) bin(*p);
@@ -162,6 +166,7 @@ void TileBinner::lines(const DrawRecord&, const AssembledLines& batch) {
 }
 
 void TileBinner::points(const DrawRecord&, const AssembledPoints& batch) {
+  SOFTGL_ASSERT(draw_ && batch.count > 0 && batch.count <= kAssemblyBatch);
   for (int32_t i = 0; i < batch.count; ++i) {
     RasterPrimitive* p = new_primitive();
     if (setup_point(*draw_, batch.corner[i], batch.back >> i & 1, *p)) bin(*p);

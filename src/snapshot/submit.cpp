@@ -1,7 +1,9 @@
 // submit(): the record of a draw or of a rectangle of pixels, with its snapshots.
 #include "snapshot/submit.h"
 
+#include "base/assert.h"
 #include "context/context.h"
+#include "snapshot/check_call.h"
 #include "snapshot/derived_state.h"
 #include "snapshot/feedback.h"
 #include "snapshot/flush.h"
@@ -16,6 +18,9 @@ void submit(Context& c, const DrawCall& call) {
   if (!has_position || call.primitive_count == 0 || call.vertex_count == 0 ||
       c.framebuffer.surface.width == 0)
     return;
+  check_call(call);
+  // The frame's arena is needed now: no run of live vertices may be open in it.
+  SOFTGL_ASSERT(c.builder.compiling || !c.builder.base);
   if (c.state.render_mode.mode != GL_RENDER) return feed_back(c, call);
   update_snapshots(c, call);
   const SnapshotCache& cache = c.snapshots;

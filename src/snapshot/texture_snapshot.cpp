@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "base/assert.h"
 #include "base/fast_paths.h"
 #include "base/kernel_table.h"
 #include "context/context.h"
@@ -91,6 +92,8 @@ void set_levels(const TextureObject& object, CompleteLevels levels, TextureUnitC
     for (int face = 0; face < faces; ++face) {
       const TextureImage& image = *object.image[face][levels.first + i];
       const int bytes = image.format->bytes();
+      SOFTGL_ASSERT(image.row_bytes == size_t(image.width + 1) * size_t(bytes));
+      SOFTGL_ASSERT(image.texels.size() >= image.slice_bytes * size_t(image.depth) + 8);
       level = {{level.face[0], level.face[1], level.face[2], level.face[3], level.face[4], level.face[5]},
                image.width,
                image.height,

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <vector>
 
+#include "base/assert.h"
 #include "texture/pixel_formats.h"
 
 namespace softgl {
@@ -12,7 +13,10 @@ namespace {
 /// Copies the pixels of a row block by block: 8 neighbours are contiguous.
 template <class Pixel>
 void copy_row(const Surface& s, const Pixel* plane, int x, int y, int count, Pixel* row) {
+  SOFTGL_ASSERT(x >= 0 && count >= 0 && x + count <= s.width && y >= 0 && y < s.height);
   while (count > 0) {
+    const TileState& tile = s.tile[(y >> 6) * s.tiles_x + (x >> 6)];
+    SOFTGL_ASSERT(tile.place != kNoPlace && !tile.color.waits && !tile.depth_stencil.waits);
     const int run = std::min(count, 8 - (x & 7));
     std::memcpy(row, plane + pixel_index(s, x, y), size_t(run) * sizeof(Pixel));
     x += run;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/assert.h"
 #include "texture/pixel_formats.h"
 #include "texture/pixel_transfer.h"
 
@@ -15,6 +16,7 @@ uint64_t image_bytes(const TexelFormat& format, int width, int height, int depth
 std::shared_ptr<TextureImage> make_image(const TexelFormat& format, GLint internal_format, int width,
                                          int height, int depth) {
   auto image = std::make_shared<TextureImage>();
+  SOFTGL_ASSERT(width >= 0 && height >= 0 && depth >= 0);
   image->format = &format;
   image->internal_format = internal_format;
   image->width = width;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/assert.h"
 #include "base/gl_types.h"
 #include "base/vectors.h"
 #include "shaders/common/limits.h"
@@ -25,6 +26,7 @@ struct TextureImage {
 
   bool empty() const { return width == 0 || height == 0 || depth == 0; }
   unsigned char* at(int x, int y, int z) {
+    SOFTGL_ASSERT(x >= 0 && x <= width && y >= 0 && y <= height && z >= 0 && z < depth);
     return texels.data() + size_t(z) * slice_bytes + size_t(y) * row_bytes +
            size_t(x) * size_t(format->bytes());
   }

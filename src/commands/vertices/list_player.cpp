@@ -5,6 +5,7 @@
 #include <cstring>
 #include <new>
 
+#include "base/assert.h"
 #include "commands/generated/list_playback.h"
 #include "commands/vertices/attribute_doors.h"
 #include "commands/vertices/list_commands.h"
@@ -36,11 +37,17 @@ void play_list(Context& c, const DisplayList& list) {
   for (; at != end; at += header.units) {
     std::memcpy(&header, at, sizeof header);
     const uint64_t* arguments = at + 1;
+    SOFTGL_ASSERT(header.units >= 1 && header.units <= size_t(end - at));
     switch (header.opcode) {
-    case kPlayRun: play_run(c, list.runs[*arguments]); break;
+    case kPlayRun:
+      SOFTGL_ASSERT(*arguments < list.runs.size());
+      play_run(c, list.runs[*arguments]);
+      break;
     case kPlayAttribute: {
       AttributeRecord r;
+      SOFTGL_ASSERT(header.units == 1 + sizeof r / 8);
       std::memcpy(&r, arguments, sizeof r);
+      SOFTGL_ASSERT(r.slot < kAttributeSlots);
       set_attribute4(c, int(r.slot), r.value[0], r.value[1], r.value[2], r.value[3]);
       break;
     }
@@ -52,6 +59,7 @@ void play_list(Context& c, const DisplayList& list) {
     case kPlayCallList: call_list(c, GLuint(*arguments)); break;
     case kPlayCallLists: {
       const auto* offsets = reinterpret_cast<const GLuint*>(arguments + 1);
+      SOFTGL_ASSERT(header.units >= 2 + (*arguments + 1) / 2);
       for (uint64_t i = 0; i < *arguments; ++i) call_list(c, c.state.list.base + offsets[i]);
       break;
     }

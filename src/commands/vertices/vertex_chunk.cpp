@@ -2,7 +2,23 @@
 
 #include <cstring>
 
+#include "base/assert.h"
+
 namespace softgl {
+namespace {
+
+/// The builder's pointers and its layout fit together.
+void check_builder(const VertexBuilder& b) {
+  SOFTGL_ASSERT((b.base != nullptr) == (b.out != nullptr));
+  SOFTGL_ASSERT(b.base || !b.limit);
+  SOFTGL_ASSERT(b.out - b.base == 4 * ptrdiff_t(b.slots) * ptrdiff_t(b.vertex_count()));
+  SOFTGL_ASSERT(!b.base || size_t(b.out - b.base) * sizeof(float) <= b.capacity);
+  SOFTGL_ASSERT(!b.limit || b.limit == room_end(b));
+  SOFTGL_ASSERT(b.slots == uint32_t(__builtin_popcount(b.present)));
+  SOFTGL_ASSERT(b.compiling || !b.memory);
+}
+
+} // namespace
 
 float* room_end(const VertexBuilder& b) {
   return b.base + b.capacity / sizeof(float) - 4 * ptrdiff_t(b.slots) + 1;
@@ -10,6 +26,7 @@ float* room_end(const VertexBuilder& b) {
 
 void open_chunk(Context& c, size_t minimum) {
   VertexBuilder& b = c.builder;
+  SOFTGL_ASSERT(!b.base && !b.memory); // no chunk is open
   if (b.compiling) {
     b.memory.reset(static_cast<float*>(std::malloc(minimum)));
     if (!b.memory) throw std::bad_alloc();
@@ -24,6 +41,7 @@ void open_chunk(Context& c, size_t minimum) {
 void grow_chunk(Context& c, size_t bytes) {
   VertexBuilder& b = c.builder;
   const size_t used = size_t(b.out - b.base) * sizeof(float);
+  SOFTGL_ASSERT(b.base && bytes >= used);
   if (b.compiling) {
     auto* moved = static_cast<float*>(std::realloc(b.memory.get(), bytes));
     if (!moved) throw std::bad_alloc();
@@ -44,6 +62,8 @@ void add_slot(Context& c, int slot, const float* earlier) {
   VertexBuilder& b = c.builder;
   const uint32_t count = b.vertex_count(), old = b.slots, slots = old + 1;
   const size_t bytes = (size_t(count) + 1) * slots * 16;
+  check_builder(b);
+  SOFTGL_ASSERT(b.base && slots <= kAttributeSlots && !(b.present >> slot & 1));
   if (bytes > b.capacity) grow_chunk(c, 2 * bytes);
   for (uint32_t i = count; i-- > 0;) {
     float* to = b.base + size_t(i) * 4 * slots;
@@ -60,6 +80,8 @@ void add_slot(Context& c, int slot, const float* earlier) {
 
 void remove_slot(VertexBuilder& b, int slot) {
   const uint32_t count = b.vertex_count(), old = b.slots, slots = old - 1, gone = b.offset[slot];
+  check_builder(b);
+  SOFTGL_ASSERT(gone && gone < old && b.present >> slot & 1 && !b.inside());
   for (uint32_t i = 0; i < count; ++i) {
     const float* from = b.base + size_t(i) * 4 * old;
     float* to = b.base + size_t(i) * 4 * slots;

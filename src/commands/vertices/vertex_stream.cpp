@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "base/bits.h"
+#include "base/assert.h"
 #include "commands/vertices/attribute_doors.h"
 #include "commands/vertices/list_compilation.h"
 #include "commands/vertices/vertex_chunk.h"
@@ -27,6 +28,8 @@ void draw_chunk(Context& c) {
   } const emptied{b};
   const uint32_t count = b.vertex_count();
   const float* base = b.base;
+  SOFTGL_ASSERT(b.out == base + size_t(count) * 4 * b.slots);
+  SOFTGL_ASSERT(size_t(count) * b.slots * 16 <= b.capacity);
   Arena& arena = c.frame.arena();
   arena.give_back(b.base, size_t(count) * b.slots * 16);
   b.base = b.out = nullptr;
@@ -190,6 +193,7 @@ void close_run(Context& c) {
   for (const int slot : Bits(b.present & ~1u)) set_current(c, slot, b.value[b.offset[slot]]);
   for (const int slot : Bits(b.deferred)) set_current(c, slot, b.deferred_value[slot]);
   b.deferred = 0;
+  SOFTGL_ASSERT(!b.base && !b.limit && b.primitives.empty()); // no run is open
   forget_layout(b);
 }
 
