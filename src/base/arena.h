@@ -19,10 +19,7 @@ public:
   explicit Arena(size_t block_bytes = 256 * 1024) : block_bytes_(block_bytes) {}
   Arena(const Arena&) = delete;
   Arena& operator=(const Arena&) = delete;
-  ~Arena() {
-    for (auto& b : blocks_)
-      if (b.owned) unmap_pages(b.memory, b.size);
-  }
+  ~Arena() { release(); }
 
   /// `bytes` of uninitialised memory, aligned to 64 bytes. Throws std::bad_alloc.
   void* allocate(size_t bytes) {
@@ -60,6 +57,13 @@ public:
     used_ = 0;
     current_ = 0;
     next_ = end_ = nullptr;
+  }
+  /// Forgets all allocations and gives the blocks back.
+  void release() {
+    for (const Block& b : blocks_)
+      if (b.owned) unmap_pages(b.memory, b.size);
+    blocks_.clear();
+    reset();
   }
   /// Where allocation stands, and back there: forgets what was allocated since.
   struct Mark {

@@ -366,7 +366,7 @@ void Frame::make_workers(size_t bytes) {
                  std::max(bytes, (sizeof(Workers::Scratch) + 63) & ~size_t(63)));
 }
 
-void Frame::flush(const Surface& surface, const TileReader* reader) {
+void Frame::flush(const Surface& surface, const TileReader* reader) try {
   if (!items_.empty() && surface.tiles_x > 0 && surface.tiles_y > 0) {
     SOFTGL_ASSERT(surface.tiles_x == (surface.width + kTileSize - 1) / kTileSize &&
                   surface.tiles_y == (surface.height + kTileSize - 1) / kTileSize);
@@ -378,6 +378,16 @@ void Frame::flush(const Surface& surface, const TileReader* reader) {
     if (trace) trace->end(arena_.used(), rounds, ThreadPool::instance().workers());
     most_round_steps_ = std::min(2 * most_round_steps_, kRoundSteps);
   }
+  forget_work();
+} catch (...) {
+  // Tried again it would fail again: it is dropped, and the memory goes back to those who need it.
+  forget_work();
+  arena_.release();
+  workers_.reset();
+  throw;
+}
+
+void Frame::forget_work() {
   items_.clear();
   retained_.clear();
   retained_bytes_ = 0;

@@ -53,7 +53,8 @@ public:
   /// Appends the memory that frames of some size will write first, to be brought in early.
   void prepare(std::vector<Pages>& pages);
   /// Does all work on `surface` with all threads and forgets it; snapshots taken from State must be taken
-  /// anew after it (kDirtyAll). Same bytes for any number of threads.
+  /// anew after it (kDirtyAll). Same bytes for any number of threads. When memory ends it throws; the rest of
+  /// the work is forgotten, too.
   void flush(const Surface& surface, const TileReader* reader = nullptr);
 
 private:
@@ -72,6 +73,7 @@ private:
   size_t abandoned_bytes();
   std::vector<Item> items_;
   uint32_t most_round_steps_;
+  void forget_work();
   void make_workers(size_t bytes); // of scratch memory for each new one, at least
   struct Workers;                  // memory of the workers, kept from flush to flush
   std::unique_ptr<Workers> workers_;

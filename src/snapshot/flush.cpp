@@ -8,10 +8,11 @@ namespace softgl {
 
 void execute_frame(Context& c, const TileReader* reader) {
   const FloatEnvironment environment;
-  c.frame.flush(c.framebuffer.surface, reader);
+  // Also of a frame that there is no memory for, a part may be drawn.
+  c.framebuffer.unresolved = c.framebuffer.unwritten = true;
   c.dirty = kDirtyAll;
+  c.frame.flush(c.framebuffer.surface, reader);
   c.framebuffer.unresolved = !reader;
-  c.framebuffer.unwritten = true;
   ++c.framebuffer.counts.flushes;
 }
 

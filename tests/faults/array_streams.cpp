@@ -74,10 +74,13 @@ void buffer_objects(Player& p) {
   gl.BindBuffer(GL_ARRAY_BUFFER, names[0]);
   gl.BufferData(GL_ARRAY_BUFFER, GLsizeiptr(data.size() * sizeof(Vertex)), data.data(), GL_DYNAMIC_DRAW);
   p.check();
+  if (p.out_of_memory()) return; // without a buffer its offsets would be addresses
   point_at(gl, nullptr);
   draw_all(p, shorts, few);
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, names[1]);
   gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, 4000, shorts.data(), GL_STATIC_DRAW);
+  p.check();
+  if (p.out_of_memory()) return;
   for (int i = 0; i < 4; ++i) {
     gl.DrawElements(GL_TRIANGLES, 300 + 30 * i, GL_UNSIGNED_SHORT,
                     nullptr); // ranges of indices are remembered

@@ -23,6 +23,7 @@ void shape(Player& p, int triangles, bool attributes) {
 void play(Player& p, GLuint list) {
   for (int i = 0; i < 3; ++i) {
     p.gl.CallList(list);
+    p.check();
     p.gl.Translatef(0.1f, 0.05f, 0);
   }
   p.gl.LoadIdentity();
@@ -121,17 +122,23 @@ void commands_and_errors(Player& p) {
     gl.DrawPixels(8, 8, GL_RGBA, GL_UNSIGNED_BYTE, texels);
     gl.MultMatrixf(std::array<float, 16>{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0.1f, 0, 0, 1}.data());
     gl.PolygonStipple(&texels[0][0][0]);
-    gl.Enable(GL_FOG + 1);
-    gl.Begin(77);
-    gl.LineWidth(-1);
     gl.PushMatrix();
     gl.PopMatrix();
-    gl.Clear(1);
     gl.EndList();
     p.check();
+    play(p, list);
+    // The first error hides all others: a list that has one says nothing about memory.
+    gl.NewList(list, mode);
+    gl.Enable(GL_FOG + 1);
+    p.check();
+    gl.Begin(77);
+    p.check();
+    gl.LineWidth(-1);
+    gl.EndList();
+    p.check();
+    gl.CallList(list);
+    p.check();
   }
-  play(p, list);
-  p.check();
   gl.DeleteLists(list, 1);
   gl.DeleteTextures(1, &texture);
 }

@@ -88,8 +88,26 @@ bool read_attributes(const int* list, ContextRequest& request) {
          request.minor >= 0;
 }
 
-void leave(Context* c) {
-  if (c && !(c->guard & kNoContext)) finish_and_resolve(*c);
+/// The picture goes to the caller's buffer before the thread takes another context. False: there was no
+/// memory for it.
+bool leave(Context& c) noexcept try {
+  if (!(c.guard & kNoContext)) finish_and_resolve(c);
+  return true;
+} catch (...) {
+  set_error(c, GL_OUT_OF_MEMORY);
+  return false;
+}
+
+/// The planes of a context that becomes current.
+bool allocate_planes(Context& c, int width, int height, ColorFormat color_format) noexcept try {
+  flush_rendering(c);
+  if (!c.framebuffer.allocate(width, height, color_format)) throw std::bad_alloc();
+  c.framebuffer.unresolved = false;
+  c.framebuffer.depth_copy.clear();
+  return true;
+} catch (...) {
+  set_error(c, GL_OUT_OF_MEMORY);
+  return false;
 }
 
 const struct {
@@ -162,7 +180,7 @@ SOFTGL_EXPORT GLboolean OSMesaMakeCurrent(OSMesaContext ctx, void* buffer, GLenu
                                           GLsizei height) {
   SOFTGL_TRACED(OSMesaMakeCurrent, ctx, buffer, type, width, height);
   if (!ctx && !buffer) {
-    leave(current_context);
+    if (!leave(*current_context)) return GL_FALSE;
     current_context = none_context();
     return GL_TRUE;
   }
@@ -174,20 +192,10 @@ SOFTGL_EXPORT GLboolean OSMesaMakeCurrent(OSMesaContext ctx, void* buffer, GLenu
     return GL_FALSE;
   }
   Framebuffer& f = ctx->framebuffer;
-  bool new_planes = false;
-  try {
-    if (current_context != ctx) leave(current_context);
-    if (f.surface.width != width || f.surface.height != height || f.surface.color_format != color_format) {
-      flush_rendering(*ctx);
-      if (!f.allocate(width, height, color_format)) {
-        set_error(*ctx, GL_OUT_OF_MEMORY);
-        return GL_FALSE;
-      }
-      f.unresolved = false;
-      f.depth_copy.clear();
-      new_planes = true;
-    }
-  } catch (...) { return GL_FALSE; }
+  if (current_context != ctx && !leave(*current_context)) return GL_FALSE;
+  const bool new_planes =
+      f.surface.width != width || f.surface.height != height || f.surface.color_format != color_format;
+  if (new_planes && !allocate_planes(*ctx, width, height, color_format)) return GL_FALSE;
   f.client.data = buffer;
   f.client.type = type;
   if (new_planes) prepare_first_frame(*ctx);

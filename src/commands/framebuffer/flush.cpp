@@ -1,5 +1,7 @@
 #include "commands/framebuffer/flush.h"
 
+#include <new>
+
 #include "base/early_pages.h"
 #include "base/fast_paths.h"
 #include "commands/generated/commands.h"
@@ -43,7 +45,7 @@ void finish_and_resolve(Context& c) {
   ++f.counts.resolves;
 }
 
-void prepare_first_frame(Context& c) {
+void prepare_first_frame(Context& c) noexcept try {
   // 4 ms of a first frame of 1024x1024 pixels and 70,000 triangles. Small surfaces see small frames; of very
   // large ones not all may ever be drawn on.
   constexpr int64_t kLeast = 256 * 1024, kMost = 8 << 20;
@@ -54,7 +56,7 @@ void prepare_first_frame(Context& c) {
   c.frame.prepare(pages);
   c.framebuffer.prepare(pages);
   bring_in(pages);
-}
+} catch (const std::bad_alloc&) {} // the first frame asks for what is missing itself
 
 namespace gl {
 

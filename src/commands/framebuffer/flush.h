@@ -12,6 +12,6 @@ void flush_rendering(Context& context);
 void finish_and_resolve(Context& context);
 /// To be called when the planes are new: has the memory of the first frame brought in while the caller
 /// prepares it.
-void prepare_first_frame(Context& context);
+void prepare_first_frame(Context& context) noexcept;
 
 } // namespace softgl
