@@ -31,6 +31,4 @@ ALLOCATION_FAILURES("pixels")
 ALLOCATION_FAILURES("state")
 ALLOCATION_FAILURES("contexts")
 
-TEST_CASE("allocation failures: random episodes", "[faults]") { play_streams("--random 100 --threads 0"); }
-
 } // namespace softgl::test

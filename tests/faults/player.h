@@ -42,6 +42,9 @@ public:
   void refuse() { out_of_memory_ = true; }
 
   bool out_of_memory() const { return out_of_memory_; }
+  /// For streams that do not ask after each command: an error has hidden all later ones.
+  void note_hidden_errors() { other_errors_ = true; }
+  bool other_errors() const { return other_errors_; }
   uint64_t result() const { return result_; }
 
   /// Leaves nothing open and all state as it was in the beginning, in the player's own context.
@@ -58,7 +61,7 @@ private:
 
   const uint64_t seed_;
   std::vector<std::unique_ptr<Context>> contexts_;
-  bool out_of_memory_ = false;
+  bool out_of_memory_ = false, other_errors_ = false;
   uint64_t result_ = 0;
 };
 
