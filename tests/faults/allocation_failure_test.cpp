@@ -25,10 +25,14 @@ void play_streams(const std::string& arguments) {
     play_streams("--stream " kind " --threads 2 --most 60"); \
   }
 
+ALLOCATION_FAILURES("vertices")
+ALLOCATION_FAILURES("lists")
 ALLOCATION_FAILURES("arrays")
 ALLOCATION_FAILURES("textures")
 ALLOCATION_FAILURES("pixels")
 ALLOCATION_FAILURES("state")
 ALLOCATION_FAILURES("contexts")
+
+TEST_CASE("allocation failures: random episodes", "[faults]") { play_streams("--random 300 --threads 0"); }
 
 } // namespace softgl::test

@@ -20,7 +20,7 @@ struct Outcome {
   uint64_t calls = 0, failed = 0;
   uint64_t result = 0;        // of the stream while memory ended
   bool out_of_memory = false; // and it said so
-  bool other_errors = false;  // which may have hidden that
+  bool disorderly = false;    // pictures of the stream say nothing
   uint64_t frame = 0;         // the reference frame drawn after it
   uint64_t again = 0;         // of the stream, played once more
   bool again_out_of_memory = false;

@@ -113,7 +113,7 @@ void Player::restore() {
 void Player::restart() {
   random = Random(seed_);
   result_ = 0xcbf29ce484222325u;
-  out_of_memory_ = other_errors_ = false;
+  out_of_memory_ = disorderly_ = false;
 }
 
 // --- The reference frame

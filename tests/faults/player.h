@@ -42,9 +42,9 @@ public:
   void refuse() { out_of_memory_ = true; }
 
   bool out_of_memory() const { return out_of_memory_; }
-  /// For streams that do not ask after each command: an error has hidden all later ones.
-  void note_hidden_errors() { other_errors_ = true; }
-  bool other_errors() const { return other_errors_; }
+  /// For commands without a plan: an error may hide all later ones, and objects of before are used again.
+  void note_disorder() { disorderly_ = true; }
+  bool disorderly() const { return disorderly_; }
   uint64_t result() const { return result_; }
 
   /// Leaves nothing open and all state as it was in the beginning, in the player's own context.
@@ -61,7 +61,7 @@ private:
 
   const uint64_t seed_;
   std::vector<std::unique_ptr<Context>> contexts_;
-  bool out_of_memory_ = false, other_errors_ = false;
+  bool out_of_memory_ = false, disorderly_ = false;
   uint64_t result_ = 0;
 };
 

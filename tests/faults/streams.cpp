@@ -17,7 +17,7 @@ void run_hostile_commands(Player& player) {
   const Gl& gl = player.gl;
   Random& random = player.random;
   set_up_arrays(gl);
-  player.note_hidden_errors();
+  player.note_disorder();
   const int length = random.integer(20, 300);
   for (int i = 0; i < length; ++i) {
     const FuzzCommand& command = random_fuzz_command(random);
