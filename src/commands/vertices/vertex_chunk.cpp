@@ -52,6 +52,7 @@ void grow_chunk(Context& c, size_t bytes) {
   } else {
     const float* old = b.base;
     c.frame.arena().give_back(b.base, used);
+    b.base = nullptr;
     open_chunk(c, bytes);
     std::memcpy(b.base, old, used);
   }
