@@ -17,5 +17,5 @@ namespace softgl {
 #define SOFTGL_ASSERT(condition) \
   ((condition) ? void(0) : ::softgl::assertion_failed(__FILE__, __LINE__, #condition))
 #else
-#define SOFTGL_ASSERT(condition) void(sizeof(!(condition))) // not evaluated
+#define SOFTGL_ASSERT(condition) void(true || (condition)) // compiled, not evaluated
 #endif

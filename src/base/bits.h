@@ -1,9 +1,14 @@
-// The bits of a mask, one by one.
+// Bits: those of a mask, one by one, and those of values.
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 
 namespace softgl {
+
+/// True where two values are the same bit by bit, as pictures need it: -0 is not 0, and what is not a number
+/// is itself.
+inline bool same_bits(const void* a, const void* b, size_t bytes) { return std::memcmp(a, b, bytes) == 0; }
 
 /// for (const int i : Bits(mask)): the numbers of the bits that are set, the lowest first.
 class Bits {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/bits.h"
 #include "base/trigonometry.h"
 
 namespace softgl {
@@ -62,15 +63,14 @@ void set_identity(Matrix& matrix) {
 }
 
 void load(Matrix& matrix, const float m[16]) {
-  if (std::memcmp(m, matrix.data(), 16 * sizeof(float)) == 0)
-    return; // OSMesa keeps the flags of an equal matrix
+  if (same_bits(m, matrix.data(), 16 * sizeof(float))) return; // OSMesa keeps the flags of an equal matrix
   std::memcpy(matrix.data(), m, 16 * sizeof(float));
   matrix.flags = kMatrixGeneral | kMatrixDirty;
 }
 
 void multiply(Matrix& matrix, const float m[16]) {
   const glm::mat4 identity(1.0f);
-  if (std::memcmp(m, &identity, sizeof identity) == 0) return;
+  if (same_bits(m, &identity, sizeof identity)) return;
   matrix.flags |= kMatrixGeneral | kMatrixDirty;
   multiply_full(matrix.data(), matrix.data(), m);
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/assert.h"
+#include "base/bits.h"
 #include "base/fast_paths.h"
 #include "context/context.h"
 #include "snapshot/fragment_snapshot.h"
@@ -201,7 +202,7 @@ uint64_t find_changes(Context& c, const DrawCall& call, SnapshotCache& cache) {
   if (set(cache.draws_points, s.point.attenuated() && draws_points(call, s.polygon))) changed |= kDrawnPoints;
   const float* color = &call.constant[kColor][0];
   if (s.lighting.enabled && s.lighting.color_material_enabled &&
-      std::memcmp(color, cache.color, sizeof cache.color) != 0) {
+      !same_bits(color, cache.color, sizeof cache.color)) {
     std::memcpy(cache.color, color, sizeof cache.color);
     changed |= kConstantColor;
   }

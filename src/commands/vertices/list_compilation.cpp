@@ -49,7 +49,7 @@ void append_attribute(Context& c, int slot, const float* value) {
 /// True if all vertices have the same value of the attribute at `offset`.
 bool is_uniform(const float* vertices, uint32_t count, uint32_t slots, unsigned offset) {
   for (uint32_t i = 1; i < count; ++i)
-    if (std::memcmp(vertices + 4 * offset, vertices + size_t(i) * 4 * slots + 4 * offset, 16)) return false;
+    if (!same_bits(vertices + 4 * offset, vertices + size_t(i) * 4 * slots + 4 * offset, 16)) return false;
   return true;
 }
 
@@ -72,7 +72,7 @@ void record_uniform_attributes(Context& c) {
     remove_slot(b, slot);
     append_attribute(c, slot, value);
     if (!b.base) return; // memory has ended
-    if (std::memcmp(value, last, 16)) defer(b, slot, last);
+    if (!same_bits(value, last, 16)) defer(b, slot, last);
   }
 }
 

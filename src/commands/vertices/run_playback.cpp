@@ -46,7 +46,7 @@ const std::shared_ptr<VertexBlock>& fill_late_values(Context& c, VertexRun& run)
   bool same = run.late_block != nullptr;
   for (const int slot : Bits(run.late)) {
     const float* now = &c.state.current.slot[slot].x;
-    if (std::memcmp(run.late_value[slot], now, 16)) {
+    if (!same_bits(run.late_value[slot], now, 16)) {
       same = false;
       std::memcpy(run.late_value[slot], now, 16);
     }
@@ -87,7 +87,7 @@ void join_equal_vertices(VertexRun& run) {
       hash ^= hash >> 32;
     }
     size_t at = hash & (size - 1);
-    while (table[at] && std::memcmp(vertices + size_t(first[table[at] - 1]) * 2 * words, vertex, words * 8))
+    while (table[at] && !same_bits(vertices + size_t(first[table[at] - 1]) * 2 * words, vertex, words * 8))
       at = (at + 1) & (size - 1);
     if (!table[at]) {
       first.push_back(i);

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "base/bits.h"
 #include "base/assert.h"
+#include "base/bits.h"
 #include "commands/vertices/attribute_doors.h"
 #include "commands/vertices/list_compilation.h"
 #include "commands/vertices/vertex_chunk.h"
@@ -105,7 +105,7 @@ void apply_deferred(Context& c) {
   VertexBuilder& b = c.builder;
   if (!b.compiling && b.vertex_count() > kWidenLimit) {
     for (const int slot : Bits(b.deferred)) {
-      if (std::memcmp(b.deferred_value[slot], &c.state.current.slot[slot], 16)) {
+      if (!same_bits(b.deferred_value[slot], &c.state.current.slot[slot], 16)) {
         close_run(c);
         open_chunk(c);
         return;
@@ -116,7 +116,7 @@ void apply_deferred(Context& c) {
   for (const int slot : Bits(b.deferred)) {
     const float* now = b.deferred_value[slot];
     const float* before = b.compiling ? unknown : &c.state.current.slot[slot].x;
-    if (!b.compiling && !std::memcmp(now, before, 16)) continue;
+    if (!b.compiling && same_bits(now, before, 16)) continue;
     if (!b.compiling && b.vertex_count() == 0) {
       set_current(c, slot, now);
       continue;
@@ -199,7 +199,7 @@ void close_run(Context& c) {
 
 void set_current(Context& c, int slot, const float* value) {
   Vec4& current = c.state.current.slot[slot];
-  if (!std::memcmp(&current, value, 16)) return;
+  if (same_bits(&current, value, 16)) return;
   std::memcpy(&current, value, 16);
   c.dirty |= slot >= kMaterial0 ? kDirtyMaterial : kDirtyCurrent;
 }
