@@ -44,7 +44,7 @@ struct RasterKernels {
   void (*tile_fragments)(const TileTarget& tile, const RasterDraw& draw, const SmallFragments& fragments,
                          int32_t count);
   // Stages of fragment programs.
-  FragmentStage light; // colours from normals, eye positions and materials
+  FragmentStage light; // colors from normals, eye positions and materials
   FragmentStage color_sum, color_sum_clamped, fog_linear, fog_exp, fog_exp2;
   FragmentStage alpha_test_8, alpha_test_float; // `unit` is the comparison
   FragmentStage image[4];                       // by PixelElement; in front of all others
@@ -60,7 +60,7 @@ struct TextureKernels {
   FragmentStage modulate_fixed; // the same and GL_MODULATE; leaves no texel
   FragmentStage sample_float;   // everything else
   FragmentStage replace, modulate;
-  FragmentStage combine; // all units' environments in one, and the colour sum
+  FragmentStage combine; // all units' environments in one, and the color sum
 };
 
 } // namespace softgl

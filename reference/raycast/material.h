@@ -31,7 +31,7 @@ struct Material {
   double phongExponent = 1;
   Vec3 kEmission{0, 0, 0}; // OpenGL's equation only
 
-  /// The colour of a point, not clamped.
+  /// The color of a point, not clamped.
   Vec3 shade(const Hit& hit, const Ray& ray, const Illumination& illumination) const;
 
 private:

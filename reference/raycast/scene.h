@@ -28,7 +28,7 @@ struct Scene {
 
   /// The nearest hit of all shapes.
   std::optional<Hit> nearest(const Ray& ray) const;
-  /// The colour that a ray brings back, not clamped.
+  /// The color that a ray brings back, not clamped.
   Vec3 color(const Ray& ray) const;
 };
 

@@ -37,7 +37,7 @@ spec::Light read_light(Line& line) {
   spec::Light light;
   const Vec3 p = line.vector("position of the light");
   light.position = {p.x, p.y, p.z, line.number("w of the light: 1, or 0 for a direction")};
-  light.diffuse = light.specular = line.vector("colour of the light");
+  light.diffuse = light.specular = line.vector("color of the light");
   for (std::string word; line.word(word);) {
     if (word == "ambient")
       light.ambient = line.vector("ambient");

@@ -83,19 +83,19 @@ LitColor light_vertex(const LightModel& model, std::span<const Light> lights, co
                       Vec4 vertex, Vec3 normal);
 /// Twice the signed area of a polygon in window coordinates, equation 2.6; the third coordinate is not used.
 double twice_signed_area(std::span<const Vec3> window);
-/// True where the back colour is selected: light_vertex with the back material and -n.
+/// True where the back color is selected: light_vertex with the back material and -n.
 bool faces_back(double area, bool front_face_is_clockwise);
 
 // 2.14.3 ColorMaterial
 
 enum class TrackedColor { Emission, Ambient, Diffuse, Specular, AmbientAndDiffuse };
-/// The material whose tracked parameters are the current colour.
+/// The material whose tracked parameters are the current color.
 Material track_color(Material material, TrackedColor parameters, Vec4 color);
 
 // 2.14.6 Clamping, 2.14.9 Final color processing, 3.9 Color sum
 
 LitColor clamped(const LitColor& color);
-/// The colour of an untextured fragment: primary + secondary, clamped.
+/// The color of an untextured fragment: primary + secondary, clamped.
 Vec4 color_sum(const LitColor& color);
 /// A component in [0, 1] rounded to 8 bits.
 uint8_t to_fixed_point(double component);

@@ -1,4 +1,4 @@
-// Vectors, colours and matrices in double, with the operators of GL 1.5, 2.14.1.
+// Vectors, colors and matrices in double, with the operators of GL 1.5, 2.14.1.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ constexpr Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b
 constexpr Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 constexpr Vec3 operator-(Vec3 a) { return {-a.x, -a.y, -a.z}; }
 constexpr Vec3 operator*(double s, Vec3 a) { return {s * a.x, s * a.y, s * a.z}; }
-/// The product of two colours, component by component.
+/// The product of two colors, component by component.
 constexpr Vec3 operator*(Vec3 a, Vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 
 constexpr double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }

@@ -27,7 +27,7 @@ struct LightingConstants {
   int32_t light_count;
   float model_ambient[3];
   float material[5][2][4]; // [MaterialParameter][face], where constant
-  // Slot that feeds a material parameter as lanes: a material slot, kColor (colour material), or -1 =
+  // Slot that feeds a material parameter as lanes: a material slot, kColor (color material), or -1 =
   // constant.
   int8_t material_source[5][2];
   float scene[2][4];       // emission + model ambient * ambient; alpha = diffuse alpha

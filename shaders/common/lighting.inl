@@ -108,10 +108,10 @@ static inline void light_positional_vector(LightingBlock& b, const LightConstant
   }
 }
 
-/// The same for fragments, which have no bytes of OSMesa's to match, only a colour to give: a light that is
+/// The same for fragments, which have no bytes of OSMesa's to match, only a color to give: a light that is
 /// at the fragment itself, or not a finite way off, shines from nowhere (unit_lanes) and leaves its ambient
 /// term. Without a constant part in the attenuation that would be infinite; the limit keeps products with any
-/// colour finite, and saturates any that is not black.
+/// color finite, and saturates any that is not black.
 static inline void light_fragment_vector(LightingBlock& b, const LightConstants& l, int n) {
   constexpr float kBrightest = 1e18f, kFarthest2 = 3e38f;
   const float *ex = b.eye[0], *ey = b.eye[1], *ez = b.eye[2];
@@ -322,7 +322,7 @@ static inline void light_factors(LightingBlock& b, bool two_sided, bool attenuat
   }
 }
 
-/// Adds one light's three terms to a face's colours, material constant over the draw.
+/// Adds one light's three terms to a face's colors, material constant over the draw.
 static inline void light_add_constant(LightingBlock& b, const LightingConstants& k, const LightConstants& l,
                                       int face, bool attenuated, int n) {
   const float *diffuse = b.diffuse[face], *specular = b.specular[face], *att = b.attenuation;

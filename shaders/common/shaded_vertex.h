@@ -8,17 +8,17 @@
 namespace softgl {
 
 /// Which slot of a shaded vertex holds what; -1 = the draw does not need it. Slot 0 is always the window
-/// position x, y (down), z, 1/w. Colours are clamped to [0,1] unless the key says otherwise (OSMesa clamps at
+/// position x, y (down), z, 1/w. Colors are clamped to [0,1] unless the key says otherwise (OSMesa clamps at
 /// the vertex).
 struct ShadedLayout {
-  int8_t color = -1;      // front primary colour r g b a
-  int8_t secondary = -1;  // front secondary colour r g b, and the fog coordinate (not negative) in the 4th
+  int8_t color = -1;      // front primary color r g b a
+  int8_t secondary = -1;  // front secondary color r g b, and the fog coordinate (not negative) in the 4th
   int8_t back_color = -1; // present when lighting is two-sided
   int8_t back_secondary = -1;
   int8_t point = -1; // point size after attenuation and clamping, in the 1st
   int8_t texcoord[8] = {-1, -1, -1, -1, -1, -1, -1, -1}; // s t r q of each enabled unit
-  // Where fragments are lit there are no colours, but what lighting reads: the normal and the position in eye
-  // coordinates, the vertex colour (not clamped) that feeds the material, and material parameters of the
+  // Where fragments are lit there are no colors, but what lighting reads: the normal and the position in eye
+  // coordinates, the vertex color (not clamped) that feeds the material, and material parameters of the
   // vertices.
   int8_t normal = -1, eye = -1, tracked = -1;
   int8_t material[10] = {-1, -1, -1, -1, -1, -1, -1, -1, -1, -1};

@@ -12,7 +12,7 @@ constexpr int kLanes = 64; // lanes of a block: measured, 16 costs 26 % more, 12
 constexpr int kStripLanes =
     16; // a strip is 8x2 pixels: whole 2x2 quads, and the unit in which dead lanes are skipped
 
-/// How a pixel's colour is stored. Rgb565 keeps r in bits 11-15; Float is not clamped.
+/// How a pixel's color is stored. Rgb565 keeps r in bits 11-15; Float is not clamped.
 enum class ColorFormat : uint8_t { Rgba8, Rgba16, RgbaFloat, Rgb565 };
 constexpr int bytes_per_pixel(ColorFormat f) {
   return f == ColorFormat::Rgba8 ? 4 : f == ColorFormat::Rgba16 ? 8 : f == ColorFormat::RgbaFloat ? 16 : 2;
@@ -42,10 +42,10 @@ struct TileState {
 };
 constexpr uint32_t kNoPlace = ~uint32_t(0);
 
-/// The colour and depth/stencil planes. Tiles get their places in them when they are first written to, so
+/// The color and depth/stencil planes. Tiles get their places in them when they are first written to, so
 /// that those of a picture that fills half the window lie close together and the rest of the planes is never
 /// brought into memory. Where both planes have words they share that memory, a tile's depths behind its
-/// colours.
+/// colors.
 struct Surface {
   int32_t width, height; // pixels
   int32_t tiles_x, tiles_y;

@@ -26,11 +26,11 @@ struct alignas(64) FragmentBlock {
   alignas(64) int32_t x[kLanes], y[kLanes]; // window coordinates of the pixel, y down
   uint32_t live[kLanes];  // ~0u: still to be written; 0: dead (its other values are finite but meaningless)
   uint32_t depth[kLanes]; // fragment depth in the depth buffer's integers
-  float color[4][kLanes]; // running colour r g b a: primary, then after texturing, colour sum, fog
-  float secondary[3][kLanes]; // secondary colour
+  float color[4][kLanes]; // running color r g b a: primary, then after texturing, color sum, fog
+  float secondary[3][kLanes]; // secondary color
   float fog[kLanes];          // fog coordinate
   BlockCoordinates unit[kBlockTextureUnits];
-  // Where fragments are lit: normal and eye position are in `lighting`, a vertex colour that feeds the
+  // Where fragments are lit: normal and eye position are in `lighting`, a vertex color that feeds the
   // material in `color`.
   LightingBlock lighting;
   float material[kMaterialSlots][4][kLanes];

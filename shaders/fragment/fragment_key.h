@@ -42,7 +42,7 @@ enum class BlendEquation : uint8_t { Add, Subtract, ReverseSubtract, Min, Max };
 
 struct FragmentKey {
   // Which interpolated inputs the stages read.
-  uint64_t lit : 1; // lighting makes the colour out of normal, eye position and material; otherwise it is
+  uint64_t lit : 1; // lighting makes the color out of normal, eye position and material; otherwise it is
                     // interpolated
   uint64_t secondary : 1, fog_coordinate : 1, flat : 1;
   uint64_t texture_units : 8; // units whose coordinates are read

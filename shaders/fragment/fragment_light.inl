@@ -10,7 +10,7 @@
 namespace softgl {
 namespace SOFTGL_ISA {
 
-/// Colours from the block's normals, eye positions and materials. They are clamped to [0,1] as those of
+/// Colors from the block's normals, eye positions and materials. They are clamped to [0,1] as those of
 /// vertices are (GL 1.5, 2.14.6), so that nothing behind sees what is not a number.
 static void stage_light(FragmentBlock& block, const FragmentConstants& constants, int) {
   const LightingConstants& k = *constants.lighting;

@@ -8,7 +8,7 @@
 namespace softgl {
 namespace SOFTGL_ISA {
 
-/// Source fragments and the gathered pixels under them. Colours of Rgba8 and Rgb565 surfaces are RGBA8 words
+/// Source fragments and the gathered pixels under them. Colors of Rgba8 and Rgb565 surfaces are RGBA8 words
 /// here.
 struct alignas(64) MergeBlock {
   int32_t lanes; // a multiple of 16

@@ -1,4 +1,4 @@
-// The numbers that depth and colour are stored as, as OSMesa 22.3.6 rounds them.
+// The numbers that depth and color are stored as, as OSMesa 22.3.6 rounds them.
 #pragma once
 
 #include "shaders/common/simd.h"

@@ -1,4 +1,4 @@
-// A fragment program: key, constants and the list of stages that fill a block's final colours.
+// A fragment program: key, constants and the list of stages that fill a block's final colors.
 #pragma once
 
 #include "shaders/fragment/fragment_block.h"

@@ -1,4 +1,4 @@
-// Stages behind texturing: colour sum, fog, alpha test.
+// Stages behind texturing: color sum, fog, alpha test.
 #pragma once
 
 #include "shaders/common/exp_log.inl"
@@ -8,7 +8,7 @@
 namespace softgl {
 namespace SOFTGL_ISA {
 
-/// GL 1.5, 3.9. Not clamped here, as in OSMesa 22.3.6: only the fogged colour is.
+/// GL 1.5, 3.9. Not clamped here, as in OSMesa 22.3.6: only the fogged color is.
 static void stage_color_sum(FragmentBlock& block, const FragmentConstants&, int) {
   const int lanes = block.lanes;
   for (int c = 0; c < 3; ++c)
@@ -22,7 +22,7 @@ static void stage_color_sum_clamped(FragmentBlock& block, const FragmentConstant
     for (int i = 0; i < lanes; ++i) block.color[c][i] = saturate(block.color[c][i] + block.secondary[c][i]);
 }
 
-/// GL 1.5, 3.10: f in [0,1] mixes the colour with the fog colour; alpha stays.
+/// GL 1.5, 3.10: f in [0,1] mixes the color with the fog color; alpha stays.
 SOFTGL_INLINE void mix_fog(FragmentBlock& block, const FragmentConstants& constants, const float* factor) {
   const int lanes = block.lanes;
   for (int c = 0; c < 3; ++c) {

@@ -1,5 +1,5 @@
 #version 120
-// What happens to the colours of a fragment behind the lighting: texture, colour sum, fog (GL 1.5, 3.8 to 3.10). Lit colours
+// What happens to the colors of a fragment behind the lighting: texture, color sum, fog (GL 1.5, 3.8 to 3.10). Lit colors
 // are in [0,1] before that (2.14.6).
 
 #ifdef TEXTURE

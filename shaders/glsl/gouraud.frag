@@ -1,5 +1,5 @@
 #version 120
-// Gouraud shading: the colours are interpolated.
+// Gouraud shading: the colors are interpolated.
 
 vec4 finish(vec4 primary, vec3 secondary);
 

@@ -1,5 +1,5 @@
 #version 120
-// Gouraud shading: the vertex is lit, and its colours are interpolated. Enable GL_VERTEX_PROGRAM_TWO_SIDE where
+// Gouraud shading: the vertex is lit, and its colors are interpolated. Enable GL_VERTEX_PROGRAM_TWO_SIDE where
 // GL_LIGHT_MODEL_TWO_SIDE is.
 
 struct Material {

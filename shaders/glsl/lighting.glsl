@@ -7,7 +7,7 @@
 uniform bool light_enabled[8];   // glIsEnabled(GL_LIGHTi)
 uniform bool local_viewer;       // GL_LIGHT_MODEL_LOCAL_VIEWER
 uniform bool separate_specular;  // GL_LIGHT_MODEL_COLOR_CONTROL is GL_SEPARATE_SPECULAR_COLOR
-uniform vec4 front_tracks, back_tracks; // 1 where the colour replaces emission, ambient, diffuse, specular (glColorMaterial)
+uniform vec4 front_tracks, back_tracks; // 1 where the color replaces emission, ambient, diffuse, specular (glColorMaterial)
 
 // Not in fixed-function OpenGL (softgl: GL_SOFTGL_phong_illumination):
 uniform bool reflection_vector;  // highlights by Phong's (v.r)^s instead of OpenGL's (n.h)^s; set normalize_normal, too
@@ -24,7 +24,7 @@ vec3 unit(vec3 v) {
   return length2 > 0.0 ? v * inversesqrt(length2) : vec3(0.0);
 }
 
-// The materials before they follow the colour: materials.glsl or a file of vertex_materials.
+// The materials before they follow the color: materials.glsl or a file of vertex_materials.
 Material given_front_material();
 Material given_back_material();
 
@@ -69,7 +69,7 @@ float highlight(vec3 normal, vec3 to_light, vec3 to_viewer, float shininess) {
   return shininess == 0.0 ? 1.0 : pow(cosine, shininess);
 }
 
-// The colours of a point at `eye` (eye coordinates). They are not clamped; the alpha is the diffuse one.
+// The colors of a point at `eye` (eye coordinates). They are not clamped; the alpha is the diffuse one.
 void light_point(Material m, vec3 eye, vec3 normal, out vec4 primary, out vec3 secondary) {
   vec4 wanted = vec4(1.0) - left_out;
   vec3 to_viewer = local_viewer ? unit(-eye) : vec3(0.0, 0.0, 1.0);

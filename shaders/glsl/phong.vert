@@ -1,5 +1,5 @@
 #version 120
-// Phong shading: normal, eye coordinates and colour go to the fragments, which are lit each by itself.
+// Phong shading: normal, eye coordinates and color go to the fragments, which are lit each by itself.
 
 varying vec3 eye, normal;
 varying vec4 color;

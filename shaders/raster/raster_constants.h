@@ -9,8 +9,8 @@ struct RasterConstants {
   int32_t x0, y0, x1, y1; // pixels that may change: surface and scissor box intersected; y down, half open
   uint8_t cull; // bit 0: positive areas (counter-clockwise as GL sees them) are culled, bit 1: negative ones
   uint8_t back; // 1: positive areas are back-facing, 0: negative ones are
-  bool flat;    // corner 2's colours without interpolation
-  bool two_sided; // the vertices carry back colours
+  bool flat;    // corner 2's colors without interpolation
+  bool two_sided; // the vertices carry back colors
   bool offset;    // polygon offset of filled polygons
   bool point_sprite;
   uint8_t sprite_units;   // texture units whose coordinates a point sprite replaces

@@ -1,4 +1,4 @@
-// Primitives whose fragments need no stage: coverage, depth test, colour and blending of 8x8 blocks, straight
+// Primitives whose fragments need no stage: coverage, depth test, color and blending of 8x8 blocks, straight
 // to the tile.
 #pragma once
 
@@ -14,10 +14,10 @@ struct No {
   constexpr operator bool() const { return false; }
 };
 
-/// How the colour of a direct block reaches the surface.
+/// How the color of a direct block reaches the surface.
 enum class DirectColor { Store, Over, Any };
 
-/// A primitive whose fragments need no stage (RGBA8, no stencil): coverage, depth test, colour, blending, row
+/// A primitive whose fragments need no stage (RGBA8, no stencil): coverage, depth test, color, blending, row
 /// by row.
 template <bool DepthTest, DirectColor Color, int Edges>
 static void direct_primitive(const RasterDraw& draw, const TileTarget& tile, const RasterPrimitive& p) {
@@ -31,7 +31,7 @@ static void direct_primitive(const RasterDraw& draw, const TileTarget& tile, con
   const bool less = function == Compare::Less;
   const bool stores_blocks = draw.whole_blocks && draw.color_mask == ~uint32_t(0);
   const IntV depth_mask = splat(key.depth_write ? 0xffffff : 0), color_mask = splat(int32_t(draw.color_mask));
-  const bool flat = draw.varying[0].flat, divide = !flat && !p.w_is_one; // the first varying is the colour
+  const bool flat = draw.varying[0].flat, divide = !flat && !p.w_is_one; // the first varying is the color
   const FloatV offset = splat(p.depth_offset);
   IntV constant_color = IntV{};
   if (flat) {
@@ -56,7 +56,7 @@ static void direct_primitive(const RasterDraw& draw, const TileTarget& tile, con
       uint32_t* depth = tile.depth_stencil + pixel;
 
       // First all rows' coverage and depth without a branch (which rows live is hard to predict: measured),
-      // then the colours of those that live.
+      // then the colors of those that live.
       alignas(64) int32_t live_lanes[64];
       uint32_t live_vectors = 0;
       IntV all = splat(-1); // of the lanes looked at

@@ -22,14 +22,14 @@ struct Varying {
   bool flat;    // not interpolated but taken from corner 2: flat shading, or the same for all vertices
 };
 constexpr int kMaxVaryings =
-    4 + kMaterialSlots; // fog, and for the lighting of fragments normal, eye, colour, material
+    4 + kMaterialSlots; // fog, and for the lighting of fragments normal, eye, color, material
 
 /// Derived once per draw and frame.
 struct RasterDraw {
   const FragmentProgram* program;
   const RasterConstants* raster;
   ShadedLayout layout;
-  // Planes of a primitive: z, 1/w, those of the varyings (the primary colour first, unless fragments are
+  // Planes of a primitive: z, 1/w, those of the varyings (the primary color first, unless fragments are
   // lit), then s t r q of texture units; -1: not there.
   uint8_t plane_count, varying_count;
   Varying varying[kMaxVaryings];
@@ -51,7 +51,7 @@ inline Varying coordinates_of_unit(const RasterDraw& draw, int unit) {
   return {0, draw.layout.texcoord[unit], draw.layout.texcoord[unit],        0,
           4, draw.unit_plane[unit],      (draw.flat_units >> unit & 1) != 0};
 }
-// Most planes there are where fragments are lit: normal, eye, materials of both faces (four colours and the
+// Most planes there are where fragments are lit: normal, eye, materials of both faces (four colors and the
 // exponent), fog, coordinates.
 constexpr int kMaxPlanes = 2 + 3 + 3 + 2 * (4 * 4 + 1) + 1 + 4 * kBlockTextureUnits;
 

@@ -51,7 +51,7 @@ struct FragmentWords {
   uint16_t* pixel;
   uint32_t *depth, *color, *live;
   float scale;
-  Varying varying; // without stages: the colour
+  Varying varying; // without stages: the color
   bool opaque;
 
   SOFTGL_MEMBER FragmentWords(const RasterDraw& draw, uint16_t* p, uint32_t* d, uint32_t* c, uint32_t* l)

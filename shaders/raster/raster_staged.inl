@@ -13,7 +13,7 @@ struct StripBatch {
   int32_t pixel[kLanes / kStripLanes]; // pixel_in_tile of the strip's first pixel
 };
 
-/// Merges the strips of `block` whose colours are final.
+/// Merges the strips of `block` whose colors are final.
 static void merge_strips(const RasterDraw& draw, const TileTarget& tile, FragmentBlock& block,
                          const StripBatch& batch) {
   const Merger merger{*draw.program};
@@ -58,7 +58,7 @@ static void run_strips(const RasterDraw& draw, const TileTarget& tile, const Ras
   batch.strips = 0;
 }
 
-/// Merges `count` fragments that share no pixel; depth, colour and live of m are set.
+/// Merges `count` fragments that share no pixel; depth, color and live of m are set.
 static void merge_fragments(const TileTarget& tile, const FragmentProgram& program, const uint32_t* pixel,
                             int32_t count, MergeBlock& m) {
   const bool words = ColorFormat(program.key.color_format) == ColorFormat::Rgba8;

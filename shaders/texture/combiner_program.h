@@ -1,4 +1,4 @@
-// What the texture environments of all units and the colour sum make of a fragment's colours, as a list of
+// What the texture environments of all units and the color sum make of a fragment's colors, as a list of
 // operations: immutable, and without numbers that may change from draw to draw.
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace softgl {
 
-/// Values have numbers: four components of each unit's texel and environment colour, of the primary and of
-/// the secondary colour; constants; registers.
+/// Values have numbers: four components of each unit's texel and environment color, of the primary and of
+/// the secondary color; constants; registers.
 constexpr int kCombinerTexel = 0, kCombinerEnvironment = 32, kCombinerPrimary = 64, kCombinerSecondary = 68;
 constexpr int kCombinerConstant = 72, kCombinerConstants = 32;
 constexpr int kCombinerRegister = kCombinerConstant + kCombinerConstants, kCombinerRegisters = 64;
@@ -22,7 +22,7 @@ struct CombinerStep {
 struct CombinerProgram {
   static constexpr int kMaxSteps = 320;
   int32_t step_count;
-  uint8_t result[4]; // values that take the place of the primary colour, of which they may be the same
+  uint8_t result[4]; // values that take the place of the primary color, of which they may be the same
                      // component only
   float constant[kCombinerConstants];
   CombinerStep step[kMaxSteps];

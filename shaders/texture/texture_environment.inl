@@ -50,7 +50,7 @@ static inline const float* combiner_value(FragmentBlock& block, const FragmentCo
   return wide;
 }
 
-/// All environments at once, where one of them is neither MODULATE nor REPLACE, and the colour sum.
+/// All environments at once, where one of them is neither MODULATE nor REPLACE, and the color sum.
 static inline void environment_combine(FragmentBlock& block, const FragmentConstants& constants, int) {
   const CombinerProgram& program = *constants.combiner;
   alignas(64) float registers[kCombinerRegisters][kLanes], wide[2][kLanes];

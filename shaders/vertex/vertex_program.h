@@ -44,7 +44,7 @@ struct PolygonConstants {
   PolygonMode mode[2]; // of counter-clockwise polygons and of the others
   bool ccw_is_front;
   bool cull_front, cull_back;
-  bool two_sided; // the vertices carry back colours
+  bool two_sided; // the vertices carry back colors
   bool offset[3]; // by mode; RasterConstants say how far
 };
 
@@ -64,7 +64,7 @@ struct VertexProgram {
   const CoordinateConstants* coordinates[8]; // null: passed through
   bool reflection_z;                         // r of some unit is that of the reflection vector
   PointConstants point;
-  const PolygonConstants* polygons; // null: all are filled, and the raster culls, colours and offsets them
+  const PolygonConstants* polygons; // null: all are filled, and the raster culls, colors and offsets them
   bool line_stipple;                // cut lines by the pattern while assembling
   uint16_t stipple_pattern, stipple_factor;
 };

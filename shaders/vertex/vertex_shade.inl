@@ -26,7 +26,7 @@ static inline void store_slot(const float* x, const float* y, const float* z, co
   }
 }
 
-/// Clamps the colours of a slot to [0,1] in place: OSMesa clamps at the vertex (GL 1.5, 2.14.6). What is not
+/// Clamps the colors of a slot to [0,1] in place: OSMesa clamps at the vertex (GL 1.5, 2.14.6). What is not
 /// a number, such as an infinite highlight of a black material, becomes 1.
 static inline void clamp_lanes(float (*color)[kLanes], int components, int n) {
   for (int c = 0; c < components; ++c) {

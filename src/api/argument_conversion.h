@@ -47,7 +47,7 @@ enum CountTable {
 /// How many values a parameter has; 0 for a name that the command does not know.
 size_t count_of(CountTable table, GLenum pname);
 
-/// Parameters of a command converted to float. Integers become colours where the parameter is one (2.7).
+/// Parameters of a command converted to float. Integers become colors where the parameter is one (2.7).
 struct Parameters {
   GLfloat v[4];
   bool valid; // false: a scalar form was used for a parameter with several values

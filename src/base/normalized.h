@@ -5,7 +5,7 @@
 
 namespace softgl {
 
-// Colour and normal components: c / (2^b - 1) and (2c + 1) / (2^b - 1). OSMesa 22.3.6: single precision,
+// Color and normal components: c / (2^b - 1) and (2c + 1) / (2^b - 1). OSMesa 22.3.6: single precision,
 // except that the 32-bit types are scaled in double; unsigned bytes are a true division.
 inline float normalized(GLubyte c) { return float(c) / 255.0f; }
 inline float normalized(GLbyte c) { return (2.0f * float(c) + 1.0f) * (1.0f / 255.0f); }

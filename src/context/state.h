@@ -25,7 +25,7 @@ struct CurrentAttributes {
   alignas(16) Vec4 slot[kAttributeSlots] = {
       /* position   */ {0, 0, 0, 1},
       /* normal */ {0, 0, 1, 1},
-      /* colour */ {1, 1, 1, 1},
+      /* color */ {1, 1, 1, 1},
       /* secondary */ {0, 0, 0, 1},
       /* fog        */ {0, 0, 0, 1},
       /* edge   */ {1, 0, 0, 1},

@@ -15,7 +15,7 @@ struct DrawRecord;
 constexpr int kAssemblyBatch = 64;
 
 /// Triangles in drawing order, corners in the order that set-up wants (as OSMesa 22.3.6 orders them). Corner
-/// 2 is the provoking vertex; clipping has already copied flat colours to it. Vertices made by clipping live
+/// 2 is the provoking vertex; clipping has already copied flat colors to it. Vertices made by clipping live
 /// in the chunk's arena.
 struct AssembledTriangles {
   int32_t count = 0;

@@ -6,7 +6,7 @@
 namespace softgl {
 
 /// A glClear in the order of the frame. Values are already the numbers that the surface's format stores
-/// (colours: 0-255, 0-65535, 5-6-5 bits or the floats themselves).
+/// (colors: 0-255, 0-65535, 5-6-5 bits or the floats themselves).
 struct ClearRecord {
   bool color, depth, stencil;
   bool color_mask[4];

@@ -59,7 +59,7 @@ FragmentKey simplify(FragmentKey k) {
     k.blend_equation = k.blend_destination_rgb = k.blend_source_alpha = k.blend_destination_alpha = 0;
     if (!k.logic_op) k.blend_source_rgb = 0;
   }
-  if (k.color_mask == 0) { // nothing of the colour arrives but through the alpha test
+  if (k.color_mask == 0) { // nothing of the color arrives but through the alpha test
     k.blend = k.logic_op = 0;
     k.blend_equation = k.blend_source_rgb = k.blend_destination_rgb = k.blend_source_alpha =
         k.blend_destination_alpha = 0;

@@ -5,7 +5,7 @@
 
 namespace softgl {
 
-/// Adds colour sum, fog and alpha test, as program.key asks for them.
+/// Adds color sum, fog and alpha test, as program.key asks for them.
 void append_fragment_stages(FragmentProgram& program);
 
 } // namespace softgl

@@ -60,7 +60,7 @@ void Clipper::copy_flat_colors(Slot* to, const Slot* from) const {
   const ShadedLayout& l = draw_.layout;
   for (int slot : {l.color, l.back_color})
     if (slot >= 0) to[slot] = from[slot];
-  for (int slot : {l.secondary, l.back_secondary}) // not the fog coordinate behind the colour
+  for (int slot : {l.secondary, l.back_secondary}) // not the fog coordinate behind the color
     if (slot >= 0) std::memcpy(to[slot].v, from[slot].v, sizeof(float[3]));
 }
 

@@ -18,17 +18,17 @@ public:
   Clipper(const DrawRecord& draw, const ShadedVertices& vertices, Arena& arena);
 
   /// Clips triangle v (vertex numbers); `mask` is the union of its vertices' clip masks. Returns the number
-  /// of vertices of the polygon, or 0. Flat colours of v[2] are in polygon[0], which stays the provoking
+  /// of vertices of the polygon, or 0. Flat colors of v[2] are in polygon[0], which stays the provoking
   /// vertex. Bit i of `edges`: the edge that begins at vertex i is one of the polygon that the triangle was
   /// cut from. As in OSMesa 22.3.6 edges along the user's clip planes are, those along the view volume are
   /// not.
   int triangle(const uint32_t v[3], uint32_t mask, const Slot* polygon[kMaxPolygon], uint32_t& edges);
-  /// Clips a line; both ends carry the flat colours of v[1]. False when nothing is left.
+  /// Clips a line; both ends carry the flat colors of v[1]. False when nothing is left.
   bool line(const uint32_t v[2], const Slot* end[2]);
 
 private:
   static constexpr int kMaxSlots =
-      24; // position, fog, normal, eye, colour, materials, point size, coordinates
+      24; // position, fog, normal, eye, color, materials, point size, coordinates
   struct Vertex {
     float clip[4];
     const Slot* shaded;

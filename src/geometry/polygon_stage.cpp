@@ -31,7 +31,7 @@ const PolygonStage::Slot* PolygonStage::own_copy(const Slot* vertex, const Slot*
   std::memcpy(copy, vertex, sizeof(Slot) * slots_);
   const Slot* colors = draw_.raster->flat ? provoking : vertex;
   if (l.color >= 0) copy[l.color] = colors[back && l.back_color >= 0 ? l.back_color : l.color];
-  if (l.secondary >= 0) // not the fog coordinate behind the colour
+  if (l.secondary >= 0) // not the fog coordinate behind the color
     std::memcpy(copy[l.secondary].v, colors[back && l.back_secondary >= 0 ? l.back_secondary : l.secondary].v,
                 sizeof(float[3]));
   if (offset) copy->v[2] = unit_range(copy->v[2] + *offset);
@@ -44,7 +44,7 @@ void PolygonStage::triangle(const PolygonTriangle& t) {
   const float e[3] = {v0[0] - v2[0], v0[1] - v2[1], v0[2] - v2[2]},
               f[3] = {v1[0] - v2[0], v1[1] - v2[1], v1[2] - v2[2]};
   const float determinant = e[0] * f[1] - e[1] * f[0]; // y is down: negative is counter-clockwise
-  // Without area it is culled as a back-facing one, and else drawn and coloured as a clockwise one.
+  // Without area it is culled as a back-facing one, and else drawn and colored as a clockwise one.
   const bool front = determinant != 0 && (determinant < 0) == k.ccw_is_front;
   if (front ? k.cull_front : k.cull_back) return;
   const PolygonMode mode = k.mode[determinant >= 0];

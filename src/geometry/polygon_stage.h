@@ -1,4 +1,4 @@
-// Polygons between assembly and raster: glPolygonMode (GL 1.5, 3.5.4), and culling, two-sided colours and
+// Polygons between assembly and raster: glPolygonMode (GL 1.5, 3.5.4), and culling, two-sided colors and
 // offset with it.
 #pragma once
 
@@ -16,7 +16,7 @@ struct PolygonTriangle {
   bool begins;       // the line stipple begins anew
 };
 
-/// Culls, colours and offsets the triangles of a draw, and hands over what their modes leave of them, in
+/// Culls, colors and offsets the triangles of a draw, and hands over what their modes leave of them, in
 /// drawing order. All that with the exact order of operations of OSMesa 22.3.6, whose draw module does it in
 /// window coordinates that are not snapped.
 class PolygonStage {

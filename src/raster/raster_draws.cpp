@@ -28,7 +28,7 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
   d.program = draw.fragment;
   d.raster = draw.raster;
   d.layout = draw.layout;
-  // OSMesa 22.3.6 hands an unlit colour that no vertex sets straight to the fragments, without interpolating
+  // OSMesa 22.3.6 hands an unlit color that no vertex sets straight to the fragments, without interpolating
   // it (which would disturb its last bits: 0.3 * 255 is a tie). So it does with texture coordinates that
   // nothing changes on the way, unless GL_POINT_SPRITE is on.
   const bool unlit = draw.vertex && !draw.vertex->lit && !key.lit && draw.call.source;

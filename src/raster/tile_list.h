@@ -21,7 +21,7 @@ struct TileChunk {
 };
 
 /// A run of entries of one kind and draw. Followed by pointers to primitives, by small triangles, or by
-/// `capacity` depths, colours and pixels of fragments, of which `count` are set.
+/// `capacity` depths, colors and pixels of fragments, of which `count` are set.
 struct TileSegment {
   enum Kind : uint16_t { Primitives, Triangles, Fragments, Clear };
   Kind kind;

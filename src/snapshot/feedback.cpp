@@ -51,7 +51,7 @@ void write_hit_record(RenderModeState& m) {
 
 namespace {
 
-/// Window position (y up), clip w, colour and the coordinates of unit 0, as far as the type of feedback wants
+/// Window position (y up), clip w, color and the coordinates of unit 0, as far as the type of feedback wants
 /// them (table 5.1).
 void put_vertex(RenderModeState& m, const Vec4& window, const Vec4& color, const Vec4& coordinates) {
   feed_back_value(m, window.x);
@@ -65,7 +65,7 @@ void put_vertex(RenderModeState& m, const Vec4& window, const Vec4& color, const
   for (int i = 0; i < 4; ++i) feed_back_value(m, coordinates[i]);
 }
 
-/// Takes primitives; polygons have been culled, and have the colours of the side that is seen.
+/// Takes primitives; polygons have been culled, and have the colors of the side that is seen.
 class Receiver final : public PrimitiveSink {
 public:
   Receiver(RenderModeState& mode, float height) : mode_(mode), height_(height) {}
@@ -127,7 +127,7 @@ void feed_back(Context& c, const DrawCall& call) {
   OwnSnapshot own =
       make_own_snapshot(c, fragment.key, call.source->present, &call.constant[kColor][0], arena);
   own.program.line_stipple = false;                        // whole lines are fed back
-  own.program.polygons = make_polygon_constants(c, arena); // culled, coloured and offset ones
+  own.program.polygons = make_polygon_constants(c, arena); // culled, colored and offset ones
   const DrawRecord draw{call, own.layout, &own.program, make_raster_constants(c, arena), &fragment};
   const ShadedVertices& vertices = *allocate_vertices(draw, call.first_vertex, call.vertex_count, arena);
   {

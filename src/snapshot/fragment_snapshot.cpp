@@ -146,7 +146,7 @@ const FragmentProgram* make_fragment_program(Context& context, Arena& arena, con
   // Surfaces without alpha keep it at 1, so that destination alpha reads as 1.
   if (!context.framebuffer.has_alpha) key.color_mask &= 7;
 
-  key = simplify(key); // before the textures: their stages may take the colour sum over
+  key = simplify(key); // before the textures: their stages may take the color sum over
   if (image) {
     k.image = image;
     program.writes_depth = image->kind == PixelElement::Depth;

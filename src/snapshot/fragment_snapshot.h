@@ -10,7 +10,7 @@ struct Context;
 struct PixelImage; // pixel_image.h
 
 /// The program that the context's state asks for, in `arena`. `key` tells which inputs the vertices must
-/// carry: secondary colour, fog coordinate and the texture coordinates of the units in texture_units.
+/// carry: secondary color, fog coordinate and the texture coordinates of the units in texture_units.
 /// `image`: of a pixel rectangle, whose fragments have been lit.
 const FragmentProgram* make_fragment_program(Context& context, Arena& arena,
                                              const PixelImage* image = nullptr);

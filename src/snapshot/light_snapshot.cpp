@@ -20,7 +20,7 @@ void normalize(float v[3]) {
 void copy3(float out[3], const float* in) {
   for (int i = 0; i < 3; ++i) out[i] = in[i];
 }
-/// A colour of a term; black where the term is left out.
+/// A color of a term; black where the term is left out.
 void copy_term(float out[3], const Vec4& in, const LightingState& lighting, uint32_t term) {
   for (int i = 0; i < 3; ++i) out[i] = lighting.terms & term ? in[i] : 0.0f;
 }

@@ -5,7 +5,7 @@
 
 namespace softgl {
 
-/// True where polygons are culled, coloured and offset at their vertices before they come to the raster:
+/// True where polygons are culled, colored and offset at their vertices before they come to the raster:
 /// where not all are filled or they are stippled, and, as in OSMesa 22.3.6, where points or lines could be
 /// smooth or stippled.
 inline bool polygons_before_raster(const State& s) {

@@ -41,7 +41,7 @@ const RasterConstants* make_raster_constants(const Context& context, Arena& aren
   r.cull = static_cast<uint8_t>((s.polygon.culls(!positive_is_front) ? 1 : 0) |
                                 (s.polygon.culls(positive_is_front) ? 2 : 0));
   r.flat = s.lighting.shade_model == GL_FLAT;
-  const bool before = polygons_before_raster(s); // geometry has coloured and offset polygons
+  const bool before = polygons_before_raster(s); // geometry has colored and offset polygons
   r.two_sided = s.lighting.enabled && s.lighting.two_side &&
                 (!before || lights_fragments(s.lighting, context.smooth_is_phong));
   // OSMesa 22.3.6 offsets by units * 2 / (2^bits - 1), twice the smallest step.

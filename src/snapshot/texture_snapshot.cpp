@@ -55,7 +55,7 @@ void set_level_of_detail(const TextureParameters& p, float unit_bias, TextureUni
   t.adjusts_lod = t.lod_bias != 0 || t.has_min_lod || t.has_max_lod;
 }
 
-/// The border colour as a texel of the base format.
+/// The border color as a texel of the base format.
 void set_border(const Vec4& color, GLenum base, TextureUnitConstants& t) {
   const float r = color.x;
   switch (base) {
@@ -211,7 +211,7 @@ void append_texture_stages(Context& c, Arena& arena, FragmentProgram& program, F
     if (units[u] && !fused(u))
       program.add(fixed_point(*units[u]) ? kernels.sample_fixed : kernels.sample_float, u);
   if (!simple) {
-    // The colour sum has a part in the order of additions. That of lit fragments is clamped and comes later.
+    // The color sum has a part in the order of additions. That of lit fragments is clamped and comes later.
     chain.color_sum = program.key.color_sum && !program.key.lit;
     if (chain.color_sum) program.key.color_sum = 0;
     auto combiner = c.combiners.program(chain);

@@ -23,7 +23,7 @@ const CoordinateConstants* make_coordinates(const Context& context, int unit, Ar
 
 /// Where each material parameter comes from: the slot of a stream, or -1 (GL 1.5, 2.14.2, 2.14.3).
 void find_material_sources(const Context& context, uint32_t present, int8_t source[5][2]);
-/// `color` is the draw's constant colour, for colour material.
+/// `color` is the draw's constant color, for color material.
 const LightingConstants* make_lighting(const Context& context, const int8_t source[5][2],
                                        const float color[4], bool eye_space, bool for_fragments,
                                        Arena& arena);

@@ -11,7 +11,7 @@ namespace softgl {
 void copy_color_row(const Surface& surface, int x, int y, int count, void* row);
 void copy_depth_stencil_row(const Surface& surface, int x, int y, int count, uint32_t* row);
 
-/// Colours as bytes or as floats. The one of fewer bits rounds as OSMesa 22.3.6 does: 5 and 6 bits are
+/// Colors as bytes or as floats. The one of fewer bits rounds as OSMesa 22.3.6 does: 5 and 6 bits are
 /// repeated.
 void color_row_to_bytes(ColorFormat format, const void* row, int count, uint8_t (*rgba)[4]);
 void color_row_to_floats(ColorFormat format, const void* row, int count, float (*rgba)[4]);

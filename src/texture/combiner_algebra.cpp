@@ -7,7 +7,7 @@ namespace softgl {
 
 namespace {
 
-/// OSMesa 22.3.6 compiles the environments of all units with colour sum and fog into one program, and its
+/// OSMesa 22.3.6 compiles the environments of all units with color sum and fog into one program, and its
 /// compiler takes sums and products for associative. These are those of its rules that texture environments
 /// can meet, in its order and in prefix notation: + * ~ - as in CombinerNode; ! behind an operation: its
 /// value has one use only; a b c any value, x y no constant, K L constants, p q products or their negatives,

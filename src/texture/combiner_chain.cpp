@@ -113,7 +113,7 @@ public:
       if (o.b != o.a) release(o.b);
     }
     for (int k = 0; k < 4; ++k) {
-      // The results are stored when all are there, and nothing but the other components of the primary colour
+      // The results are stored when all are there, and nothing but the other components of the primary color
       // is in their way.
       const uint8_t v = place(results[k]);
       const bool moves = v >= kCombinerPrimary && v < kCombinerSecondary && v != kCombinerPrimary + k;

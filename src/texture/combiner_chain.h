@@ -10,7 +10,7 @@
 
 namespace softgl {
 
-/// An argument of a texture combiner: where the colour comes from and how it is used.
+/// An argument of a texture combiner: where the color comes from and how it is used.
 enum class CombineSource : uint8_t { Texture0, Texture7 = 7, Constant, Primary, Previous, Zero };
 struct CombineArgument {
   CombineSource source;
@@ -28,7 +28,7 @@ enum class CombineFunction : uint8_t {
   Dot3Rgba
 };
 
-/// What decides about the program: all but the colours. Compared byte by byte.
+/// What decides about the program: all but the colors. Compared byte by byte.
 struct CombinerChain {
   struct Unit {
     CombineFunction function[2]; // rgb, alpha

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int map_number(GLenum map) { return int(map - GL_PIXEL_MAP_I_TO_I); }
 
-/// The map's value for a colour.
+/// The map's value for a color.
 float mapped(const PixelMaps& maps, int map, float v) {
   const int last = maps.size[map] - 1;
   return maps.value[map][std::clamp(int(std::lrint(unit_range(v) * float(last))), 0, last)];

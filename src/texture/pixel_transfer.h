@@ -17,7 +17,7 @@ struct PixelTransfer {
   /// Changes nothing.
   static const PixelTransfer& none();
 
-  /// True when scale, bias or map change colours.
+  /// True when scale, bias or map change colors.
   bool changes_color() const;
   /// Scale, bias, map. What is not mapped may leave [0,1].
   void color(float (*rgba)[4], int count) const;
@@ -32,7 +32,7 @@ struct PixelTransfer {
   uint32_t index(uint32_t value) const;
   /// The same and GL_PIXEL_MAP_S_TO_S; 8 bits.
   uint32_t stencil(uint32_t value) const;
-  /// A colour index, shifted and offset, through GL_PIXEL_MAP_I_TO_R .. A.
+  /// A color index, shifted and offset, through GL_PIXEL_MAP_I_TO_R .. A.
   void index_to_color(uint32_t index, float rgba[4]) const;
 };
 

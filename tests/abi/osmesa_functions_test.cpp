@@ -300,7 +300,7 @@ TEST_CASE("An RGB buffer is the RGBA buffer without alpha", "[abi]") {
   CHECK(wrong == 0);
 }
 
-TEST_CASE("The depth and colour buffers can be had", "[abi]") {
+TEST_CASE("The depth and color buffers can be had", "[abi]") {
   for (int depth : {24, 16, 32, 8, 0})
     for (int stencil : {8, 0}) {
       INFO("depth " << depth << " stencil " << stencil);

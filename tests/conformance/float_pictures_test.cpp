@@ -10,7 +10,7 @@ using namespace softgl::test;
 
 namespace {
 
-// Interpolates between a texel and 1 minus the primary colour by the same primary colour as GL_PREVIOUS.
+// Interpolates between a texel and 1 minus the primary color by the same primary color as GL_PREVIOUS.
 void draw_interpolation(Stage& s, bool color_of_vertices) {
   const Gl& gl = s.gl;
   GLubyte ramp[64];
@@ -88,7 +88,7 @@ TEST_CASE("the size of level 0 decides how coordinates repeat on other base leve
   CHECK_FALSE(difference.any());
 }
 
-TEST_CASE("a colour that is constant over a draw is combined like one that every vertex sets",
+TEST_CASE("a color that is constant over a draw is combined like one that every vertex sets",
           "[osmesa][deviation]") {
   fix_environment();
   const Scene varying{.name = "color_of_vertices", .draw = color_of_vertices, .floats = true};

@@ -49,7 +49,7 @@ int diagonal(const Gl& gl) {
   return p.depth[size_t(p.height / 2) * p.width + p.width / 2] < 0x800000 ? 0 : 1;
 }
 
-// A folded strip, clipped on the left only, whose first colour is white; the colour of the last two vertices
+// A folded strip, clipped on the left only, whose first color is white; the color of the last two vertices
 // comes late.
 bool early;
 void draw_strip_colored_late(Stage& s) {
@@ -64,7 +64,7 @@ void draw_strip_colored_late(Stage& s) {
   gl.End();
 }
 
-// A triangle that faces away, each corner with another colour: unlit, or lit by ambient light alone, which
+// A triangle that faces away, each corner with another color: unlit, or lit by ambient light alone, which
 // gives the same.
 void draw_back_face(Stage& s) {
   const Gl& gl = s.gl;
@@ -80,7 +80,7 @@ void draw_back_face(Stage& s) {
     gl.ColorMaterial(GL_BACK, GL_AMBIENT);
     gl.Enable(GL_COLOR_MATERIAL);
   }
-  gl.ColorMask(1, 1, 1, 0); // alpha is that of the diffuse colour
+  gl.ColorMask(1, 1, 1, 0); // alpha is that of the diffuse color
   gl.Begin(GL_TRIANGLES);
   gl.Color3f(0.2f, 0.9f, 0.3f);
   gl.Vertex2f(-0.8f, -0.8f);
@@ -159,11 +159,11 @@ void draw_after_smooth_lines(Stage& s) {
   triangle(0);
 }
 
-GLenum type; // of the colours
+GLenum type; // of the colors
 GLint value;
 bool in_array; // or by a command
 
-// Covers the picture with a colour of four equal integers.
+// Covers the picture with a color of four equal integers.
 void draw_integer_color(Stage& s) {
   const Gl& gl = s.gl;
   const GLfloat v[3][2] = {{-1, -1}, {3, -1}, {-1, 3}};
@@ -204,7 +204,7 @@ TEST_CASE("the state of a draw is seen by it, whatever was smooth before", "[con
   CHECK_FALSE(d.any());
 }
 
-TEST_CASE("a strip of quadrilaterals may get a colour late", "[conformance][deviation]") {
+TEST_CASE("a strip of quadrilaterals may get a color late", "[conformance][deviation]") {
   const Scene strip{"strip_colored_late", draw_strip_colored_late};
   auto drawn = [&](const Gl& gl, bool set_early) { return early = set_early, draw(gl, strip, 0); };
   const Picture ours = drawn(softgl_library(), true), theirs = drawn(osmesa_library(), true);
@@ -260,7 +260,7 @@ TEST_CASE("a vertex that no index names does not change the order of a strip's t
   CHECK(difference(osmesa_library()));
 }
 
-TEST_CASE("arrays of signed integers become colours as the arguments of commands do",
+TEST_CASE("arrays of signed integers become colors as the arguments of commands do",
           "[conformance][deviation]") {
   for (GLint v : {-128, -1, 0, 1, 2, 31, 64, 127}) {
     INFO("value " << v);

@@ -71,7 +71,7 @@ void textured_triangle(Stage& s) {
 void foggy_triangle(Stage& s) {
   s.gl.Enable(GL_FOG);
   s.gl.Fogi(GL_FOG_MODE, GL_LINEAR);
-  s.gl.Fogf(GL_FOG_END, 0.625f); // what is 0.5 away is seen with 1/5 of its colour
+  s.gl.Fogf(GL_FOG_END, 0.625f); // what is 0.5 away is seen with 1/5 of its color
   s.gl.Fogf(GL_FOG_START, 0);
   bright_triangle(s);
 }
@@ -103,7 +103,7 @@ void triangle_of_materials(Stage& s) {
   gl.End();
 }
 
-// softgl's colour at a pixel of a 64x64 picture, which is the twin's to 1/255.
+// softgl's color at a pixel of a 64x64 picture, which is the twin's to 1/255.
 std::array<int, 3> color_beside_twin(void (*scene)(Stage&), int x, int y) {
   fix_environment();
   const Scene drawn{"phong", scene, false, 64, 64};

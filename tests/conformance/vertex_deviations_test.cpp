@@ -87,7 +87,7 @@ void draw_empty_first(Stage& s) {
 
 } // namespace
 
-TEST_CASE("a colour of three components has alpha 1", "[conformance][deviation]") {
+TEST_CASE("a color of three components has alpha 1", "[conformance][deviation]") {
   for (const Scene& scene : {Scene{"three_after_four", draw_three_after_four},
                              Scene{"three_after_double", draw_three_after_double_and_four}}) {
     INFO(scene.name);

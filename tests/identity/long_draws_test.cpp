@@ -11,7 +11,7 @@
 namespace softgl::test {
 namespace {
 
-/// 20,001 coloured vertices on a spiral, part of it outside the view, so that clipping has work too.
+/// 20,001 colored vertices on a spiral, part of it outside the view, so that clipping has work too.
 struct Spiral {
   std::vector<float> position, color;
   std::vector<GLuint> index;

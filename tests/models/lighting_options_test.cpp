@@ -24,7 +24,7 @@ TEST_CASE("lighting options: lights and their properties", "[models][program]") 
   CHECK(parse_light("at:0,0,5/spot:0,0,-1").cutoff < 90);
   CHECK(parse_light("at:0,0,5").cutoff == 180);
   CHECK(parse_light("headlight/color:red").color[0] == 1);
-  CHECK(parse_light("+Y/colour:0.3").color[2] == 0.3f);
+  CHECK(parse_light("+Y/color:0.3").color[2] == 0.3f);
   for (const char* wrong :
        {"at:0,0,5/", "at:0,0,5/spot:0,0,0", "at:0,0,5/cutoff:91", "at:0,0,5/cutoff:-1",
         "at:0,0,5/exponent:129", "at:0,0,5/attenuation:0,0,0", "at:0,0,5/attenuation:1,2",

@@ -84,7 +84,7 @@ std::string row_html(const ReportRow& row, Tally& tally) {
   const std::string numbers = same ? "same bytes"
                                    : std::to_string(d.color_bytes) + " of " +
                                          std::to_string(row.ours.color.size()) +
-                                         " colour bytes differ, by at most " + std::to_string(d.max_color) +
+                                         " color bytes differ, by at most " + std::to_string(d.max_color) +
                                          "; " + std::to_string(d.depth_values) + " depths differ";
   const char* state = same ? "equal" : passed ? "within" : "failed";
   return std::string("<tr class=\"scene ") + state + "\" data-state=\"" + state + "\" data-group=\"" +
@@ -117,12 +117,12 @@ public:
     for (const auto& point : curves.front()->points)
       out += text(x_of(point.first), kHeight - kBottom + 16, number(point.first), "middle");
     for (size_t i = 0; i < curves.size(); ++i) {
-      const std::string colour = "hsl(" + std::to_string(i * 360 / curves.size()) + " 60% 40%)";
-      out += "<polyline fill=\"none\" stroke=\"" + colour + "\" points=\"";
+      const std::string color = "hsl(" + std::to_string(i * 360 / curves.size()) + " 60% 40%)";
+      out += "<polyline fill=\"none\" stroke=\"" + color + "\" points=\"";
       for (const auto& [x, y] : curves[i]->points)
         out += number(x_of(x)) + "," + number(y_of(std::max(y, low_y))) + " ";
       out += "\"/><text x=\"" + number(kWidth - kRight + 8) + "\" y=\"" +
-             number(kTop + 12 + 15 * static_cast<double>(i)) + "\" fill=\"" + colour + "\">" +
+             number(kTop + 12 + 15 * static_cast<double>(i)) + "\" fill=\"" + color + "\">" +
              escape(curves[i]->name) + "</text>";
     }
     return out + "</svg>";

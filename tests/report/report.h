@@ -15,10 +15,10 @@ struct ReportRow {
   std::string again; // the command that draws it again; may be empty
   Picture ours, theirs;
   bool same_depths = true; // or the depths do not count
-  int allowed = 0;         // largest difference of a colour byte that the group allows
+  int allowed = 0;         // largest difference of a color byte that the group allows
 };
 
-/// The same depths, where they count, no other errors, and colours within what the group allows.
+/// The same depths, where they count, no other errors, and colors within what the group allows.
 bool passes(const ReportRow& row);
 
 /// One curve of an error against the number of slices.

@@ -75,7 +75,7 @@ TEST_CASE("report: rows, states and sums", "[report]") {
   CHECK_FALSE(passes(report.rows[2]));
   ReportRow deeper = report.rows[0];
   deeper.ours.depth[3] = 1;
-  CHECK_FALSE(passes(deeper)); // colours are not all that counts
+  CHECK_FALSE(passes(deeper)); // colors are not all that counts
   deeper.same_depths = false;
   CHECK(passes(deeper));
   const std::string page = report_page(template_page(), report);
@@ -84,7 +84,7 @@ TEST_CASE("report: rows, states and sums", "[report]") {
   CHECK(count(page, "data-state=\"failed\"") == 1);
   CHECK(count(page, "src=\"data:image/png;base64,iVBORw0KGgo") == 9);
   CHECK(page.find("one &lt;1&gt;") != std::string::npos);
-  CHECK(page.find("24 of 24 colour bytes differ, by at most 2") != std::string::npos);
+  CHECK(page.find("24 of 24 color bytes differ, by at most 2") != std::string::npos);
   CHECK(
       page.find("<td>a &amp; b</td><td>2</td><td>1</td><td>2</td><td>24</td><td>50&nbsp;%</td><td>1</td>") !=
       std::string::npos);

@@ -1,4 +1,4 @@
-// Four panes of coloured glass behind each other, drawn back to front, over an opaque torus.
+// Four panes of colored glass behind each other, drawn back to front, over an opaque torus.
 #include "scenes/shapes.h"
 
 namespace softgl::test {

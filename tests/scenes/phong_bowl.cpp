@@ -1,4 +1,4 @@
-// Per-pixel lighting of half a torus seen from both sides: two-sided, separate specular, clipped, colour
+// Per-pixel lighting of half a torus seen from both sides: two-sided, separate specular, clipped, color
 // material.
 #include "scenes/shapes.h"
 

@@ -14,7 +14,7 @@ void teapot(Stage& s, int slices);
 /// A cube with face normals and texture coordinates, as quads cut into triangles.
 void cube(Stage& s, float half);
 /// What scenes of an open, clipped shape need: camera, light, two-sided lighting with separate specular
-/// colour, materials but the front's diffuse one, and a clip plane.
+/// color, materials but the front's diffuse one, and a clip plane.
 void two_sided_bowl(Stage& s);
 /// A chequered texture with mipmaps, bound and enabled.
 void checker_texture(Stage& s, int size, bool mipmaps);

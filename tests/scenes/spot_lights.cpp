@@ -1,4 +1,4 @@
-// Three coloured spots with attenuation on a tessellated wall, local viewer.
+// Three colored spots with attenuation on a tessellated wall, local viewer.
 #include "scenes/shapes.h"
 
 namespace softgl::test {

@@ -1,4 +1,4 @@
-// Half a sphere seen from both sides: two-sided lighting with separate specular colour.
+// Half a sphere seen from both sides: two-sided lighting with separate specular color.
 #include "scenes/shapes.h"
 
 namespace softgl::test {

@@ -203,7 +203,7 @@ TEST_CASE("Polygon offset of filled polygons obeys GL_POLYGON_OFFSET_FILL only",
   CHECK(depth_with(GL_POLYGON_OFFSET_FILL) > plain);
 }
 
-TEST_CASE("the colour sum reaches the fog as it is", "[spec][fragments]") {
+TEST_CASE("the color sum reaches the fog as it is", "[spec][fragments]") {
   for (const Gl* gl : {&softgl_library(), &osmesa_library()}) {
     std::vector<unsigned char> color(4 * 4 * 4);
     void* context = gl->OSMesaCreateContext(GL_RGBA, nullptr);

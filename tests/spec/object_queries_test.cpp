@@ -103,7 +103,7 @@ void ask_lighting(Asked& a) {
           [&](GLfloat* v) { gl.GetTexGenfv(coordinate, p, v); },
           [&](GLint* v) { gl.GetTexGeniv(coordinate, p, v); });
   a(
-      "environment colour", [&](GLfloat* v) { gl.GetTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, v); },
+      "environment color", [&](GLfloat* v) { gl.GetTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, v); },
       [&](GLint* v) { gl.GetTexEnviv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, v); });
 }
 
@@ -122,7 +122,7 @@ StateSnapshot ask_all(const Gl& gl) {
   return a.answers;
 }
 
-/// Vectors that are not colours get whole numbers: OSMesa cuts off fractions there (reference/DEVIATIONS.md).
+/// Vectors that are not colors get whole numbers: OSMesa cuts off fractions there (reference/DEVIATIONS.md).
 void set_all(const Gl& gl, uint64_t seed) {
   Random r(seed);
   const auto color = [&] { return Float4{r.real(-1, 1), r.real(-1, 1), r.real(-1, 1), r.real(-1, 1)}; };

@@ -28,7 +28,7 @@ Vector unit(const Vector& a) {
   return {a[0] / length, a[1] / length, a[2] / length};
 }
 
-// The colour of a point at the origin of eye coordinates.
+// The color of a point at the origin of eye coordinates.
 std::array<float, 4> lit_point(const Gl& gl, const Float3& normal) {
   gl.PointSize(8);
   gl.Begin(GL_POINTS);
@@ -40,7 +40,7 @@ std::array<float, 4> lit_point(const Gl& gl, const Float3& normal) {
   return color;
 }
 
-// One directional light of specular colour only.
+// One directional light of specular color only.
 void highlight_only(const Gl& gl, const Float3& toward_light, float exponent) {
   const GLfloat black[4] = {0, 0, 0, 1}, white[4] = {1, 1, 1, 1},
                 position[4] = {toward_light[0], toward_light[1], toward_light[2], 0};
@@ -188,7 +188,7 @@ TEST_CASE("single terms add up to the whole, per vertex and per pixel, in both f
       }
 }
 
-TEST_CASE("degenerate input gives no negative colour and none that is not a number", "[spec][phong]") {
+TEST_CASE("degenerate input gives no negative color and none that is not a number", "[spec][phong]") {
   const Gl& gl = softgl_library();
   const float nan = std::numeric_limits<float>::quiet_NaN(),
               infinite = std::numeric_limits<float>::infinity();
@@ -228,7 +228,7 @@ TEST_CASE("degenerate input gives no negative colour and none that is not a numb
     std::vector<float> pixels(64 * 64 * 4);
     gl.ReadPixels(0, 0, 64, 64, GL_RGBA, GL_FLOAT, pixels.data());
     REQUIRE(gl.GetError() == GL_NO_ERROR);
-    // Primary and secondary colour are clamped one by one: their sum may reach 2.
+    // Primary and secondary color are clamped one by one: their sum may reach 2.
     REQUIRE(std::all_of(pixels.begin(), pixels.end(), [](float x) { return x >= 0 && x <= 2; }));
   }
 }

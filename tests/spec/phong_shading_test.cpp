@@ -145,13 +145,13 @@ TEST_CASE("a normal that is the same everywhere is lit alike per vertex and per 
   };
   const Difference d = compare(picture(scene, GL_PHONG_WIN), picture(scene, GL_SMOOTH));
   INFO(d.text);
-  REQUIRE(d.max_color <= 1); // the colour is interpolated once and rounded once in either order
+  REQUIRE(d.max_color <= 1); // the color is interpolated once and rounded once in either order
   REQUIRE(d.depth_values == 0);
 }
 
-TEST_CASE("degenerate input is lit per pixel with finite colours or draws nothing", "[spec][phong]") {
+TEST_CASE("degenerate input is lit per pixel with finite colors or draws nothing", "[spec][phong]") {
   const Gl& gl = softgl_library();
-  CurrentContext context(gl, GL_FLOAT); // 64x64, colours kept as floats
+  CurrentContext context(gl, GL_FLOAT); // 64x64, colors kept as floats
   const float nan = std::numeric_limits<float>::quiet_NaN(),
               infinite = std::numeric_limits<float>::infinity();
   const GLfloat position[4] = {0, 0, 0, 1}, ambient[4] = {0.5f, 0.5f, 0.5f, 1}, white[4] = {1, 1, 1, 1};
@@ -230,7 +230,7 @@ TEST_CASE("a light at the fragment itself leaves its ambient term, attenuated by
     CHECK(color(1, 0, 0, exponent) == std::array{0.625f, 0.125f, 0.625f});
     CHECK(color(1, 1, 1, exponent) == std::array{0.625f, 0.125f, 0.625f});
     CHECK(color(2, 0, 1, exponent) == std::array{0.375f, 0.125f, 0.5f});
-    // 1/0 of a colour is white, of black it is black.
+    // 1/0 of a color is white, of black it is black.
     CHECK(color(0, 1, 0, exponent) == std::array{1.0f, 0.125f, 1.0f});
     CHECK(color(0, 0, 1, exponent) == std::array{1.0f, 0.125f, 1.0f});
     CHECK(color(0, 0, 0, exponent) == std::array{1.0f, 0.125f, 1.0f});

@@ -102,7 +102,7 @@ TEST_CASE("The stencil test decides about copied pixels whatever its operations 
   CHECK(reds(gl, 0, 0, 1) == std::vector<int>{255});
 }
 
-TEST_CASE("Depths are drawn and copied with 24 bits, scaled and biased, and bring the raster colour",
+TEST_CASE("Depths are drawn and copied with 24 bits, scaled and biased, and bring the raster color",
           "[spec][pixels]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
@@ -177,7 +177,7 @@ TEST_CASE("Stencil values are shifted, offset and mapped, and written under the 
   CHECK(reds(gl, 2, 2, 1) == std::vector<int>{0});
 }
 
-TEST_CASE("Colour indexes become colours through the maps", "[spec][pixels]") {
+TEST_CASE("Color indexes become colors through the maps", "[spec][pixels]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   const GLfloat red[4] = {0, 0.2f, 0.4f, 1};
@@ -212,7 +212,7 @@ TEST_CASE("Lists keep pixel rectangles as the unpacking state then was", "[spec]
   CHECK(reds(gl, 5, 6, 2) == std::vector<int>{60, 7});
 }
 
-TEST_CASE("Texture, fog and colour sum change the fragments of pixel rectangles", "[spec][pixels]") {
+TEST_CASE("Texture, fog and color sum change the fragments of pixel rectangles", "[spec][pixels]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   const GLubyte texels[4] = {255, 0, 0, 255}, pixel[4] = {200, 200, 200, 255};

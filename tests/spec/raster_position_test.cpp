@@ -89,7 +89,7 @@ TEST_CASE("Raster positions are OSMesa's, bit for bit", "[spec][pixels]") {
     CHECK(p == position(osmesa_library()));
     valid += p[0] != 0;
     const Values expected = attributes(osmesa_library());
-    for (size_t i = 0; i < 8; i++) CHECK(with_p[i] == expected[i]); // colours
+    for (size_t i = 0; i < 8; i++) CHECK(with_p[i] == expected[i]); // colors
     // Coordinates are a vertex's, whose sums of four products up to 4 have another order: three roundings of
     // 2^-22 at most.
     for (size_t i = 8; i < expected.size(); i++)

@@ -194,7 +194,7 @@ TEST_CASE("GL_LINE_RESET_TOKEN says where the stipple begins anew", "[spec][sele
         std::vector<GLenum>{GL_LINE_RESET_TOKEN, GL_LINE_TOKEN, GL_LINE_TOKEN, GL_LINE_TOKEN});
 }
 
-TEST_CASE("Flat shaded primitives have one colour in feedback", "[spec][selection]") {
+TEST_CASE("Flat shaded primitives have one color in feedback", "[spec][selection]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   GLfloat values[64];

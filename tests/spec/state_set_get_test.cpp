@@ -79,7 +79,7 @@ TEST_CASE("capabilities of texture units belong to the active unit", "[spec][sta
   REQUIRE(gl.IsEnabled(GL_TEXTURE_GEN_T));
 }
 
-TEST_CASE("integer queries map colours to the whole range and round other numbers", "[spec][state]") {
+TEST_CASE("integer queries map colors to the whole range and round other numbers", "[spec][state]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   GLint v[4];
@@ -110,7 +110,7 @@ TEST_CASE("integer queries map colours to the whole range and round other number
   REQUIRE((m[3] == 1 && m[7] == 2 && m[11] == 3));
 }
 
-TEST_CASE("integer parameters of colours are mapped to [-1, 1]", "[spec][state]") {
+TEST_CASE("integer parameters of colors are mapped to [-1, 1]", "[spec][state]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   const GLint most[4] = {INT32_MAX, INT32_MIN, 0, 1 << 30};
@@ -244,7 +244,7 @@ TEST_CASE("a popped texture binding and its parameters are the pushed ones", "[s
   REQUIRE(gl.GetError() == GL_NO_ERROR);
 }
 
-TEST_CASE("colour material follows the colour and keeps the last one", "[spec][state]") {
+TEST_CASE("color material follows the color and keeps the last one", "[spec][state]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   const auto red = [&](GLenum face, GLenum pname) {
@@ -261,7 +261,7 @@ TEST_CASE("colour material follows the colour and keeps the last one", "[spec][s
   REQUIRE(red(GL_FRONT, GL_DIFFUSE) == 0.5f);
   REQUIRE(red(GL_BACK, GL_DIFFUSE) == 0.8f);
   const GLfloat ignored[4] = {0.9f, 0, 0, 1};
-  gl.Materialfv(GL_FRONT, GL_DIFFUSE, ignored); // the colour rules
+  gl.Materialfv(GL_FRONT, GL_DIFFUSE, ignored); // the color rules
   REQUIRE(red(GL_FRONT, GL_DIFFUSE) == 0.5f);
   gl.ColorMaterial(GL_BACK, GL_EMISSION);
   REQUIRE(red(GL_FRONT, GL_DIFFUSE) == 0.5f);

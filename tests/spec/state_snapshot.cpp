@@ -16,7 +16,7 @@ std::string text(double v) {
 }
 
 // Values beyond what an integer holds are converted by OSMesa as the processor happens to; GL 1.5, 6.1.2 asks
-// for the nearest. Matrices are mapped like colours by OSMesa, against 6.1.2. Neither is compared.
+// for the nearest. Matrices are mapped like colors by OSMesa, against 6.1.2. Neither is compared.
 bool integers_comparable(const StateRow& row, const double* v, int count) {
   if (row.name.find("_MATRIX") != std::string::npos) return false;
   const double limit = row.kind == 'N' ? 1.0 : 2147483520.0;

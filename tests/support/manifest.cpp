@@ -69,7 +69,7 @@ Manifest read_manifest(const std::string& path) {
 void write_manifest(const std::string& path, const Manifest& manifest) {
   std::ofstream file(path);
   file << kLibraryLine << manifest.library
-       << "\n# scene, first seed, number of seeds, hash of their colours and depths\n";
+       << "\n# scene, first seed, number of seeds, hash of their colors and depths\n";
   for (const ManifestRow& row : manifest.rows) {
     char line[128];
     std::snprintf(line, sizeof line, "%s %" PRIu64 " %" PRIu64 " %016" PRIx64 "\n", row.scene.c_str(),

@@ -8,7 +8,7 @@
 
 namespace softgl::test {
 
-/// Pictures of seeds [first, first + count) of a family, or a named scene: one hash of all their colours and
+/// Pictures of seeds [first, first + count) of a family, or a named scene: one hash of all their colors and
 /// depths.
 struct ManifestRow {
   std::string scene;

@@ -118,7 +118,7 @@ Difference compare(const Picture& ours, const Picture& theirs) {
   if (d.x >= 0) {
     const size_t i = size_t(d.y) * ours.width + d.x;
     std::snprintf(line, sizeof line,
-                  "%zu colour bytes (largest by %d), %zu depths, %zu stencils differ; first at (%d,%d): ours "
+                  "%zu color bytes (largest by %d), %zu depths, %zu stencils differ; first at (%d,%d): ours "
                   "%02x%02x%02x%02x z %06x, "
                   "theirs %02x%02x%02x%02x z %06x",
                   d.color_bytes, d.max_color, d.depth_values, d.stencil_values, d.x, d.y, ours.color[4 * i],

@@ -9,7 +9,7 @@
 
 namespace softgl::test {
 
-/// What a scene left: colours as in the caller's buffer, depth values (24 bits), the GL errors it raised.
+/// What a scene left: colors as in the caller's buffer, depth values (24 bits), the GL errors it raised.
 struct Picture {
   int width = 0, height = 0;
   std::vector<uint8_t> color;  // RGBA, row 0 at the bottom
@@ -18,7 +18,7 @@ struct Picture {
   std::vector<uint8_t> stencil;
   std::vector<GLenum> errors;
 
-  /// FNV-1a over size, colours, depths and floats.
+  /// FNV-1a over size, colors, depths and floats.
   uint64_t hash() const;
 };
 
@@ -28,7 +28,7 @@ Picture draw(const Gl& gl, const Scene& scene, uint64_t seed);
 /// How two pictures of one scene differ.
 struct Difference {
   size_t color_bytes = 0, floats = 0, depth_values = 0, stencil_values = 0;
-  int max_color = 0; // largest difference of a colour byte
+  int max_color = 0; // largest difference of a color byte
   bool errors = false, size = false;
   int x = -1, y = -1; // the first pixel that differs (y up)
   bool any() const { return color_bytes || floats || depth_values || stencil_values || errors || size; }
@@ -43,7 +43,7 @@ std::string check_against_osmesa(const Scene& scene, uint64_t seed);
 /// PNG with row 0 at the bottom, opaque: alpha is compared, not shown.
 std::vector<uint8_t> encode_png(int width, int height, std::vector<uint8_t> rgba);
 void write_png(const std::string& path, int width, int height, const std::vector<uint8_t>& rgba);
-/// Ours, theirs, and the amplified difference of colours; depths alike.
+/// Ours, theirs, and the amplified difference of colors; depths alike.
 void write_difference(const std::string& stem, const Picture& ours, const Picture& theirs);
 
 } // namespace softgl::test

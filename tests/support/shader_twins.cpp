@@ -98,7 +98,7 @@ GLuint link(const Variant& v) {
   return program;
 }
 
-// Which of emission, ambient, diffuse, specular follow the colour on a face.
+// Which of emission, ambient, diffuse, specular follow the color on a face.
 void set_tracked(GLuint program, const char* name, GLenum face) {
   GLint tracking_face = 0, parameter = 0;
   real.GetIntegerv(GL_COLOR_MATERIAL_FACE, &tracking_face);

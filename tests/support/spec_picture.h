@@ -11,7 +11,7 @@ namespace softgl::test {
 struct SpecPicture {
   Picture drawn;              // by softgl, with the same calls
   std::vector<uint8_t> color; // RGBA, as in Picture
-  /// Pixels whose answer does not hang on a rounding error: its colour does not jump by more than 1/255
+  /// Pixels whose answer does not hang on a rounding error: its color does not jump by more than 1/255
   /// within 1/128 pixel (edges, which are snapped to 1/256 pixel; the rim of a spotlight; where light begins
   /// to graze).
   std::vector<bool> certain;

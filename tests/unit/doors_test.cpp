@@ -22,7 +22,7 @@ TEST_CASE("Entry points and tokens are sorted, so that they are found", "[api]")
   CHECK(find_door("glBeginn") == nullptr);
 }
 
-TEST_CASE("Integers become colours as table 2.9 says", "[api]") {
+TEST_CASE("Integers become colors as table 2.9 says", "[api]") {
   CHECK(normalized(GLubyte(255)) == 1.0f);
   CHECK(normalized(GLubyte(51)) == 51.0f / 255.0f);
   CHECK(normalized(GLbyte(127)) == 1.0f);

@@ -40,7 +40,7 @@ struct Canvas {
   bool operator==(const Canvas& o) const { return color == o.color && depth == o.depth; }
 };
 
-/// A draw of plain coloured triangles; members may be changed before use.
+/// A draw of plain colored triangles; members may be changed before use.
 struct Draw {
   FragmentConstants constants{};
   FragmentProgram program{};

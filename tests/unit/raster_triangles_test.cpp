@@ -206,7 +206,7 @@ Canvas staged(const Vertices& v, bool small, const Kernels& k, ColorFormat forma
   draw.constants.alpha_reference = 0.2f, draw.constants.alpha_reference_8 = 51;
   draw.constants.fog_scale = 0.9f;
   draw.constants.fog_color[1] = 0.7f;
-  draw.record.layout.secondary = 1; // the colour's alpha serves as fog coordinate
+  draw.record.layout.secondary = 1; // the color's alpha serves as fog coordinate
   draw.program.add(k.raster->fog_exp2);
   draw.program.add(format == ColorFormat::Rgba8 ? k.raster->alpha_test_8 : k.raster->alpha_test_float,
                    int32_t(Compare::Greater));

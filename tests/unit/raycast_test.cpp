@@ -1,4 +1,4 @@
-// reference/raycast: where rays hit, where they do not, and what colour they bring back.
+// reference/raycast: where rays hit, where they do not, and what color they bring back.
 #include <catch2/catch.hpp>
 
 #include <cstdlib>
@@ -141,7 +141,7 @@ TEST_CASE("materials compute the textbook's equation and OpenGL's", "[reference]
   check(material.shade(hit, ray, light), {0.1 + 0.4 + 0.225, 0.05 + 0.2 + 0.225, 0.45});
   light.model.highlight = softgl::spec::Highlight::ReflectionVector;
   check(material.shade(hit, ray, light), {0.66, 0.41, 0.32});
-  light.model.separate_specular = true; // the sum of both colours
+  light.model.separate_specular = true; // the sum of both colors
   check(material.shade(hit, ray, light), {0.66, 0.41, 0.32});
 
   // From behind: the light does not reach, unless the surface has two sides.
@@ -177,7 +177,7 @@ TEST_CASE("a scene shows the nearest shape through the centre of each pixel", "[
 TEST_CASE("scene files say what is wrong with them", "[reference][raycast]") {
   for (const char* text :
        {"sphere 0 0 0", "sphere 0 0 0 -1", "size 0 5", "size 100000 5", "camera fisheye",
-        "camera perspective 180", "light 0 0 1 1 1 1 1 colour 3", "material 3", "box 0 0 0 1 1 1 fold",
+        "camera perspective 180", "light 0 0 1 1 1 1 1 color 3", "material 3", "box 0 0 0 1 1 1 fold",
         "mesh no-such-file.obj", "blob 1 2 3", "plane 0 0 0 0 0 0", "sphere 0 0 0 1 2", "ambient 1 1 nan"}) {
     INFO(text);
     CHECK_THROWS_WITH(parse_scene(std::string("size 4 4\n") + text, "file"), Catch::StartsWith("file:2: "));

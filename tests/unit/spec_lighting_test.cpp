@@ -165,7 +165,7 @@ TEST_CASE("2.14.1: the sign of a polygon's area selects the face", "[reference][
   CHECK(faces_back(0, true));
 }
 
-TEST_CASE("2.14.3 and 2.14.6: tracked colours, clamping, rounding", "[reference][lighting]") {
+TEST_CASE("2.14.3 and 2.14.6: tracked colors, clamping, rounding", "[reference][lighting]") {
   const Vec4 color{0.1, 0.2, 0.3, 0.4};
   CHECK(track_color({}, TrackedColor::Emission, color).emission.w == 0.4);
   CHECK(track_color({}, TrackedColor::Specular, color).specular.x == 0.1);

@@ -8,8 +8,7 @@
 
 using namespace softgl::test;
 
-TEST_CASE("Skipped pixels are skipped when bytes are swapped or colours transferred",
-          "[texture][deviation]") {
+TEST_CASE("Skipped pixels are skipped when bytes are swapped or colors transferred", "[texture][deviation]") {
   TextureContext c(softgl_library());
   const unsigned short texels[4] = {0x0100, 0x0200, 0x0304, 0xffff};
   c.gl.PixelStorei(GL_UNPACK_SKIP_PIXELS, 2);
@@ -25,7 +24,7 @@ TEST_CASE("Skipped pixels are skipped when bytes are swapped or colours transfer
   CHECK(value == 0x0182);
 }
 
-TEST_CASE("Colours are scaled on their way from the framebuffer into a texture", "[texture][deviation]") {
+TEST_CASE("Colors are scaled on their way from the framebuffer into a texture", "[texture][deviation]") {
   TextureContext c(softgl_library());
   c.gl.Enable(GL_SCISSOR_TEST);
   for (int row = 0; row < 4; ++row) {
@@ -70,7 +69,7 @@ TEST_CASE("Compressed internal formats are stored uncompressed", "[texture][devi
   CHECK(back == texels);
 }
 
-// Three levels of one internal format, each with pixels of another form; gives the colour that each level is
+// Three levels of one internal format, each with pixels of another form; gives the color that each level is
 // drawn with.
 static std::vector<GLuint> draw_levels(const Gl& gl, bool smallest_first) {
   TextureContext c(gl);

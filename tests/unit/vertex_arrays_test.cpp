@@ -24,7 +24,7 @@ void close(Context& c) {
   if (c.guard & kRunPending) close_run(c);
 }
 
-/// Position xyz, normal, colour as 4 bytes, texture coordinates: 36 bytes.
+/// Position xyz, normal, color as 4 bytes, texture coordinates: 36 bytes.
 struct Vertex {
   float position[3], normal[3];
   unsigned char color[4];
@@ -222,7 +222,7 @@ TEST_CASE("indices and vertices behind the end of a buffer do no harm", "[vertex
 }
 
 TEST_CASE("the fourteen interleaved formats", "[vertex][arrays]") {
-  // Offsets in floats of texture coordinates, colour, normal, position (-1: none) and the size, of table 2.5.
+  // Offsets in floats of texture coordinates, color, normal, position (-1: none) and the size, of table 2.5.
   static constexpr int formats[14][5] = {
       {-1, -1, -1, 0, 2}, {-1, -1, -1, 0, 3}, {-1, 0, -1, 1, 3}, {-1, 0, -1, 1, 4}, {-1, 0, -1, 3, 6},
       {-1, -1, 0, 3, 6},  {-1, 0, 4, 7, 10},  {0, -1, -1, 2, 5}, {0, -1, -1, 4, 8}, {0, 2, -1, 3, 6},

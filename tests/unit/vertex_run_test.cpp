@@ -38,7 +38,7 @@ std::vector<ExpandedPrimitive> played(const Stream& stream, GLenum mode, Attribu
   CHECK(c->error == GL_NO_ERROR);
   return recorded_primitives(*c);
 }
-/// `times` times in immediate mode, with this colour before the first.
+/// `times` times in immediate mode, with this color before the first.
 std::vector<ExpandedPrimitive> repeated(const Stream& stream, AttributeValue color, int times) {
   return immediate([&](Context& c) {
     set_attribute4(c, kColor, color[0], color[1], color[2], color[3]);
@@ -230,7 +230,7 @@ TEST_CASE("equal vertices of a list are joined at its second playing", "[lists]"
   CHECK(std::count_if(p.begin(), p.end(), [](const auto& one) { return one.mode == GL_POINTS; }) == 600);
 }
 
-TEST_CASE("vertices of a list take the colour that is current when it is played", "[lists]") {
+TEST_CASE("vertices of a list take the color that is current when it is played", "[lists]") {
   auto c = make_recording_context();
   gl::NewList(*c, 1, GL_COMPILE);
   gl::Begin(*c, GL_LINES);

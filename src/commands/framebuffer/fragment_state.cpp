@@ -43,7 +43,7 @@ bool is_blend_factor(GLenum factor, bool source) {
   }
 }
 
-// There is one colour buffer: front left. OSMesa lets GL_BACK and GL_BACK_LEFT mean it, too.
+// There is one color buffer: front left. OSMesa lets GL_BACK and GL_BACK_LEFT mean it, too.
 enum class BufferName { Unknown, Absent, Present };
 BufferName classify_buffer(GLenum buffer) {
   switch (buffer) {

@@ -1,4 +1,4 @@
-// Lights, light model, material, colour material and shade model (GL 1.5, 2.14), and the queries of them
+// Lights, light model, material, color material and shade model (GL 1.5, 2.14), and the queries of them
 // (6.1.3).
 #include "commands/lighting/color_material.h"
 #include "commands/vertices/vertex_stream.h"

@@ -13,7 +13,7 @@ constexpr int kMaps = 10;
 constexpr GLsizei kMaxMapSize = 256; // GL_MAX_PIXEL_MAP_TABLE
 
 bool is_map(GLenum map) { return map >= GL_PIXEL_MAP_I_TO_I && map < GL_PIXEL_MAP_I_TO_I + kMaps; }
-/// Maps whose values are indexes, and not colours in [0,1].
+/// Maps whose values are indexes, and not colors in [0,1].
 bool holds_indexes(GLenum map) { return map == GL_PIXEL_MAP_I_TO_I || map == GL_PIXEL_MAP_S_TO_S; }
 /// Maps that are looked up by an index: their sizes are powers of two.
 bool takes_indexes(GLenum map) { return map <= GL_PIXEL_MAP_I_TO_A; }

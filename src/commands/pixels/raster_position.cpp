@@ -50,7 +50,7 @@ void take_current_attributes(const State& s, RasterPosition& position) {
   for (int u = 0; u < kMaxTextureUnits; ++u) position.texcoord[u] = s.current.slot[kTexCoord0 + u];
 }
 
-/// What the vertex program makes of the current attributes at `object`: colours if there is lighting, and
+/// What the vertex program makes of the current attributes at `object`: colors if there is lighting, and
 /// coordinates.
 void shade_attributes(Context& c, const Vec4& object, RasterPosition& position) {
   Arena& arena = c.frame.arena();

@@ -32,7 +32,7 @@ struct Target {
   unsigned char* pixels(int r) const { return row(r) + size_t(skipped) * format.bytes; }
 };
 
-/// Whether colours go through floats: pixel transfer, sums of luminance, and what OSMesa converts that way.
+/// Whether colors go through floats: pixel transfer, sums of luminance, and what OSMesa converts that way.
 bool needs_floats(const Context& c, const PixelFormat& f) {
   if (pixel_transfer(c).changes_color() || f.luminance) return true;
   if (f.channel == PixelChannel::Packed && f.bits[0] > 8) return true;
@@ -181,7 +181,7 @@ void read_stencils(const Context& c, const Target& t) {
 GLenum check(const Context& c, GLsizei width, GLsizei height, GLenum format, GLenum type) {
   if (width < 0 || height < 0) return GL_INVALID_VALUE;
   // A buffer that is missing comes before a type that does not fit, as in OSMesa.
-  if (format == GL_COLOR_INDEX) return GL_INVALID_OPERATION; // there are no colour index buffers
+  if (format == GL_COLOR_INDEX) return GL_INVALID_OPERATION; // there are no color index buffers
   if (format == GL_DEPTH_COMPONENT && c.framebuffer.depth_bits == 0) return GL_INVALID_OPERATION;
   if (format == GL_STENCIL_INDEX && c.framebuffer.stencil_bits == 0) return GL_INVALID_OPERATION;
   if (const GLenum error = check_pixel_format(format, type)) return error;

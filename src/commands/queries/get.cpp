@@ -31,7 +31,7 @@ struct Values {
   template <class... T> void put_all(const T&... x) { (put(x), ...); }
 };
 
-// Colours of fragment operations are kept as given, and read back clamped unless the colour buffer is of
+// Colors of fragment operations are kept as given, and read back clamped unless the color buffer is of
 // floats.
 Vec4 fragment_color(const Context& c, const Vec4& color) {
   if (c.framebuffer.surface.color_format == ColorFormat::RgbaFloat) return color;

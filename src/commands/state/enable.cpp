@@ -70,7 +70,7 @@ void set_capability(Context& c, GLenum token, bool value) {
   if (!capability) return set_array(c, token, value); // EXT_vertex_array switches the arrays here
   const int unit = c.state.texture.active_unit;
   if (capability->get(c.state, unit) == value) return;
-  if (token == GL_COLOR_MATERIAL && !value) track_color_material(c); // keeps the last colour
+  if (token == GL_COLOR_MATERIAL && !value) track_color_material(c); // keeps the last color
   capability->set(c.state, unit, value);
   if (token == GL_COLOR_MATERIAL && value) track_color_material(c);
   c.dirty |= capability->dirty;

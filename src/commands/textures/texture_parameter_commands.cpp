@@ -27,7 +27,7 @@ bool wrap_allowed(GLenum mode, TextureTarget target) {
 bool compare_function(GLenum f) { return f >= GL_NEVER && f <= GL_ALWAYS; }
 
 GLint to_int(float v) { return GLint(std::clamp(std::nearbyint(double(v)), -2147483648.0, 2147483647.0)); }
-// Colours and priorities as integers: [-1,1] to the whole range (6.1.2).
+// Colors and priorities as integers: [-1,1] to the whole range (6.1.2).
 GLint color_to_int(float v) { return GLint(2147483647.0 * double(std::clamp(v, -1.0f, 1.0f))); }
 
 } // namespace
@@ -93,7 +93,7 @@ void TexParameter(Context& c, GLenum target, GLenum pname, const GLfloat* params
 
 namespace {
 
-/// Number of values, 0 for an unknown name. Colours are marked, because they scale as integers.
+/// Number of values, 0 for an unknown name. Colors are marked, because they scale as integers.
 int get_parameter(Context& c, GLenum target, GLenum pname, float* v, bool& color) {
   const TextureTarget t = binding_target(target);
   if (t == kTextureTargets) return 0;

@@ -241,7 +241,7 @@ const std::vector<WorkloadKind>& workloads() {
        make_mesh<256, 136, 1, Source::Buffers, false, GL_LINES>, false},
       {"small_draws", "ten thousand objects of 48 triangles, each with its own material and matrix",
        make_small_draws, false},
-      {"fill", "twenty layers over the whole picture, smooth colours, depth test", make_layers<Layer::Opaque>,
+      {"fill", "twenty layers over the whole picture, smooth colors, depth test", make_layers<Layer::Opaque>,
        false},
       {"blend", "twenty translucent layers", make_layers<Layer::Blended>, false},
       {"texture", "twenty layers with a trilinear texture", make_layers<Layer::Textured>, false},

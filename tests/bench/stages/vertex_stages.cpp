@@ -17,7 +17,7 @@ void shade(benchmark::State& state) {
   print_hash(state, memory.hash(draw));
 }
 
-// Positions and colours that a program gives as numbers of type T, without lighting.
+// Positions and colors that a program gives as numbers of type T, without lighting.
 template <class T, GLenum type> void vertex_fetch(benchmark::State& state) {
   Canvas canvas(64);
   constexpr int kVertices = 20000;

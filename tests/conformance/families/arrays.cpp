@@ -29,7 +29,7 @@ size_t size_of(GLenum type) {
   }
 }
 
-// Stores `value` as `type`: colours and normals use the type's range, coordinates its integers.
+// Stores `value` as `type`: colors and normals use the type's range, coordinates its integers.
 void store(unsigned char* p, GLenum type, float value, bool normalized) {
   auto put = [&](auto x) { std::memcpy(p, &x, sizeof x); };
   switch (type) {
@@ -107,11 +107,11 @@ void draw_batch(Stage& s, Memory& memory) {
   const std::vector<Float4> p =
       random_positions(s, mode, count, r.chance(70) ? Spread::View : Spread::Any, false);
   const bool vbo = r.chance(40);
-  const Float4 current = r.color(); // arrays leave an undefined current colour behind them (2.8)
+  const Float4 current = r.color(); // arrays leave an undefined current color behind them (2.8)
   gl.Color4fv(current.data());
   for (GLenum capability : {GL_LIGHTING, GL_COLOR_SUM, GL_FOG}) gl.Disable(capability);
   if (r.chance(15)) {
-    // Interleaved: position and colour in one of glInterleavedArrays' formats
+    // Interleaved: position and color in one of glInterleavedArrays' formats
     const GLenum format =
         GLenum(r.pick({mode == GL_QUADS ? GL_C3F_V3F : GL_V2F, mode == GL_QUADS ? GL_C3F_V3F : GL_V3F,
                        GL_C4UB_V2F, GL_C4UB_V3F, GL_C3F_V3F, GL_C4F_N3F_V3F,
@@ -148,7 +148,7 @@ void draw_batch(Stage& s, Memory& memory) {
     });
     gl.VertexPointer(position.size, position.type, position.stride, position.pointer);
     gl.EnableClientState(GL_VERTEX_ARRAY);
-    // Normalized arrays of signed integers and of unsigned int: reference/DEVIATIONS.md. Quads of one colour
+    // Normalized arrays of signed integers and of unsigned int: reference/DEVIATIONS.md. Quads of one color
     // are smooth to OSMesa.
     if (mode == GL_QUADS || r.chance(85)) {
       const GLenum color_type =

@@ -1,4 +1,4 @@
-// Chains of texture environments with colour sum and fog behind them, drawn to floats: OSMesa's compiler
+// Chains of texture environments with color sum and fog behind them, drawn to floats: OSMesa's compiler
 // decides over the whole chain in which order it adds, and of that 8 bits show next to nothing.
 #include "conformance/families/common.h"
 #include "conformance/families/environments.h"
@@ -27,7 +27,7 @@ void random_environment(Stage& s, int units, bool all_on) {
     gl.TexEnvi(GL_TEXTURE_ENV, GL_SOURCE0_RGB + GLenum(i), rgb);
     gl.TexEnvi(GL_TEXTURE_ENV, GL_SOURCE0_ALPHA + GLenum(i), source());
     GLint operand = r.pick({GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA});
-    // 1 minus the colour of a unit that is off: reference/DEVIATIONS.md.
+    // 1 minus the color of a unit that is off: reference/DEVIATIONS.md.
     if (!all_on && rgb >= GL_TEXTURE0 && rgb <= GL_TEXTURE7 && operand == GL_ONE_MINUS_SRC_COLOR)
       operand = GL_SRC_COLOR;
     gl.TexEnvi(GL_TEXTURE_ENV, GL_OPERAND0_RGB + GLenum(i), operand);

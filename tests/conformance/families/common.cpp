@@ -287,7 +287,7 @@ std::vector<Float4> random_positions(Stage& s, GLenum mode, int count, Spread sp
   return p;
 }
 
-// All colours of a primitive have three components, or all have four: reference/DEVIATIONS.md. To OSMesa
+// All colors of a primitive have three components, or all have four: reference/DEVIATIONS.md. To OSMesa
 // glColor3d and the integers of glColor3 have four, and a strip of quadrilaterals is cut in two where they
 // come behind others.
 static void emit_color(Stage& s, bool alpha, GLenum mode) {
@@ -349,7 +349,7 @@ static void emit_material(Stage& s, bool front_only) {
 void random_primitive(Stage& s, const PrimitiveOptions& o) {
   const Gl& gl = s.gl;
   // Smooth quads have a family of their own: where OSMesa cuts them depends on clipping, lists and indices.
-  // OSMesa cuts flat ones like them where a texture replaces the colour (reference/DEVIATIONS.md): textured
+  // OSMesa cuts flat ones like them where a texture replaces the color (reference/DEVIATIONS.md): textured
   // quads become strips.
   const GLenum mode = o.mode == GL_QUADS && o.texture_coordinates ? GL_QUAD_STRIP : o.mode;
   GLint shade_model = GL_FLAT;

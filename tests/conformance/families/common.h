@@ -49,7 +49,7 @@ int vertices_of(GLenum mode, int n);
 void random_primitive(Stage& s, const PrimitiveOptions& options);
 /// The positions of `count` vertices of a mode.
 std::vector<Float4> random_positions(Stage& s, GLenum mode, int count, Spread spread, bool planar);
-/// A primitive of random colours that fills the whole window: something to blend with.
+/// A primitive of random colors that fills the whole window: something to blend with.
 void backdrop(Stage& s);
 /// A sphere with normals as strips: curved surfaces show lighting.
 void sphere(Stage& s, int slices, int stacks, float radius, bool texture_coordinates);

@@ -1,5 +1,5 @@
 // Ten lighting states a scene, each in a cell of its own: every parameter of lights, light model, materials,
-// colour material and normal transformation, out to its limits. The states of one scene share what makes
+// color material and normal transformation, out to its limits. The states of one scene share what makes
 // OSMesa compile a program (which lights there are, and of what kind) and differ in all numbers, so that ten
 // thousand are soon drawn.
 #include "conformance/families/lighting_states.h"

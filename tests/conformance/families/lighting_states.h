@@ -15,7 +15,7 @@ struct LightingStateOptions {
   // its rim by a fiftieth of a pixel for each; one scene in a hundred had a pixel there that equation 2.5
   // lights in one order of the sums and not in another.)
   bool well_conditioned = false;
-  bool back_colors = false; // back materials may follow the colour under two-sided lighting
+  bool back_colors = false; // back materials may follow the color under two-sided lighting
 };
 
 void draw_lighting_states(Stage& s, const LightingStateOptions& options);

@@ -56,7 +56,7 @@ void list_content(Stage& s, GLuint call_below, bool partial_attributes, bool exe
         break; // spoils a later primitive whose attributes come late, also of a list that calls this one
       const int count = vertices_of(mode, r.integer(1, 6));
       const std::vector<Float4> p = random_positions(s, mode, count, Spread::View, false);
-      // The first vertices take the colour and normal that are current when the list is called.
+      // The first vertices take the color and normal that are current when the list is called.
       int late_color = r.integer(0, count), late_normal = r.integer(0, count);
       // Behind another primitive OSMesa loses the one triangle that a fan had before an attribute came:
       // reference/DEVIATIONS.md.

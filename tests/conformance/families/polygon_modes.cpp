@@ -1,5 +1,5 @@
 // Polygons that are changed before they are rasterized: drawn as lines and points, with all that is different
-// then (culling, colours of two sides, offset, edge flags, stipple, clipping), and filled ones.
+// then (culling, colors of two sides, offset, edge flags, stipple, clipping), and filled ones.
 #include "conformance/families/common.h"
 
 namespace softgl::test {
@@ -118,7 +118,7 @@ static void draw_edge_flags(Stage& s) {
   }
 }
 
-// Filled polygons, which OSMesa colours and offsets at their vertices wherever it could have smooth or
+// Filled polygons, which OSMesa colors and offsets at their vertices wherever it could have smooth or
 // stippled points or lines. Where it could have smooth ones the state is set once: OSMesa draws with the old
 // one after that (DEVIATIONS.md).
 static void draw_staged_polygons(Stage& s) {

@@ -121,7 +121,7 @@ void copied_texture(Stage& s) {
   gl.TexParameteri(c.target, GL_TEXTURE_MAG_FILTER, r.pick({GL_NEAREST, GL_LINEAR}));
   for (GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
     gl.TexParameteri(c.target, axis, r.pick({GL_REPEAT, GL_CLAMP_TO_EDGE}));
-  // Colours are not scaled on the way: reference/DEVIATIONS.md.
+  // Colors are not scaled on the way: reference/DEVIATIONS.md.
   const bool transfers = r.chance(20);
   gl.PixelTransferf(GL_DEPTH_SCALE, transfers ? r.real(0.3f, 1.5f) : 1.0f);
   gl.PixelTransferf(GL_DEPTH_BIAS, transfers ? r.real(-0.3f, 0.3f) : 0.0f);

@@ -123,7 +123,7 @@ int run(const Options& o) {
                     static_cast<unsigned long long>(first.hash()));
         continue;
       }
-      // Nothing but one colour: such a scene tests little.
+      // Nothing but one color: such a scene tests little.
       bool uniform = true;
       for (size_t i = 4; i < first.color.size(); i++) uniform &= first.color[i] == first.color[i - 4];
       black += uniform;
@@ -161,7 +161,7 @@ int run(const Options& o) {
     failed |= failures > 0;
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     if (!o.hash)
-      std::printf("%-24s %llu scenes, %d failures, %llu of one colour, %.1f s\n", scene.name.c_str(),
+      std::printf("%-24s %llu scenes, %d failures, %llu of one color, %.1f s\n", scene.name.c_str(),
                   static_cast<unsigned long long>(done), failures, static_cast<unsigned long long>(black),
                   seconds);
     std::fflush(stdout);
