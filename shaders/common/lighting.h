@@ -2,7 +2,9 @@
 // materials. The lanes are vertices (Gouraud) or fragments (Phong).
 #pragma once
 
+#include "shaders/common/limits.h"
 #include "shaders/common/surface.h"
+#include "shaders/common/vertex_attributes.h"
 
 namespace softgl {
 
@@ -26,17 +28,17 @@ struct LightingConstants {
   bool for_fragments;  // the lanes are fragments: their normals are renormalized
   int32_t light_count;
   float model_ambient[3];
-  float material[5][2][4]; // [MaterialParameter][face], where constant
+  float material[kMaterialParameters][2][4]; // [MaterialParameter][face], where constant
   // Slot that feeds a material parameter as lanes: a material slot, kColor (color material), or -1 =
   // constant.
-  int8_t material_source[5][2];
-  float scene[2][4];       // emission + model ambient * ambient; alpha = diffuse alpha
-  LightConstants light[8]; // light_count of them
+  int8_t material_source[kMaterialParameters][2];
+  float scene[2][4];                // emission + model ambient * ambient; alpha = diffuse alpha
+  LightConstants light[kMaxLights]; // light_count of them
 };
 
 /// A material parameter of a face as lanes; null = LightingConstants::material.
 struct MaterialLanes {
-  const float* component[5][2][4]; // [MaterialParameter][face][component]
+  const float* component[kMaterialParameters][2][4]; // [MaterialParameter][face][component]
 };
 
 /// One block of lanes. Lanes [0, lanes) are computed; lanes is a multiple of kStripLanes.

@@ -36,7 +36,7 @@ static inline void unit_lanes(const float (*in)[kLanes], float (*out)[kLanes], i
 template <class LanesOf>
 static inline MaterialLanes material_lanes(const LightingConstants& k, LanesOf lanes_of) {
   MaterialLanes lanes = {};
-  for (int parameter = 0; parameter < 5; ++parameter)
+  for (int parameter = 0; parameter < kMaterialParameters; ++parameter)
     for (int face = 0; face <= int(k.two_sided); ++face) {
       const int slot = k.material_source[parameter][face];
       if (slot < 0) continue;
@@ -51,10 +51,11 @@ static inline void light_scene_color(LightingBlock& b, const LightingConstants& 
                                      int face, int n) {
   for (int c = 0; c < 3; ++c) {
     float* out = b.color[face][c];
-    const float* ambient = lanes.component[0][face][c];
-    const float* emission = lanes.component[3][face][c];
+    const float* ambient = lanes.component[kMaterialAmbient][face][c];
+    const float* emission = lanes.component[kMaterialEmission][face][c];
     const float model = k.model_ambient[c];
-    const float constant_ambient = k.material[0][face][c], constant_emission = k.material[3][face][c];
+    const float constant_ambient = k.material[kMaterialAmbient][face][c],
+                constant_emission = k.material[kMaterialEmission][face][c];
     if (!ambient && !emission) {
       const float scene = k.scene[face][c];
       SOFTGL_FOR_LANES(i, n) out[i] = scene;
@@ -71,11 +72,11 @@ static inline void light_scene_color(LightingBlock& b, const LightingConstants& 
     }
   }
   float* out = b.color[face][3];
-  const float* alpha = lanes.component[1][face][3];
+  const float* alpha = lanes.component[kMaterialDiffuse][face][3];
   if (alpha) {
     SOFTGL_FOR_LANES(i, n) out[i] = alpha[i];
   } else {
-    const float constant = k.material[1][face][3];
+    const float constant = k.material[kMaterialDiffuse][face][3];
     SOFTGL_FOR_LANES(i, n) out[i] = constant;
   }
 }
@@ -216,8 +217,8 @@ static inline void light_zero_exponents(LightingBlock& b, const LightingConstant
   const float* nl = b.diffuse[0];
   float* nh = b.specular[0];
   for (int face = 0; face <= int(k.two_sided); ++face) {
-    const float *shininess = lanes.component[4][face][0], constant = k.material[4][face][0],
-                one = face ? -1.0f : 1.0f;
+    const float *shininess = lanes.component[kMaterialShininess][face][0],
+                constant = k.material[kMaterialShininess][face][0], one = face ? -1.0f : 1.0f;
     if (!shininess && constant != 0.0f) continue;
     SOFTGL_FOR_LANES(i, n) {
       const int32_t zero = mask_of((shininess ? shininess[i] : constant) == 0.0f),
@@ -256,8 +257,9 @@ static inline void light_highlight(LightingBlock& b, const LightingConstants& k,
                                    int n) {
   const float* nl = b.diffuse[0];
   float *front = b.specular[0], *back = b.specular[1];
-  const float* shininess[2] = {lanes.component[4][0][0], lanes.component[4][1][0]};
-  const float constant[2] = {k.material[4][0][0], k.material[4][1][0]};
+  const float* shininess[2] = {lanes.component[kMaterialShininess][0][0],
+                               lanes.component[kMaterialShininess][1][0]};
+  const float constant[2] = {k.material[kMaterialShininess][0][0], k.material[kMaterialShininess][1][0]};
   if (!k.two_sided) {
     if (!shininess[0]) {
       const float e = constant[0];
@@ -356,9 +358,10 @@ static inline void light_add_varying(LightingBlock& b, const LightingConstants& 
       const float* lane;
       float light, product;
       float* out;
-    } term[3] = {{lanes.component[0][face][c], l.ambient[c], l.ambient_product[face][c], amb},
-                 {lanes.component[1][face][c], l.diffuse[c], l.diffuse_product[face][c], dif},
-                 {lanes.component[2][face][c], l.specular[c], l.specular_product[face][c], spe}};
+    } term[3] = {
+        {lanes.component[kMaterialAmbient][face][c], l.ambient[c], l.ambient_product[face][c], amb},
+        {lanes.component[kMaterialDiffuse][face][c], l.diffuse[c], l.diffuse_product[face][c], dif},
+        {lanes.component[kMaterialSpecular][face][c], l.specular[c], l.specular_product[face][c], spe}};
     for (const auto& t : term) {
       float* out = t.out;
       const float *lane = t.lane, light = t.light, product = t.product;

@@ -15,9 +15,9 @@ enum AttributeSlot : int {
   kFogCoordinate = 4,
   kEdgeFlag = 5,
   kColorIndex = 6,
-  kTexCoord0 = 8,  // .. kTexCoord0 + 7
+  kTexCoord0 = 8,  // .. kTexCoord0 + kMaxTextureUnits - 1
   kMaterial0 = 16, // .. kMaterial0 + kMaterialSlots - 1, see MaterialParameter
-  kAttributeSlots = 26
+  kAttributeSlots = kMaterial0 + 10
 };
 
 /// A material parameter's slot is kMaterial0 + 2 * parameter + face (face 0 = front, 1 = back).
@@ -26,9 +26,11 @@ enum MaterialParameter : int {
   kMaterialDiffuse,
   kMaterialSpecular,
   kMaterialEmission,
-  kMaterialShininess
+  kMaterialShininess,
+  kMaterialParameters
 };
-constexpr int kMaterialSlots = 10;
+constexpr int kMaterialSlots = 2 * kMaterialParameters;
+static_assert(kAttributeSlots == kMaterial0 + kMaterialSlots);
 constexpr int material_slot(MaterialParameter parameter, int face) {
   return kMaterial0 + 2 * parameter + face;
 }

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "shaders/common/lighting.h"
+#include "shaders/common/limits.h"
 #include "shaders/common/surface.h"
 #include "shaders/common/vertex_attributes.h"
 
 namespace softgl {
 
 struct FragmentConstants; // fragment_constants.h
-constexpr int kBlockTextureUnits = 8;
 
 /// Texture coordinates of one unit, already divided by q, and their differences in the fragment's 2x2 quad
 /// (right minus left and lower minus upper, both from the quad's top left pixel).
@@ -29,7 +29,7 @@ struct alignas(64) FragmentBlock {
   float color[4][kLanes]; // running color r g b a: primary, then after texturing, color sum, fog
   float secondary[3][kLanes]; // secondary color
   float fog[kLanes];          // fog coordinate
-  BlockCoordinates unit[kBlockTextureUnits];
+  BlockCoordinates unit[kMaxTextureUnits];
   // Where fragments are lit: normal and eye position are in `lighting`, a vertex color that feeds the
   // material in `color`.
   LightingBlock lighting;

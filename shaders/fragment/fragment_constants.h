@@ -20,8 +20,8 @@ struct FragmentConstants {
   float blend_color[4];
   uint8_t blend_color_8[4];
   uint8_t stencil_reference, stencil_value_mask, stencil_write_mask;
-  const LightingConstants* lighting;                       // null where fragments are not lit
-  const TextureUnitConstants* texture[kBlockTextureUnits]; // null where a unit is off
+  const LightingConstants* lighting;                     // null where fragments are not lit
+  const TextureUnitConstants* texture[kMaxTextureUnits]; // null where a unit is off
   const CombinerProgram* combiner; // null where every environment has a stage of its own
   const PixelImage* image;         // of pixel rectangles; else null
 };

@@ -33,7 +33,7 @@ struct RasterDraw {
   // lit), then s t r q of texture units; -1: not there.
   uint8_t plane_count, varying_count;
   Varying varying[kMaxVaryings];
-  int8_t unit_plane[kBlockTextureUnits];
+  int8_t unit_plane[kMaxTextureUnits];
   uint8_t flat_units;  // bit u: the coordinates of texture unit u are the same for all vertices, and not
                        // interpolated
   bool facing;         // the block's `back` is filled
@@ -53,7 +53,7 @@ inline Varying coordinates_of_unit(const RasterDraw& draw, int unit) {
 }
 // Most planes there are where fragments are lit: normal, eye, materials of both faces (four colors and the
 // exponent), fog, coordinates.
-constexpr int kMaxPlanes = 2 + 3 + 3 + 2 * (4 * 4 + 1) + 1 + 4 * kBlockTextureUnits;
+constexpr int kMaxPlanes = 2 + 3 + 3 + 2 * (4 * 4 + 1) + 1 + 4 * kMaxTextureUnits;
 
 /// A set-up triangle, line or point: convex, 3 or 4 edges or, for points, none but the box (unused edges
 /// accept all). A pixel is covered iff c - a * px + b * py >= 0 for all edges; a and b are in 1/256 pixel, c

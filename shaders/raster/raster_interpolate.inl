@@ -81,7 +81,7 @@ static void interpolate_block(const RasterDraw& draw, const RasterPrimitive& p, 
   }
   if (draw.facing)
     for (int i = 0; i < lanes; i += kWidth) store(block.back + i, splat(-int32_t(p.back)));
-  for (int u = 0; u < kBlockTextureUnits; ++u) {
+  for (int u = 0; u < kMaxTextureUnits; ++u) {
     if (draw.unit_plane[u] < 0) continue;
     const Plane* q = p.plane + draw.unit_plane[u];
     BlockCoordinates& t = block.unit[u];
@@ -153,7 +153,7 @@ static void interpolate_lanes(const RasterDraw& draw, const RasterPrimitive* con
         put(draw.varying[v].plane + k, lanes_of(block, draw.varying[v], k), draw.varying[v].flat);
     if (draw.facing)
       for (int k = 0; k < kWidth; ++k) block.back[i + k] = -int32_t(primitive[i + k]->back);
-    for (int u = 0; u < kBlockTextureUnits; ++u) {
+    for (int u = 0; u < kMaxTextureUnits; ++u) {
       if (draw.unit_plane[u] < 0) continue;
       const CoordinatesRead read = coordinates_read(program, u);
       PlaneV q[4];

@@ -129,7 +129,7 @@ static void store_planes(const RasterDraw& draw, CornerPlanes& p, StoredPlanes& 
     for (int k = 0; k < v.components; ++k) out.put(v.plane + k, p.plane(v, k));
   };
   for (int i = 0; i < draw.varying_count; ++i) varying(draw.varying[i]);
-  for (int u = 0; u < kBlockTextureUnits; ++u)
+  for (int u = 0; u < kMaxTextureUnits; ++u)
     if (draw.unit_plane[u] >= 0) varying(coordinates_of_unit(draw, u));
 }
 

@@ -94,7 +94,7 @@ public:
       for (int k = 0; k < v.components; ++k) store(lanes_of(block_, v, k) + lane, value(v, k));
     }
     if (draw_.facing) store(block_.back + lane, planes.back());
-    for (int u = 0; u < kBlockTextureUnits; ++u) {
+    for (int u = 0; u < kMaxTextureUnits; ++u) {
       if (draw_.unit_plane[u] < 0) continue;
       const Varying v = coordinates_of_unit(draw_, u);
       planes.select(v);

@@ -13,7 +13,7 @@ struct alignas(64) VertexBlock {
   float clip[4][kLanes], window[4][kLanes], point[kLanes];
   int32_t mask[kLanes];   // ClipBit
   LightingBlock lighting; // also holds the normal and the eye position for other stages
-  float texcoord[8][4][kLanes];
+  float texcoord[kMaxTextureUnits][4][kLanes];
   float material[kMaterialSlots][4][kLanes];
 };
 

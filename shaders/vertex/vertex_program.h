@@ -3,6 +3,7 @@
 #pragma once
 
 #include "shaders/common/lighting.h"
+#include "shaders/common/limits.h"
 #include "shaders/common/shaded_vertex.h"
 #include "shaders/common/vertex_attributes.h"
 
@@ -19,8 +20,8 @@ struct TransformConstants {
 /// Clip planes in clip coordinates, those that are enabled, in order.
 struct ClipPlaneConstants {
   int32_t count;
-  uint8_t index[8]; // GL_CLIP_PLANEi: its bit in the clip mask is kClipUser0 << i
-  float plane[8][4];
+  uint8_t index[kMaxClipPlanes]; // GL_CLIP_PLANEi: its bit in the clip mask is kClipUser0 << i
+  float plane[kMaxClipPlanes][4];
 };
 
 enum class TexGen : uint8_t { None, ObjectLinear, EyeLinear, SphereMap, ReflectionMap, NormalMap };
@@ -59,10 +60,10 @@ struct VertexProgram {
   bool fog, fog_from_attribute;
   bool point_attenuated;
   const TransformConstants* transform;
-  const ClipPlaneConstants* clip_planes;     // null: none enabled
-  const LightingConstants* lighting;         // null: not lit
-  const CoordinateConstants* coordinates[8]; // null: passed through
-  bool reflection_z;                         // r of some unit is that of the reflection vector
+  const ClipPlaneConstants* clip_planes;                    // null: none enabled
+  const LightingConstants* lighting;                        // null: not lit
+  const CoordinateConstants* coordinates[kMaxTextureUnits]; // null: passed through
+  bool reflection_z;                                        // r of some unit is that of the reflection vector
   PointConstants point;
   const PolygonConstants* polygons; // null: all are filled, and the raster culls, colors and offsets them
   bool line_stipple;                // cut lines by the pattern while assembling

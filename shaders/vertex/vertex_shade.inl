@@ -131,7 +131,7 @@ static inline void shade_block(VertexBlock& b, const VertexJob& job, uint32_t fi
     }
   }
 
-  for (int unit = 0; unit < 8; ++unit) {
+  for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
     const int slot = layout.texcoord[unit];
     if (slot < 0) continue;
     float(*coordinate)[kLanes] = b.texcoord[unit];

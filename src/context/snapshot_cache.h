@@ -23,7 +23,7 @@ struct SnapshotCache {
   int8_t material_source[5][2] = {}; // find_material_sources()
   const TransformConstants* transform = nullptr;
   const ClipPlaneConstants* clip_planes = nullptr;
-  const CoordinateConstants* coordinates[8] = {};
+  const CoordinateConstants* coordinates[kMaxTextureUnits] = {};
   ShadedLayout layout;
   const LightingConstants* lighting = nullptr;
   const VertexProgram* vertex = nullptr;

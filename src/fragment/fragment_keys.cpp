@@ -1,5 +1,7 @@
 #include "fragment/fragment_keys.h"
 
+#include "shaders/common/limits.h"
+
 namespace softgl {
 
 namespace {
@@ -73,7 +75,7 @@ std::string to_string(const FragmentKey& k) {
   auto add = [&](const std::string& word) { s += (s.empty() ? "" : " ") + word; };
   if (k.flat) add("flat");
   if (k.lit) add("lit");
-  for (int i = 0; i < 8; ++i)
+  for (int i = 0; i < kMaxTextureUnits; ++i)
     if (k.texture_units >> i & 1) add("tex" + std::to_string(i));
   if (k.color_sum) add("color_sum");
   if (k.fog_mode) add(std::string("fog:") + (k.fog_mode == 1 ? "linear" : k.fog_mode == 2 ? "exp" : "exp2"));

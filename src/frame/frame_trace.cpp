@@ -82,7 +82,7 @@ std::string to_string(const VertexProgram& v) {
   words.add("normalize", v.normalize || v.unit_normal);
   words.add(v.fog_from_attribute ? "fog_coord" : "fog", v.fog);
   words.add("point_attenuation", v.point_attenuated);
-  for (int unit = 0; unit < 8; ++unit) {
+  for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
     const CoordinateConstants* c = v.coordinates[unit];
     if (!c) continue;
     bool generated = false;

@@ -151,7 +151,7 @@ bool setup_line(const RasterDraw& draw, const ShadedVertices::Slot* corner0,
   out.plane[kPlaneZ] = plane(v1[2], v2[2]);
   out.plane[kPlaneW] = plane(w1, w2);
   for (int i = 0; i < draw.varying_count; ++i) attributes(draw.varying[i]);
-  for (int u = 0; u < kBlockTextureUnits; ++u)
+  for (int u = 0; u < kMaxTextureUnits; ++u)
     if (draw.unit_plane[u] >= 0) attributes(coordinates_of_unit(draw, u));
   const Plane& w = out.plane[kPlaneW];
   out.w_is_one = w.a == 1.0f && w.gx == 0.0f && w.gy == 0.0f;

@@ -33,7 +33,7 @@ void set_constant_planes(const RasterDraw& draw, const ShadedVertices::Slot* cor
   out.plane[kPlaneZ] = {v[2], 0, 0};
   out.plane[kPlaneW] = {w, 0, 0};
   for (int i = 0; i < draw.varying_count; ++i) attributes(draw.varying[i]);
-  for (int u = 0; u < kBlockTextureUnits; ++u)
+  for (int u = 0; u < kMaxTextureUnits; ++u)
     if (draw.unit_plane[u] >= 0) attributes(coordinates_of_unit(draw, u));
   out.w_is_one = w == 1.0f;
   out.depth_offset = 0;
@@ -74,7 +74,7 @@ bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, boo
   set_constant_planes(draw, corner, out);
   out.back = back;
   const float w = v[3];
-  for (int u = 0; u < kBlockTextureUnits; ++u) {
+  for (int u = 0; u < kMaxTextureUnits; ++u) {
     if (draw.unit_plane[u] < 0 || !(r.sprite_units >> u & 1)) continue;
     // Across the square s and t go from 0 to 1.
     const float gradient = 256.0f / static_cast<float>(fixed_width),

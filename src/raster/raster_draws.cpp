@@ -60,7 +60,7 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
     d.facing = draw.raster->two_sided;
   }
   const bool constant = draw.vertex && !key.lit && draw.call.source && !draw.raster->point_sprite;
-  for (int u = 0; u < kBlockTextureUnits; ++u) {
+  for (int u = 0; u < kMaxTextureUnits; ++u) {
     d.unit_plane[u] = key.texture_units >> u & 1 && l.texcoord[u] >= 0 ? take(4) : int8_t(-1);
     if (constant && !(draw.call.source->present >> (kTexCoord0 + u) & 1) && !draw.vertex->coordinates[u])
       d.flat_units |= uint8_t(1u << u);

@@ -92,7 +92,7 @@ void find_material_sources(const Context& c, uint32_t present, int8_t source[5][
   const bool wanted[5] = {
       (l.terms & GL_AMBIENT_TERM_BIT_SOFTGL) != 0, true, (l.terms & GL_SPECULAR_TERM_BIT_SOFTGL) != 0,
       (l.terms & GL_EMISSION_TERM_BIT_SOFTGL) != 0, (l.terms & GL_SPECULAR_TERM_BIT_SOFTGL) != 0};
-  for (int parameter = 0; parameter < 5; ++parameter)
+  for (int parameter = 0; parameter < kMaterialParameters; ++parameter)
     for (int face = 0; face < 2; ++face) {
       const int slot = material_slot(MaterialParameter(parameter), face);
       int from = -1;
@@ -124,7 +124,7 @@ const LightingConstants* make_lighting(const Context& c, const int8_t source[5][
 
   for (int face = 0; face < 2; ++face) {
     k.varies[face] = false;
-    for (int parameter = 0; parameter < 5; ++parameter) {
+    for (int parameter = 0; parameter < kMaterialParameters; ++parameter) {
       const float* value = &c.state.current.slot[material_slot(MaterialParameter(parameter), face)][0];
       std::memcpy(k.material[parameter][face], is_tracked(l, parameter, face) ? color : value,
                   sizeof(float[4]));

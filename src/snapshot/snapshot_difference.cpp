@@ -163,8 +163,8 @@ std::string snapshot_difference(const TransformConstants* a, const TransformCons
 std::string snapshot_difference(const ClipPlaneConstants* a, const ClipPlaneConstants* b) {
   return difference(a, b);
 }
-std::string snapshot_difference(const CoordinateConstants* const (&a)[8],
-                                const CoordinateConstants* const (&b)[8]) {
+std::string snapshot_difference(const CoordinateConstants* const (&a)[kMaxTextureUnits],
+                                const CoordinateConstants* const (&b)[kMaxTextureUnits]) {
   return difference(a, b);
 }
 std::string snapshot_difference(const LightingConstants* a, const LightingConstants* b) {

@@ -16,8 +16,8 @@ std::string snapshot_difference(const FragmentProgram* a, const FragmentProgram*
 std::string snapshot_difference(const RasterConstants* a, const RasterConstants* b);
 std::string snapshot_difference(const TransformConstants* a, const TransformConstants* b);
 std::string snapshot_difference(const ClipPlaneConstants* a, const ClipPlaneConstants* b);
-std::string snapshot_difference(const CoordinateConstants* const (&a)[8],
-                                const CoordinateConstants* const (&b)[8]);
+std::string snapshot_difference(const CoordinateConstants* const (&a)[kMaxTextureUnits],
+                                const CoordinateConstants* const (&b)[kMaxTextureUnits]);
 std::string snapshot_difference(const LightingConstants* a, const LightingConstants* b);
 std::string snapshot_difference(const VertexProgram* a, const VertexProgram* b);
 std::string snapshot_difference(const ShadedLayout& a, const ShadedLayout& b);

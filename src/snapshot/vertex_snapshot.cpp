@@ -142,7 +142,7 @@ ShadedLayout make_layout(const Context& c, const FragmentKey& key, const int8_t 
       lights |= light.enabled, positional |= light.enabled && light.position.w != 0;
     if (lights) l.normal = next++;
     if (positional || (lights && lighting.local_viewer)) l.eye = next++;
-    for (int parameter = 0; parameter < 5; ++parameter)
+    for (int parameter = 0; parameter < kMaterialParameters; ++parameter)
       for (int face = 0; face <= int(lighting.two_side); ++face) {
         const int from = source[parameter][face];
         if (from < 0) continue;

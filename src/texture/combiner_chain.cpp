@@ -182,7 +182,7 @@ private:
 
 std::shared_ptr<const CombinerProgram> make_combiner_program(const CombinerChain& chain) {
   ChainBuilder builder;
-  for (int u = 0; u < 8; ++u)
+  for (int u = 0; u < kMaxTextureUnits; ++u)
     if (chain.units >> u & 1) builder.add_unit(chain.unit[u], u);
   if (chain.color_sum) builder.add_color_sum();
   builder.algebra.simplify(builder.color, 4);

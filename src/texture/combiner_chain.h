@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "shaders/common/limits.h"
 #include "shaders/texture/combiner_program.h"
 
 namespace softgl {
@@ -37,7 +38,7 @@ struct CombinerChain {
   };
   uint8_t units = 0; // which are on, by bit
   bool color_sum = false;
-  Unit unit[8] = {};
+  Unit unit[kMaxTextureUnits] = {};
 };
 static_assert(std::has_unique_object_representations_v<CombinerChain>);
 

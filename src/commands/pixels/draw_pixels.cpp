@@ -2,7 +2,6 @@
 // window.
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <vector>
 
 #include "commands/framebuffer/flush.h"
@@ -235,14 +234,6 @@ bool has_buffer(const Context& c, GLenum format) {
   return true;
 }
 
-/// Draws with `draw(placement)` if anything is in view.
-template <class Draw> void draw_in_view(Context& c, const Placement& p, Draw draw) {
-  if (!p.visible()) return;
-  try {
-    draw(p);
-  } catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
-}
-
 } // namespace
 
 namespace gl {
@@ -255,14 +246,14 @@ void DrawPixels(Context& c, GLsizei width, GLsizei height, GLenum format, GLenum
   if (c.state.render_mode.mode != GL_RENDER) return feed_back_pixels(c, GL_DRAW_PIXEL_TOKEN);
   if (width == 0 || height == 0 || !pixels) return;
   const ClientImage image(c, pixels, width, height, format, type);
-  draw_in_view(c, place_at_raster_position(c, width, height), [&](const Placement& p) {
-    switch (format) {
-    case GL_COLOR_INDEX: return draw_color_indexes(c, p, image);
-    case GL_DEPTH_COMPONENT: return draw_depths(c, p, image);
-    case GL_STENCIL_INDEX: return draw_stencils(c, p, image);
-    default: return draw_colors(c, p, image);
-    }
-  });
+  const Placement p = place_at_raster_position(c, width, height);
+  if (!p.visible()) return;
+  switch (format) {
+  case GL_COLOR_INDEX: return draw_color_indexes(c, p, image);
+  case GL_DEPTH_COMPONENT: return draw_depths(c, p, image);
+  case GL_STENCIL_INDEX: return draw_stencils(c, p, image);
+  default: return draw_colors(c, p, image);
+  }
 }
 
 void CopyPixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type) {
@@ -274,8 +265,8 @@ void CopyPixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLe
   if (c.state.render_mode.mode != GL_RENDER) return feed_back_pixels(c, GL_COPY_PIXEL_TOKEN);
   if (width == 0 || height == 0) return;
   flush_rendering(c); // before anything lies in the frame's arena
-  draw_in_view(c, place_at_raster_position(c, width, height),
-               [&](const Placement& p) { copy_pixels(c, p, x, y, type); });
+  if (const Placement p = place_at_raster_position(c, width, height); p.visible())
+    copy_pixels(c, p, x, y, type);
 }
 
 void Bitmap(Context& c, GLsizei width, GLsizei height, GLfloat xorig, GLfloat yorig, GLfloat xmove,
@@ -289,16 +280,16 @@ void Bitmap(Context& c, GLsizei width, GLsizei height, GLfloat xorig, GLfloat yo
     // Positions that are whole numbers but for a rounding error stay what they are, as in OSMesa.
     auto pixel = [](float v) { return std::floor(v + 0.0001f); };
     const ClientImage image(c, bitmap, width, height, GL_COLOR_INDEX, GL_BITMAP);
-    const Placement placement(c.framebuffer.surface, pixel(position.window.x - xorig),
-                              pixel(position.window.y - yorig), width, height, 1, 1);
-    draw_in_view(c, placement, [&](const Placement& p) {
+    const Placement p(c.framebuffer.surface, pixel(position.window.x - xorig),
+                      pixel(position.window.y - yorig), width, height, 1, 1);
+    if (p.visible()) {
       std::vector<uint32_t> index(size_t(p.width_in_view()));
       const auto* bit = fill_rows<uint8_t>(c, p, [&](int row, uint8_t* element) {
         image.indexes(p.columns.first, row, p.width_in_view(), index.data());
         for (size_t i = 0; i < index.size(); ++i) element[i] = uint8_t(index[i]);
       });
       submit_image(c, p, PixelElement::Bit, bit);
-    });
+    }
   }
   position.window.x += xmove;
   position.window.y += ymove;

@@ -17,20 +17,12 @@
 namespace softgl {
 namespace {
 
-/// An error of a draw; one that is being compiled is raised when the list is played.
-void draw_error(Context& c, GLenum code) {
-  if (c.builder.compiling)
-    compile_error(c, code);
-  else
-    set_error(c, code);
-}
-
 /// What all draws ask first. False: nothing is to be drawn.
 bool may_draw(Context& c, GLenum mode, GLsizei count) {
   if (c.builder.compiling && c.builder.mode != kNoPrimitive)
-    return draw_error(c, GL_INVALID_OPERATION), false;
-  if (mode > GL_POLYGON) return draw_error(c, GL_INVALID_ENUM), false;
-  if (count < 0) return draw_error(c, GL_INVALID_VALUE), false;
+    return raise_error(c, GL_INVALID_OPERATION), false;
+  if (mode > GL_POLYGON) return raise_error(c, GL_INVALID_ENUM), false;
+  if (count < 0) return raise_error(c, GL_INVALID_VALUE), false;
   if (c.builder.compiling) compile_error(c, GL_NO_ERROR); // also where nothing is to be drawn
   return true;
 }
@@ -141,21 +133,21 @@ void draw_elements(Context& c, GLenum mode, uint32_t count, GLenum type, const v
 
 void gl::DrawArrays(Context& c, GLenum mode, GLint first, GLsizei count) {
   if (!may_draw(c, mode, count)) return;
-  if (first < 0) return draw_error(c, GL_INVALID_VALUE);
+  if (first < 0) return raise_error(c, GL_INVALID_VALUE);
   draw_arrays(c, mode, uint32_t(first), uint32_t(count));
 }
 
 void gl::DrawElements(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices) {
   if (!may_draw(c, mode, count)) return;
-  if (!index_bytes(type)) return draw_error(c, GL_INVALID_ENUM);
+  if (!index_bytes(type)) return raise_error(c, GL_INVALID_ENUM);
   draw_elements(c, mode, uint32_t(count), type, indices);
 }
 
 void gl::DrawRangeElements(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type,
                            const void* indices) {
   if (!may_draw(c, mode, count)) return;
-  if (end < start) return draw_error(c, GL_INVALID_VALUE);
-  if (!index_bytes(type)) return draw_error(c, GL_INVALID_ENUM);
+  if (end < start) return raise_error(c, GL_INVALID_VALUE);
+  if (!index_bytes(type)) return raise_error(c, GL_INVALID_ENUM);
   // Whether the indices keep to the range is not known, and to look costs little: the range is not used.
   draw_elements(c, mode, uint32_t(count), type, indices);
 }
@@ -163,7 +155,7 @@ void gl::DrawRangeElements(Context& c, GLenum mode, GLuint start, GLuint end, GL
 void gl::MultiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count, GLsizei draws) {
   if (!may_draw(c, mode, draws)) return;
   for (GLsizei i = 0; i < draws; ++i)
-    if (count[i] < 0 || (count[i] > 0 && first[i] < 0)) return draw_error(c, GL_INVALID_VALUE);
+    if (count[i] < 0 || (count[i] > 0 && first[i] < 0)) return raise_error(c, GL_INVALID_VALUE);
   for (GLsizei i = 0; i < draws; ++i)
     if (count[i] > 0) draw_arrays(c, mode, uint32_t(first[i]), uint32_t(count[i]));
 }
@@ -171,17 +163,16 @@ void gl::MultiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsi
 void gl::MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum type,
                            const void* const* indices, GLsizei draws) {
   if (!may_draw(c, mode, draws)) return;
-  if (!index_bytes(type)) return draw_error(c, GL_INVALID_ENUM);
+  if (!index_bytes(type)) return raise_error(c, GL_INVALID_ENUM);
   for (GLsizei i = 0; i < draws; ++i)
-    if (count[i] < 0) return draw_error(c, GL_INVALID_VALUE);
+    if (count[i] < 0) return raise_error(c, GL_INVALID_VALUE);
   for (GLsizei i = 0; i < draws; ++i)
     if (count[i] > 0) draw_elements(c, mode, uint32_t(count[i]), type, indices[i]);
 }
 
 void gl::ArrayElement(Context& c, GLint i) {
   if (c.guard & kNoContext) return;
-  if (i < 0)
-    return c.builder.compiling ? compile_error(c, GL_INVALID_VALUE, true) : set_error(c, GL_INVALID_VALUE);
+  if (i < 0) return raise_error(c, GL_INVALID_VALUE, true);
   if (const ArrayCache* arrays = current_arrays(c)) emit_array_element(c, *arrays, uint32_t(i));
 }
 

@@ -2,7 +2,6 @@
 
 #include <cstdlib>
 #include <cstring>
-#include <new>
 
 #include "commands/generated/commands.h"
 #include "context/context.h"
@@ -76,19 +75,19 @@ constexpr GLsizeiptr kMaxBufferBytes = GLsizeiptr(1) << 40;
 
 } // namespace
 
-void gl::BindBuffer(Context& c, GLenum target, GLuint name) try {
+void gl::BindBuffer(Context& c, GLenum target, GLuint name) {
   std::shared_ptr<BufferObject>* binding = bound_object(c, target);
   if (!binding) return;
   *binding = name ? c.shared->buffers.find_or_create(name, [] { return std::make_shared<BufferObject>(); })
                   : nullptr;
   VertexArrayState& arrays = c.client.vertex_array;
   (target == GL_ARRAY_BUFFER ? arrays.array_buffer : arrays.element_array_buffer) = name;
-} catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+}
 
-void gl::GenBuffers(Context& c, GLsizei n, GLuint* names) try {
+void gl::GenBuffers(Context& c, GLsizei n, GLuint* names) {
   if (n < 0) return set_error(c, GL_INVALID_VALUE);
   if (names && !c.shared->buffers.reserve(n, names)) set_error(c, GL_OUT_OF_MEMORY);
-} catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+}
 
 void gl::DeleteBuffers(Context& c, GLsizei n, const GLuint* names) {
   if (n < 0) return set_error(c, GL_INVALID_VALUE);
@@ -118,7 +117,7 @@ void gl::DeleteBuffers(Context& c, GLsizei n, const GLuint* names) {
 
 GLboolean gl::IsBuffer(Context& c, GLuint name) { return c.shared->buffers.find(name) != nullptr; }
 
-void gl::BufferData(Context& c, GLenum target, GLsizeiptr size, const void* data, GLenum usage) try {
+void gl::BufferData(Context& c, GLenum target, GLsizeiptr size, const void* data, GLenum usage) {
   std::shared_ptr<BufferObject>* binding = bound_object(c, target);
   if (!binding) return;
   if (size < 0) return set_error(c, GL_INVALID_VALUE);
@@ -136,14 +135,14 @@ void gl::BufferData(Context& c, GLenum target, GLsizeiptr size, const void* data
   buffer.access = GL_READ_WRITE;
   buffer.mapped = false;
   changed(c, buffer);
-} catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+}
 
-void gl::BufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, const void* data) try {
+void gl::BufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, const void* data) {
   BufferObject* buffer = buffer_of(c, target);
   if (!buffer || !in_range(c, *buffer, offset, size) || !size || !data) return;
   detach(c, *buffer);
   std::memcpy(buffer->storage->bytes + offset, data, size_t(size));
-} catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+}
 
 void gl::GetBufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, void* data) {
   BufferObject* buffer = buffer_of(c, target);
@@ -151,7 +150,7 @@ void gl::GetBufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr
   std::memcpy(data, buffer->storage->bytes + offset, size_t(size));
 }
 
-void* gl::MapBuffer(Context& c, GLenum target, GLenum access) try {
+void* gl::MapBuffer(Context& c, GLenum target, GLenum access) {
   std::shared_ptr<BufferObject>* binding = bound_object(c, target);
   if (!binding) return nullptr;
   if (access != GL_READ_ONLY && access != GL_WRITE_ONLY && access != GL_READ_WRITE) {
@@ -169,9 +168,6 @@ void* gl::MapBuffer(Context& c, GLenum target, GLenum access) try {
   buffer->mapped = true;
   buffer->access = access;
   return buffer->storage->bytes;
-} catch (const std::bad_alloc&) {
-  set_error(c, GL_OUT_OF_MEMORY);
-  return nullptr;
 }
 
 GLboolean gl::UnmapBuffer(Context& c, GLenum target) {

@@ -4,7 +4,6 @@
 #include "commands/vertices/vertex_stream.h"
 
 #include <cstring>
-#include <new>
 #include <utility>
 #include <vector>
 
@@ -56,13 +55,6 @@ GLuint offset_at(GLenum type, const unsigned char* p) {
   }
 }
 
-void stream_error(Context& c, GLenum code) {
-  if (c.builder.compiling)
-    compile_error(c, code, true);
-  else
-    set_error(c, code);
-}
-
 } // namespace
 
 void call_list(Context& c, GLuint name) {
@@ -108,9 +100,9 @@ void gl::EndList(Context& c) {
 
 void gl::CallList(Context& c, GLuint name) {
   if (c.guard & kNoContext) return;
-  if (name == 0) return stream_error(c, GL_INVALID_VALUE);
+  if (name == 0) return raise_error(c, GL_INVALID_VALUE, true);
   if (!c.builder.compiling) return call_list(c, name);
-  close_compiled_run(c);
+  close_compiled_run(c); // before record(), which takes no command between Begin and End
   *static_cast<uint64_t*>(record(c, kPlayCallList, 8)) = name;
   if (execute_too(c)) {
     ExecuteScope scope(c);
@@ -121,8 +113,8 @@ void gl::CallList(Context& c, GLuint name) {
 void gl::CallLists(Context& c, GLsizei n, GLenum type, const void* lists) {
   if (c.guard & kNoContext) return;
   const size_t size = offset_bytes(type);
-  if (n < 0) return stream_error(c, GL_INVALID_VALUE);
-  if (!size) return stream_error(c, GL_INVALID_ENUM);
+  if (n < 0) return raise_error(c, GL_INVALID_VALUE, true);
+  if (!size) return raise_error(c, GL_INVALID_ENUM, true);
   if (n == 0 || !lists) return;
   const auto* bytes = static_cast<const unsigned char*>(lists);
   const auto play = [&] {

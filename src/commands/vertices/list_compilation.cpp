@@ -165,6 +165,13 @@ void compile_error(Context& c, GLenum code, bool allowed_inside) {
               (c.lists.executing_guard & kInsideBeginEnd) && !allowed_inside ? GL_INVALID_OPERATION : code);
 }
 
+void raise_error(Context& c, GLenum code, bool allowed_inside) {
+  if (c.builder.compiling)
+    compile_error(c, code, allowed_inside);
+  else
+    set_error(c, code);
+}
+
 void close_compiled_run(Context& c) {
   VertexBuilder& b = c.builder;
   c.lists.last_was_error = false;

@@ -127,21 +127,13 @@ void apply_deferred(Context& c) {
   b.deferred = 0;
 }
 
-/// Reports an error of the open stream: at once, or when the list is played.
-void stream_error(Context& c, GLenum code) {
-  if (c.builder.compiling)
-    compile_error(c, code);
-  else
-    set_error(c, code);
-}
-
 } // namespace
 
 void gl::Begin(Context& c, GLenum mode) {
   VertexBuilder& b = c.builder;
   if (c.guard & kNoContext) return;
-  if (mode > GL_POLYGON) return stream_error(c, GL_INVALID_ENUM);
-  if (b.mode != kNoPrimitive) return stream_error(c, GL_INVALID_OPERATION);
+  if (mode > GL_POLYGON) return raise_error(c, GL_INVALID_ENUM);
+  if (b.mode != kNoPrimitive) return raise_error(c, GL_INVALID_OPERATION);
   if (b.limit) close_compiled_run(c); // vertices whose Begin is in no known list
   b.dropping = b.compiling && c.lists.failed;
   or_drop_vertices(c, [&] {
