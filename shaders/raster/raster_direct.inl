@@ -53,7 +53,7 @@ static void direct_primitive(const RasterDraw& draw, const TileTarget& tile, con
       const int32_t x = tile.x + bx, y = tile.y + by;
       const int pixel = pixel_in_tile(bx, by);
       uint32_t* color = static_cast<uint32_t*>(tile.color) + pixel;
-      uint32_t* depth = tile.depth_stencil + pixel;
+      uint32_t* depth = DepthTest ? tile.depth_stencil + pixel : nullptr;
 
       // First all rows' coverage and depth without a branch (which rows live is hard to predict: measured),
       // then the colors of those that live.

@@ -16,7 +16,7 @@ constexpr uint32_t kUnits = kBytes / kUnit;
 
 std::atomic<unsigned char*> memory_begin{nullptr};
 
-struct Use {
+struct alignas(uint64_t) Use {     // as large as its alignment: Clang asks libatomic otherwise
   uint32_t objects = 0, units = 0; // not yet given back; taken from the front
 };
 // Closed until there is memory. No lock: the child of a fork could find it held.
@@ -35,7 +35,7 @@ Pages open_early_pages() {
 }
 
 void* take_early_pages(size_t bytes) {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef SOFTGL_ADDRESS_SANITIZER
   return nullptr; // AddressSanitizer sees where objects of malloc end
 #endif
   if (bytes < kLeast || bytes > kBytes) return nullptr;

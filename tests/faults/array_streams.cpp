@@ -31,7 +31,8 @@ template <class Index> std::vector<Index> indices(Player& p, int count, int most
 
 void point_at(const Gl& gl, const unsigned char* base) {
   gl.VertexPointer(3, GL_FLOAT, sizeof(Vertex), base);
-  gl.ColorPointer(4, GL_UNSIGNED_BYTE, sizeof(Vertex), base + offsetof(Vertex, color));
+  const uintptr_t color = reinterpret_cast<uintptr_t>(base) + offsetof(Vertex, color); // base may be null
+  gl.ColorPointer(4, GL_UNSIGNED_BYTE, sizeof(Vertex), reinterpret_cast<const void*>(color));
   gl.EnableClientState(GL_VERTEX_ARRAY);
   gl.EnableClientState(GL_COLOR_ARRAY);
 }

@@ -39,8 +39,11 @@ Outcome play(const Gl& gl, const Episode& e) {
     std::snprintf(o.failure, sizeof o.failure, "%s", error.what());
   }
   o.left = live_memory();
-  // A worker may still hold what it was asked to bring in.
-  for (int i = 0; i < 20 && gl_threads() > 1; ++i) {
+  // A worker may still hold what it was asked to bring in: a busy machine lets it wait.
+  const auto may_shrink = [&] {
+    return !e.usual || o.left.objects > e.usual->objects || o.left.mapped_bytes > e.usual->mapped_bytes;
+  };
+  for (int i = 0; i < (e.usual ? 4000 : 20) && gl_threads() > 1 && may_shrink(); ++i) {
     usleep(500);
     const LiveMemory now = live_memory();
     o.left = {std::min(o.left.objects, now.objects), std::min(o.left.mapped_bytes, now.mapped_bytes)};

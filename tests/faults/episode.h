@@ -14,6 +14,7 @@ struct Episode {
   uint64_t seed = 1;
   uint64_t k = 0; // 0: nothing fails
   bool persistent = false;
+  const LiveMemory* usual = nullptr; // what is left where nothing fails; null: not known yet
 };
 
 struct Outcome {

@@ -77,7 +77,7 @@ struct Range {
   uintptr_t begin, end;
 };
 constexpr int kMostRanges = 64;
-constinit Range ranges[kMostRanges];
+constinit Range ranges[kMostRanges] = {};
 constinit int range_count = 0;
 
 bool watched(const void* caller) {

@@ -106,6 +106,7 @@ void play_all_places(const Options& options, const Stream& stream) {
   const uint64_t places =
       clean.calls < options.first ? 0 : std::min(clean.calls - options.first + 1, options.count);
   const uint64_t taken = std::min(places, options.most);
+  e.usual = &clean.left;
   const int failures_before = failures;
   for (bool persistent : {false, true}) {
     if (!(persistent ? options.persistent : options.once)) continue;
@@ -142,6 +143,7 @@ void play_random_episodes(const Options& options) {
       o[0] = play(softgl_library(), e);
       e.k = o[0].calls ? 1 + random.bits() % o[0].calls : 1;
       e.persistent = random.chance(50);
+      e.usual = &o[0].left;
       o[1] = play(softgl_library(), e);
     });
     ++episodes;
@@ -207,7 +209,7 @@ int main(int argc, char** argv) {
     if (options.random || stream.name.compare(0, options.stream.size(), options.stream) != 0) continue;
     if (options.here) {
       if (options.stack) print_stacks_of_failures();
-      const Outcome o = play(gl, {stream, options.seed, options.first, !options.once});
+      const Outcome o = play(gl, {stream, options.seed, options.first, !options.once, nullptr});
       std::printf("%s: %s, %llu allocations\n", stream.name.c_str(), o.failure[0] ? o.failure : "ends",
                   static_cast<unsigned long long>(o.calls));
     } else {

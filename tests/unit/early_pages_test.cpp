@@ -11,7 +11,7 @@
 
 using namespace softgl;
 
-#ifndef __SANITIZE_ADDRESS__ // which gets all objects from malloc
+#ifndef SOFTGL_ADDRESS_SANITIZER // which gets all objects from malloc
 
 namespace {
 

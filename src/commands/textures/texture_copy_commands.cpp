@@ -1,7 +1,6 @@
 // CopyTexImage and CopyTexSubImage (GL 1.5, 3.8.2).
 #include <algorithm>
 #include <memory>
-#include <new>
 #include <vector>
 
 #include "commands/framebuffer/flush.h"
@@ -95,15 +94,14 @@ void copy_image(Context& c, int dimensions, GLenum target, GLint level, GLenum i
   if (GLenum error = check_image_size(t, level, width, height, 1, border); error != GL_NO_ERROR)
     return set_error(c, error);
   if (image_bytes(*texel, width, height, 1) > kMaxImageBytes) return set_error(c, GL_OUT_OF_MEMORY);
-  try {
-    auto image = make_image(*texel, GLint(internal_format), width - 2 * border,
-                            dimensions > 1 ? height - 2 * border : 1, 1);
-    copy_rectangle(c, x + border, dimensions > 1 ? y + border : y, image->width, image->height, *image, 0, 0,
-                   0);
-    match_formats(*object, *image);
-    object->image[t.face][level] = std::move(image);
-    image_changed(c, *object, t.face, level);
-  } catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+  auto image = make_image(*texel, GLint(internal_format), width - 2 * border,
+                          dimensions > 1 ? height - 2 * border : 1, 1);
+  copy_rectangle(c, x + border, dimensions > 1 ? y + border : y, image->width, image->height, *image, 0, 0,
+                 0);
+  mark_images(c);
+  match_formats(*object, *image);
+  object->image[t.face][level] = std::move(image);
+  regenerate_mipmaps(*object, t.face, level);
 }
 
 void copy_sub_image(Context& c, int dimensions, GLenum target, GLint level, GLint to_x, GLint to_y,
@@ -125,12 +123,11 @@ void copy_sub_image(Context& c, int dimensions, GLenum target, GLint level, GLin
             top = int(std::min(int64_t(y) + height, int64_t(surface.height)));
   const int left = std::max(x, 0), bottom = std::max(y, 0);
   if (left >= right || bottom >= top) return;
-  try {
-    flush_rendering(c); // a frame that still samples the image is done, so no copy has to be made of it
-    copy_rectangle(c, left, bottom, right - left, top - bottom, object->writable(t.face, level),
-                   to_x + left - x, to_y + bottom - y, to_z);
-    image_changed(c, *object, t.face, level);
-  } catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+  flush_rendering(c); // a frame that still samples the image is done, so no copy has to be made of it
+  mark_images(c);
+  copy_rectangle(c, left, bottom, right - left, top - bottom, object->writable(t.face, level),
+                 to_x + left - x, to_y + bottom - y, to_z);
+  regenerate_mipmaps(*object, t.face, level);
 }
 
 } // namespace

@@ -1,5 +1,4 @@
 // TexImage, TexSubImage and GetTexImage (GL 1.5, 3.8.1, 3.8.2, 6.1.4).
-#include <new>
 
 #include "commands/generated/commands.h"
 #include "commands/textures/texture_images.h"
@@ -26,10 +25,11 @@ GLenum check_image_size(const ImageTarget& t, GLint level, GLsizei width, GLsize
   return GL_NO_ERROR;
 }
 
-void image_changed(Context& c, TextureObject& object, int face, int level) {
+void mark_images(Context& c) { c.dirty |= kDirtyTextureObjects; }
+
+void regenerate_mipmaps(TextureObject& object, int face, int level) {
   if (object.parameters.generate_mipmap && level == object.parameters.base_level)
     generate_mipmaps(object, face);
-  c.dirty |= kDirtyTextureObjects;
 }
 
 namespace {
@@ -87,22 +87,21 @@ void specify_image(Context& c, int dimensions, GLenum target, GLint level, GLint
   if (size_error != GL_NO_ERROR) return set_error(c, size_error);
   if (!fits) return set_error(c, GL_OUT_OF_MEMORY);
   const int b = border;
-  try {
-    auto image = make_image(texel, internal_format, width - 2 * b, dimensions > 1 ? height - 2 * b : 1,
-                            dimensions > 2 ? depth - 2 * b : 1);
-    match_formats(*object, *image);
-    if (pixels && !image->empty()) {
-      // The border is dropped, as OSMesa drops it: only the pixels inside are read.
-      const PixelFormat f = describe_pixel_format(format, type);
-      const ImageLayout layout = layout_image(c.client.pixel_store.unpack, dimensions, width, height, f);
-      auto p = static_cast<const unsigned char*>(pixels) + layout.offset + size_t(b) * f.bytes;
-      if (dimensions > 1) p += size_t(b) * layout.row_stride;
-      if (dimensions > 2) p += size_t(b) * layout.image_stride;
-      store_box(c, *image, 0, 0, 0, image->width, image->height, image->depth, f, layout, p);
-    }
-    object->image[t.face][level] = std::move(image);
-    image_changed(c, *object, t.face, level);
-  } catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+  auto image = make_image(texel, internal_format, width - 2 * b, dimensions > 1 ? height - 2 * b : 1,
+                          dimensions > 2 ? depth - 2 * b : 1);
+  mark_images(c);
+  match_formats(*object, *image);
+  if (pixels && !image->empty()) {
+    // The border is dropped, as OSMesa drops it: only the pixels inside are read.
+    const PixelFormat f = describe_pixel_format(format, type);
+    const ImageLayout layout = layout_image(c.client.pixel_store.unpack, dimensions, width, height, f);
+    auto p = static_cast<const unsigned char*>(pixels) + layout.offset + size_t(b) * f.bytes;
+    if (dimensions > 1) p += size_t(b) * layout.row_stride;
+    if (dimensions > 2) p += size_t(b) * layout.image_stride;
+    store_box(c, *image, 0, 0, 0, image->width, image->height, image->depth, f, layout, p);
+  }
+  object->image[t.face][level] = std::move(image);
+  regenerate_mipmaps(*object, t.face, level);
 }
 
 void change_image(Context& c, int dimensions, GLenum target, GLint level, GLint x, GLint y, GLint z,
@@ -123,11 +122,10 @@ void change_image(Context& c, int dimensions, GLenum target, GLint level, GLint 
   if (!pixels || width == 0 || height == 0 || depth == 0) return;
   const PixelFormat f = describe_pixel_format(format, type);
   const ImageLayout layout = layout_image(c.client.pixel_store.unpack, dimensions, width, height, f);
-  try {
-    store_box(c, object->writable(t.face, level), x, y, z, width, height, depth, f, layout,
-              static_cast<const unsigned char*>(pixels) + layout.offset);
-    image_changed(c, *object, t.face, level);
-  } catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
+  mark_images(c);
+  store_box(c, object->writable(t.face, level), x, y, z, width, height, depth, f, layout,
+            static_cast<const unsigned char*>(pixels) + layout.offset);
+  regenerate_mipmaps(*object, t.face, level);
 }
 
 } // namespace

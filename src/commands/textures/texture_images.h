@@ -1,4 +1,4 @@
-// What the image commands share: checks of sizes and the consequences of a change.
+// What the image commands share: checks of sizes, and what goes with a change.
 #pragma once
 
 #include "commands/textures/texture_targets.h"
@@ -10,7 +10,9 @@ GLenum check_image_size(const ImageTarget& target, GLint level, GLsizei width, G
                         GLint border);
 bool box_inside(const TextureImage& image, GLint x, GLint y, GLint z, GLsizei width, GLsizei height,
                 GLsizei depth);
-/// Regenerates mipmaps if that is asked for, and marks the state.
-void image_changed(Context& c, TextureObject& object, int face, int level);
+/// Marks the state. Called before the first image changes: where memory ends, some of them have changed.
+void mark_images(Context& c);
+/// After a change: regenerates mipmaps if that is asked for (3.8.8). Throws std::bad_alloc.
+void regenerate_mipmaps(TextureObject& object, int face, int level);
 
 } // namespace softgl

@@ -34,10 +34,11 @@ static void random_fragment_operations(Stage& s) {
   if (s.random.chance(20)) random_alpha_test(s);
   if (s.random.chance(20)) {
     s.gl.Enable(GL_STENCIL_TEST);
-    s.gl.StencilFunc(random_compare(s), s.random.integer(0, 3), 0xff);
+    const int reference = s.random.integer(0, 3);
+    s.gl.StencilFunc(random_compare(s), reference, 0xff);
     // Not all GL_KEEP: then OSMesa copies whatever the test says (DEVIATIONS.md).
-    s.gl.StencilOp(s.random.pick({GL_KEEP, GL_INCR, GL_REPLACE}), GL_KEEP,
-                   s.random.pick({GL_INCR, GL_INVERT}));
+    const GLenum pass = s.random.pick({GL_INCR, GL_INVERT});
+    s.gl.StencilOp(s.random.pick({GL_KEEP, GL_INCR, GL_REPLACE}), GL_KEEP, pass);
   }
 }
 

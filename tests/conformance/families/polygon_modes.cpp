@@ -20,7 +20,8 @@ static void random_offset(Stage& s) {
   if (!s.random.chance(40)) return;
   for (GLenum mode : {GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_POINT})
     s.gl.Enable(mode);
-  s.gl.PolygonOffset(s.random.real(-3, 3), s.random.pick({0.0f, 1.0f, -1.0f, 100.0f, -5000.0f, 1e6f}));
+  const float units = s.random.pick({0.0f, 1.0f, -1.0f, 100.0f, -5000.0f, 1e6f});
+  s.gl.PolygonOffset(s.random.real(-3, 3), units);
 }
 
 static void random_two_sided_light(Stage& s) {
@@ -93,7 +94,8 @@ static void draw_edge_flags(Stage& s) {
     gl.Disable(GL_LINE_STIPPLE);
     if (s.random.chance(40)) {
       gl.Enable(GL_LINE_STIPPLE);
-      gl.LineStipple(s.random.integer(1, 4), GLushort(s.random.bits()));
+      const auto pattern = GLushort(s.random.bits());
+      gl.LineStipple(s.random.integer(1, 4), pattern);
     }
     gl.Disable(GL_CLIP_PLANE0);
     if (s.random.chance(40)) {
