@@ -183,6 +183,8 @@ TEST_CASE("A primitive that is open when its context loses its thread goes on af
       void* first = gl.OSMesaCreateContext(GL_RGBA, nullptr);
       void* second = gl.OSMesaCreateContext(GL_RGBA, nullptr);
       gl.OSMesaMakeCurrent(first, a.data(), GL_UNSIGNED_BYTE, 64, 64);
+      gl.Clear(
+          GL_COLOR_BUFFER_BIT); // waits in the frame, whose memory is used anew when the context has left
       if (compiled) gl.NewList(1, GL_COMPILE_AND_EXECUTE);
       gl.Begin(GL_TRIANGLE_FAN);
       gl.Color3f(1, 0, 0);
@@ -197,8 +199,10 @@ TEST_CASE("A primitive that is open when its context loses its thread goes on af
         gl.OSMesaMakeCurrent(first, a.data(), GL_UNSIGNED_BYTE, 64, 64);
       }
       gl.Color3f(0, 0, 1);
-      gl.Vertex2f(0.1f, 0.9f);
-      gl.Vertex2f(-0.8f, 0.7f);
+      for (int i = 0; i < 2000; ++i) {
+        if (i == 1000) gl.FogCoordf(1); // all vertices get longer
+        gl.Vertex2f(0.9f - float(i) / 1200, 0.9f - float(i % 3) / 10);
+      }
       gl.End();
       if (compiled) gl.EndList();
       gl.Finish();
