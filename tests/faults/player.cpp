@@ -78,8 +78,11 @@ void Player::add(const void* data, size_t bytes) {
 }
 
 void Player::save_state() {
-  gl.PushAttrib(GL_ALL_ATTRIB_BITS);
-  gl.PushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
+  // Several times: a stream whose push found no memory pops one of these.
+  for (int i = 0; i < 5; ++i) {
+    gl.PushAttrib(GL_ALL_ATTRIB_BITS);
+    gl.PushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
+  }
   if (gl.GetError() != GL_NO_ERROR) throw std::runtime_error("the state cannot be saved");
 }
 

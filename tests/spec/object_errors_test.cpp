@@ -211,3 +211,19 @@ TEST_CASE("a refused change of a buffer or of a texture image leaves its content
   expect_refused(gl, mapped, [] {});
   CHECK(gl.UnmapBuffer(GL_ARRAY_BUFFER) == GL_TRUE);
 }
+
+TEST_CASE("a buffer without bytes cannot be mapped", "[spec][errors]") {
+  for (const Gl* gl : {&softgl_library(), &osmesa_library()}) {
+    INFO(gl->name);
+    CurrentContext context(*gl);
+    for (const bool never_filled : {true, false}) {
+      gl->BindBuffer(GL_ARRAY_BUFFER, never_filled ? 1 : 2);
+      if (!never_filled) gl->BufferData(GL_ARRAY_BUFFER, 0, nullptr, GL_STATIC_DRAW);
+      CHECK(gl->MapBuffer(GL_ARRAY_BUFFER, GL_WRITE_ONLY) == nullptr);
+      CHECK(gl->GetError() == GL_INVALID_OPERATION);
+      GLint mapped = 1;
+      gl->GetBufferParameteriv(GL_ARRAY_BUFFER, GL_BUFFER_MAPPED, &mapped);
+      CHECK(mapped == 0);
+    }
+  }
+}

@@ -219,7 +219,7 @@ void set_all(const Gl& gl, uint64_t seed) {
     gl.TexGenfv(coordinate, GL_EYE_PLANE, eye.data());
   }
   gl.BindBuffer(GL_ARRAY_BUFFER, 1);
-  gl.BufferData(GL_ARRAY_BUFFER, r.integer(0, 999), nullptr,
+  gl.BufferData(GL_ARRAY_BUFFER, r.chance(20) ? 0 : r.integer(1, 999), nullptr,
                 GLenum(r.pick({GL_STREAM_DRAW, GL_STATIC_READ, GL_DYNAMIC_COPY, GL_DYNAMIC_DRAW})));
   if (r.chance(50))
     gl.MapBuffer(GL_ARRAY_BUFFER, GLenum(r.pick({GL_READ_ONLY, GL_WRITE_ONLY, GL_READ_WRITE})));

@@ -159,11 +159,11 @@ void* gl::MapBuffer(Context& c, GLenum target, GLenum access) {
   }
   BufferObject* buffer = buffer_of(c, target);
   if (!buffer) return nullptr;
-  if (buffer->mapped) {
+  // Without bytes there is nothing to map, as in OSMesa. Nobody writes to a buffer that found no memory.
+  if (buffer->mapped || buffer->size() == 0) {
     set_error(c, GL_INVALID_OPERATION);
     return nullptr;
   }
-  if (!buffer->storage) buffer->storage = std::make_shared<BufferStorage>(0);
   if (access != GL_READ_ONLY) detach(c, *buffer);
   buffer->mapped = true;
   buffer->access = access;

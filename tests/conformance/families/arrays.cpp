@@ -234,8 +234,9 @@ void draw_batch(Stage& s, Memory& memory) {
                                            : count / 2 / 2 * 2);
     const GLint first[2] = {0, half};
     const GLsizei counts[2] = {half, count - half};
+    const auto address = reinterpret_cast<uintptr_t>(index_pointer); // or the offset in a buffer
     const void* offsets[2] = {index_pointer,
-                              static_cast<const char*>(index_pointer) + size_t(half) * size_of(index_type)};
+                              reinterpret_cast<const void*>(address + size_t(half) * size_of(index_type))};
     if (r.chance(50))
       gl.MultiDrawArrays(mode, first, counts, 2);
     else
