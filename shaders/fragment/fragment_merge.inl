@@ -49,6 +49,9 @@ SOFTGL_INLINE IntV stencil_result(StencilOperation operation, const FragmentCons
   return choose(where & int32_t(k.stencil_write_mask), n, s);
 }
 
+/// How many lanes are all ones (the others are zero).
+SOFTGL_INLINE uint32_t count_lanes(IntV live) { return uint32_t(__builtin_popcountll(sign_bits(live))); }
+
 SOFTGL_INLINE uint32_t word_mask(const FragmentKey& key) {
   uint32_t mask = 0;
   for (int c = 0; c < 4; ++c)

@@ -14,8 +14,17 @@ struct No {
   constexpr operator bool() const { return false; }
 };
 
-/// How the color of a direct block reaches the surface.
-enum class DirectColor { Store, Over, Any };
+/// How the color of a direct block reaches the surface. None: not at all, all of it is masked; its fragments
+/// may be counted.
+enum class DirectColor { Store, Over, Any, None };
+
+/// How many lanes live in the vectors whose bits are set.
+SOFTGL_INLINE uint32_t count_lanes_of(const int32_t* live_lanes, uint32_t vectors) {
+  uint32_t count = 0;
+  for (; vectors; vectors &= vectors - 1)
+    count += count_lanes(load(live_lanes + __builtin_ctz(vectors) * kWidth));
+  return count;
+}
 
 /// A primitive whose fragments need no stage (RGBA8, no stencil): coverage, depth test, color, blending, row
 /// by row.
@@ -101,6 +110,10 @@ static void direct_primitive(const RasterDraw& draw, const TileTarget& tile, con
       else
         rows(No{});
       if (!live_vectors) continue;
+      if constexpr (Color == DirectColor::None) {
+        if (tile.samples) *tile.samples += count_lanes_of(live_lanes, live_vectors);
+        continue;
+      }
 
       BlockPlane w{}, c[4]{};
       if (!flat) {
@@ -158,7 +171,9 @@ template <bool DepthTest> static void direct_primitives(const TileTarget& tile, 
                                                         const RasterPrimitive* const* primitive,
                                                         int32_t count) {
   const FragmentKey& key = draw.program->key;
-  if (is_over(key))
+  if (draw.color_mask == 0)
+    direct_primitives<DepthTest, DirectColor::None>(tile, draw, primitive, count);
+  else if (is_over(key))
     direct_primitives<DepthTest, DirectColor::Over>(tile, draw, primitive, count);
   else if (key.blend || key.logic_op)
     direct_primitives<DepthTest, DirectColor::Any>(tile, draw, primitive, count);

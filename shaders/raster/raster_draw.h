@@ -43,6 +43,7 @@ struct RasterDraw {
   bool early_depth;    // a fragment's depth can be tested before its stages run
   bool whole_blocks;   // no edge is looked at in blocks that lie inside all of them
   uint32_t color_mask; // of an RGBA8 word
+  uint64_t* samples;   // DrawRecord::samples
 };
 constexpr int kPlaneZ = 0, kPlaneW = 1, kPlaneColor = 2;
 
@@ -91,6 +92,7 @@ struct TileTarget {
   uint32_t* depth_stencil;
   bool one_stencil; // all its words have the same bits above depth:
   uint32_t stencil_bits;
+  uint64_t* samples = nullptr; // where fragments that pass all tests are counted; null: nowhere
 };
 
 } // namespace softgl

@@ -24,6 +24,9 @@ static void merge_strips(const RasterDraw& draw, const TileTarget& tile, Fragmen
       for (int i = first; i < first + kStripLanes; i += kWidth)
         store(block.live + i, merger.depth_stencil(load(block.live + i), load(block.depth + i),
                                                    tile.depth_stencil + (pixel + i - first)));
+    if (tile.samples)
+      for (int i = first; i < first + kStripLanes; i += kWidth)
+        *tile.samples += count_lanes(load(block.live + i));
     if (format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565) {
       uint32_t expanded[kStripLanes];
       uint32_t* words = format == ColorFormat::Rgba8 ? static_cast<uint32_t*>(tile.color) + pixel : expanded;
@@ -71,9 +74,11 @@ static void merge_fragments(const TileTarget& tile, const FragmentProgram& progr
   for (int32_t i = count; i < m.lanes; ++i)
     m.live[i] = m.color[i] = m.target[i] = m.depth[i] = m.depth_stencil[i] = 0;
   const Merger merger{program};
-  for (int i = 0; i < m.lanes; i += kWidth)
-    merger.color(merger.depth_stencil(load(m.live + i), load(m.depth + i), m.depth_stencil + i),
-                 load(m.color + i), m.target + i);
+  for (int i = 0; i < m.lanes; i += kWidth) {
+    const IntV live = merger.depth_stencil(load(m.live + i), load(m.depth + i), m.depth_stencil + i);
+    if (tile.samples) *tile.samples += count_lanes(live);
+    merger.color(live, load(m.color + i), m.target + i);
+  }
   for (int32_t i = 0; i < count; ++i) {
     if (words)
       color[pixel[i]] = m.target[i];

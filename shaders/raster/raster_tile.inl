@@ -40,7 +40,8 @@ static void tile_fragments(const TileTarget& tile, const RasterDraw& draw, const
   const bool less = function == Compare::Less && key.depth_write,
              less_equal = function == Compare::LessEqual && key.depth_write;
   if (ColorFormat(key.color_format) == ColorFormat::Rgba8 && !key.stencil && !key.blend && !key.logic_op &&
-      draw.color_mask == ~uint32_t(0) && tile.depth_stencil && tile.one_stencil && (less || less_equal)) {
+      draw.color_mask == ~uint32_t(0) && tile.depth_stencil && tile.one_stencil && (less || less_equal) &&
+      !tile.samples) {
     auto* color = static_cast<uint32_t*>(tile.color);
     uint32_t* words = tile.depth_stencil;
     const SmallFragments f = fragments;

@@ -8,6 +8,7 @@
 #include "context/list_compiler.h"
 #include "context/matrix_stacks.h"
 #include "context/object_store.h"
+#include "context/occlusion_queries.h"
 #include "context/shading.h"
 #include "context/snapshot_cache.h"
 #include "context/state.h"
@@ -38,6 +39,7 @@ struct Context {
   std::shared_ptr<SharedObjects> shared =
       std::make_shared<SharedObjects>(); // textures, buffers, lists: may be shared
   std::shared_ptr<TextureObject> proxy_texture[kTextureTargets];
+  OcclusionQueries queries;
   ListCompiler lists;
   ArrayCache arrays; // what the last array draw found out about ClientState::vertex_array
   CombinerCache combiners;

@@ -1,5 +1,5 @@
 // Named objects: textures, buffers, display lists and queries (GL 1.5, 2.9, 3.8.12, 4.1.7, 5.4). Contexts may
-// share one store; its lock is taken on object operations only, never per vertex or pixel.
+// share the first three; a store's lock is taken on object operations only, never per vertex or pixel.
 #pragma once
 
 #include <algorithm>
@@ -135,9 +135,8 @@ private:
 struct TextureObject; // texture/texture_object.h
 struct BufferObject;  // vertex/buffer_objects.h
 struct DisplayList;   // lists/display_list.h
-struct QueryObject;   // state/query_state.h
 
-/// What contexts may share. (Queries are per context by the specification; a store of its own serves them.)
+/// What contexts may share. Queries are a context's own (occlusion_queries.h).
 struct SharedObjects {
   NameTable<TextureObject> textures;
   std::shared_ptr<TextureObject> default_texture[5]; // by TextureTarget: the objects of name 0

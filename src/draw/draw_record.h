@@ -25,7 +25,8 @@ struct DrawRecord {
   const RasterConstants* raster;
   const FragmentProgram* fragment;
   const PixelRectangle* rectangle =
-      nullptr; // in place of the call's primitives; then there is no vertex program
+      nullptr;                 // in place of the call's primitives; then there is no vertex program
+  uint64_t* samples = nullptr; // where its fragments that pass all tests are counted; null: nowhere
 };
 
 } // namespace softgl

@@ -47,7 +47,8 @@ struct ShadeChunk {
 struct Unit {
   uint32_t first_piece = 0, piece_count = 0;
   const ClearRecord* clear = nullptr;
-  bool stencil_drawn = false; // of a clear: stencil values may have been written before it in this frame
+  // Of a clear: before it in this frame stencil values may have been written, and fragments are counted.
+  bool stencil_drawn = false, samples_counted = false;
   const TileLists::Touched* touched = nullptr;
   uint32_t touched_count = 0;
 };
@@ -123,6 +124,7 @@ public:
         units_.push_back({});
         units_.back().clear = item.clear;
         units_.back().stencil_drawn = stencil_drawn_;
+        units_.back().samples_counted = samples_counted_;
         stencil_drawn_ = stencil_drawn_ || item.clear->stencil;
         open_steps_ = 0;
       } else {
@@ -150,6 +152,7 @@ private:
     for (uint32_t i = 0; i < call.primitive_count; ++i) steps += assembly_steps(call.primitives[i]);
     if (steps == 0 || (call.vertex_count == 0 && !draw.rectangle)) return;
     stencil_drawn_ = stencil_drawn_ || draw.fragment->key.stencil;
+    samples_counted_ = samples_counted_ || draw.samples;
     const auto* raster = frame_.arena_.make<RasterDraw>(make_raster_draw(draw));
     if (steps <= kSmallDraw && call.vertex_count <= kSmallDraw) {
       const bool before = !draw.rectangle && !takes(FastPath::OrderedVertices);
@@ -313,7 +316,7 @@ private:
         segment->capacity = 0;
         segment->count = 0;
         segment->clear = &c;
-        if (head_[tile] && clear_hides_all(c, surface_, tile, unit.stencil_drawn)) {
+        if (head_[tile] && !unit.samples_counted && clear_hides_all(c, surface_, tile, unit.stencil_drawn)) {
           head_[tile] = tail_[tile] = chunk; // earlier work of the tile cannot be seen
           continue;
         }
@@ -332,7 +335,7 @@ private:
   std::vector<Unit> units_;
   size_t unit_start_ = 0;
   uint32_t open_steps_ = 0, round_steps_ = 0;
-  bool stencil_drawn_ = false;
+  bool stencil_drawn_ = false, samples_counted_ = false;
   int rounds_ = 0;
 };
 

@@ -127,6 +127,7 @@ void trace_draw(const DrawRecord& draw) {
   }
   text.print("; raster %s; fragment %s", to_string(*draw.raster).c_str(),
              to_string(draw.fragment->key).c_str());
+  if (draw.samples) text.put("; counted");
   trace_work(text);
 }
 

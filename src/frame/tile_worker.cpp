@@ -172,6 +172,7 @@ void execute_tile(const Surface& surface, uint32_t tile, const TileChunk* work, 
   target.y = static_cast<int32_t>(tile / uint32_t(surface.tiles_x)) * kTileSize;
   for_each_segment(work, [&](const TileSegment& segment) {
     const auto count = static_cast<int32_t>(segment.count);
+    uint64_t samples = 0;
     SOFTGL_ASSERT(segment.kind == TileSegment::Clear ? segment.clear != nullptr : segment.draw && count > 0);
     if (segment.kind != TileSegment::Clear) {
       open_tile(surface, tile, *segment.draw);
@@ -183,6 +184,7 @@ void execute_tile(const Surface& surface, uint32_t tile, const TileChunk* work, 
       target.one_stencil = (surface.depth_format != DepthFormat::Z24S8 || words.known >> 24 == 255) &&
                            takes(FastPath::DepthWords);
       target.stencil_bits = surface.depth_format == DepthFormat::Z24S8 ? words.word & 0xff000000u : 0;
+      target.samples = segment.draw->samples ? &samples : nullptr;
     }
     switch (segment.kind) {
     case TileSegment::Primitives:
@@ -199,6 +201,7 @@ void execute_tile(const Surface& surface, uint32_t tile, const TileChunk* work, 
       break;
     case TileSegment::Clear: execute_clear(*segment.clear, surface, tile); break;
     }
+    if (samples) std::atomic_ref(*segment.draw->samples).fetch_add(samples, std::memory_order_relaxed);
   });
 }
 

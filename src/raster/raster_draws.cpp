@@ -71,11 +71,12 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
   d.small = is_enabled(FastPath::Small) && (format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565) &&
             !d.program->reads_quads && !d.raster->stipple;
   d.direct = draw.fragment->step_count == 0 && !d.raster->stipple && format == ColorFormat::Rgba8 &&
-             !key.stencil && takes(FastPath::Direct);
+             !key.stencil && (!draw.samples || key.color_mask == 0) && takes(FastPath::Direct);
   d.early_depth = !key.stencil && !draw.fragment->writes_depth && takes(FastPath::EarlyDepth);
   d.whole_blocks = takes(FastPath::WholeBlocks);
   for (int c = 0; c < 4; ++c)
     if (key.color_mask >> c & 1) d.color_mask |= 0xffu << (8 * c);
+  d.samples = draw.samples;
   return d;
 }
 

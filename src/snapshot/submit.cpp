@@ -12,6 +12,18 @@
 #include "snapshot/vertex_snapshot.h"
 
 namespace softgl {
+namespace {
+
+/// Where a draw's fragments are counted while a query is active (GL 1.5, 4.1.7). The frame holds the counter
+/// until they are.
+uint64_t* active_counter(Context& c) {
+  const std::shared_ptr<uint64_t>& samples = c.queries.samples;
+  if (samples) [[unlikely]]
+    c.frame.retain(samples, sizeof *samples);
+  return samples.get();
+}
+
+} // namespace
 
 void submit(Context& c, const DrawCall& call) {
   const bool has_position = call.source && call.source->present >> kPosition & 1;
@@ -24,15 +36,16 @@ void submit(Context& c, const DrawCall& call) {
   if (c.state.render_mode.mode != GL_RENDER) return feed_back(c, call);
   update_snapshots(c, call);
   const SnapshotCache& cache = c.snapshots;
+  uint64_t* const samples = active_counter(c);
   c.frame.append(c.frame.arena().make<DrawRecord>(call, cache.layout, cache.vertex, cache.raster,
-                                                  cache.fragment_of_draw));
+                                                  cache.fragment_of_draw, nullptr, samples));
   if (c.frame.over_budget()) flush_frame(c);
 }
 
 namespace {
 
 /// One vertex with the raster position's attributes stands for all fragments of the rectangle.
-void append_rectangle(Context& c, const FragmentProgram* program, const WindowBox& box) {
+void append_rectangle(Context& c, const FragmentProgram* program, const WindowBox& box, uint64_t* samples) {
   Arena& arena = c.frame.arena();
   const RasterPosition& p = c.state.raster_position;
   const int8_t no_source[5][2] = {};
@@ -49,18 +62,19 @@ void append_rectangle(Context& c, const FragmentProgram* program, const WindowBo
   for (int u = 0; u < kMaxTextureUnits; ++u) set(layout.texcoord[u], p.texcoord[u]);
   const auto* rectangle = arena.make<PixelRectangle>(slot, box);
   c.frame.append(arena.make<DrawRecord>(DrawCall{}, layout, nullptr, make_raster_constants(c, arena), program,
-                                        rectangle));
+                                        rectangle, samples));
   if (c.frame.over_budget()) flush_frame(c);
 }
 
 } // namespace
 
 void submit_pixels(Context& c, const PixelImage& image, const WindowBox& box) {
-  append_rectangle(c, make_fragment_program(c, c.frame.arena(), &image), box);
+  append_rectangle(c, make_fragment_program(c, c.frame.arena(), &image), box, active_counter(c));
 }
 
 void submit_stencil(Context& c, const PixelImage& image, uint8_t value, const WindowBox& box) {
-  append_rectangle(c, make_stencil_program(c, c.frame.arena(), image, value), box);
+  // These are no fragments (4.3.1), so no query counts them.
+  append_rectangle(c, make_stencil_program(c, c.frame.arena(), image, value), box, nullptr);
 }
 
 } // namespace softgl

@@ -90,6 +90,7 @@ void Player::restore() {
   if (!make_current(own_context())) throw std::runtime_error("the context cannot be made current again");
   gl.End();
   gl.EndList();
+  gl.EndQuery(GL_SAMPLES_PASSED);
   gl.RenderMode(GL_RENDER);
   GLint depth = 0, mode = 0;
   for (gl.GetIntegerv(GL_ATTRIB_STACK_DEPTH, &depth); depth > 0; --depth) gl.PopAttrib();

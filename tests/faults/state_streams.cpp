@@ -1,4 +1,4 @@
-// Stacks of attributes and matrices, selection and feedback.
+// Stacks of attributes and matrices, selection and feedback, queries.
 #include "faults/streams.h"
 
 namespace softgl::test {
@@ -68,11 +68,39 @@ void selection_and_feedback(Player& p) {
   p.picture();
 }
 
+void occlusion_queries(Player& p) {
+  const Gl& gl = p.gl;
+  GLuint names[12];
+  gl.GenQueries(12, names);
+  p.check();
+  // Names that failed to come are names nevertheless.
+  for (GLuint i = 0; i < 12; ++i) names[i] = 100 + i;
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  for (int i = 0; i < 12; ++i) {
+    gl.BeginQuery(GL_SAMPLES_PASSED, names[i]);
+    for (int k = 0; k <= i; ++k) triangle(gl, -1 + 0.1f * float(k));
+    gl.EndQuery(GL_SAMPLES_PASSED);
+    p.check();
+    if (i % 4 == 3) gl.Flush();
+  }
+  for (GLuint name : names) {
+    GLuint count = 0, available = 0;
+    gl.GetQueryObjectuiv(name, GL_QUERY_RESULT_AVAILABLE, &available);
+    gl.GetQueryObjectuiv(name, GL_QUERY_RESULT, &count);
+    p.check();
+    p.add(uint64_t(count) << 1 | available);
+  }
+  gl.DeleteQueries(12, names);
+  p.check();
+  p.picture();
+}
+
 } // namespace
 
 const std::vector<Stream>& state_streams() {
   static const std::vector<Stream> streams = {{"state.stacks", stacks},
-                                              {"state.feedback", selection_and_feedback}};
+                                              {"state.feedback", selection_and_feedback},
+                                              {"state.queries", occlusion_queries}};
   return streams;
 }
 

@@ -142,8 +142,9 @@ Run run_without(const std::string& names) {
                    static_cast<unsigned long long>(draw(gl, scene, seed).hash()));
     };
     print({"every fast path", draw_everything, false, 512, 512}, 0);
-    for (const char* family : {"triangles", "alpha", "blend", "depth", "near", "points", "lit",
-                               "polygon_stipples", "texture", "texture_units", "combine", "lists", "arrays"})
+    for (const char* family :
+         {"triangles", "alpha", "blend", "depth", "near", "points", "lit", "polygon_stipples", "texture",
+          "texture_units", "combine", "lists", "arrays", "occlusion"})
       for (uint64_t seed = 0; seed < uint64_t(seed_count(4)); ++seed) print(*find_scene(family), seed);
   });
   unsetenv("SOFTGL_DISABLE");

@@ -621,6 +621,22 @@ void compile_LogicOp(Context& c, GLenum opcode) {
     if (may_execute(c)) gl::LogicOp(c, opcode);
   }
 }
+void compile_BeginQuery(Context& c, GLenum target, GLuint id) {
+  const BeginQueryArguments kept_call{target, id};
+  new (record(c, uint16_t(Opcode::BeginQuery), sizeof kept_call)) BeginQueryArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::BeginQuery(c, target, id);
+  }
+}
+void compile_EndQuery(Context& c, GLenum target) {
+  const EndQueryArguments kept_call{target};
+  new (record(c, uint16_t(Opcode::EndQuery), sizeof kept_call)) EndQueryArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::EndQuery(c, target);
+  }
+}
 void compile_DrawBuffer(Context& c, GLenum buf) {
   const DrawBufferArguments kept_call{buf};
   new (record(c, uint16_t(Opcode::DrawBuffer), sizeof kept_call)) DrawBufferArguments(kept_call);

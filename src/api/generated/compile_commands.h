@@ -82,6 +82,8 @@ void compile_BlendFuncSeparate(Context& c, GLenum sfactorRGB, GLenum dfactorRGB,
 void compile_BlendEquation(Context& c, GLenum mode);
 void compile_BlendColor(Context& c, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha);
 void compile_LogicOp(Context& c, GLenum opcode);
+void compile_BeginQuery(Context& c, GLenum target, GLuint id);
+void compile_EndQuery(Context& c, GLenum target);
 void compile_DrawBuffer(Context& c, GLenum buf);
 void compile_ColorMask(Context& c, GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha);
 void compile_IndexMask(Context& c, GLuint mask);

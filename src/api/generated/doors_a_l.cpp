@@ -79,8 +79,28 @@ SOFTGL_EXPORT void APIENTRY glBegin(GLenum mode) try {
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glBeginQuery(GLenum target, GLuint id) { SOFTGL_TRACED(glBeginQuery, target, id); unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glBeginQueryARB(GLenum target, GLuint id) { SOFTGL_TRACED(glBeginQueryARB, target, id); unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glBeginQuery(GLenum target, GLuint id) try {
+  SOFTGL_TRACED(glBeginQuery, target, id);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_BeginQuery(c, target, id);
+    if (!may_execute(c)) return;
+  }
+  gl::BeginQuery(c, target, id);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glBeginQueryARB(GLenum target, GLuint id) try {
+  SOFTGL_TRACED(glBeginQueryARB, target, id);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_BeginQuery(c, target, id);
+    if (!may_execute(c)) return;
+  }
+  gl::BeginQuery(c, target, id);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glBindBuffer(GLenum target, GLuint buffer) try {
   SOFTGL_TRACED(glBindBuffer, target, buffer);
   Context& c = *current_context;
@@ -635,8 +655,24 @@ SOFTGL_EXPORT void APIENTRY glDeleteLists(GLuint list, GLsizei range) try {
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glDeleteQueries(GLsizei n, const GLuint* ids) { SOFTGL_TRACED(glDeleteQueries, n, ids); unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glDeleteQueriesARB(GLsizei n, const GLuint* ids) { SOFTGL_TRACED(glDeleteQueriesARB, n, ids); unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glDeleteQueries(GLsizei n, const GLuint* ids) try {
+  SOFTGL_TRACED(glDeleteQueries, n, ids);
+  Context& c = *current_context;
+  if ((!ids && n > 0)) [[unlikely]] return ignore_call(c);
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::DeleteQueries(c, n, ids);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glDeleteQueriesARB(GLsizei n, const GLuint* ids) try {
+  SOFTGL_TRACED(glDeleteQueriesARB, n, ids);
+  Context& c = *current_context;
+  if ((!ids && n > 0)) [[unlikely]] return ignore_call(c);
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::DeleteQueries(c, n, ids);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glDeleteTextures(GLsizei n, const GLuint* textures) try {
   SOFTGL_TRACED(glDeleteTextures, n, textures);
   Context& c = *current_context;
@@ -811,8 +847,28 @@ SOFTGL_EXPORT void APIENTRY glEndList() try {
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glEndQuery(GLenum target) { SOFTGL_TRACED(glEndQuery, target); unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glEndQueryARB(GLenum target) { SOFTGL_TRACED(glEndQueryARB, target); unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glEndQuery(GLenum target) try {
+  SOFTGL_TRACED(glEndQuery, target);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_EndQuery(c, target);
+    if (!may_execute(c)) return;
+  }
+  gl::EndQuery(c, target);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glEndQueryARB(GLenum target) try {
+  SOFTGL_TRACED(glEndQueryARB, target);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_EndQuery(c, target);
+    if (!may_execute(c)) return;
+  }
+  gl::EndQuery(c, target);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glEvalCoord1d(GLdouble u) { SOFTGL_TRACED(glEvalCoord1d, u); unbuilt_command(); }
 SOFTGL_EXPORT void APIENTRY glEvalCoord1dv(const GLdouble* u) { SOFTGL_TRACED(glEvalCoord1dv, u); unbuilt_command(); }
 SOFTGL_EXPORT void APIENTRY glEvalCoord1f(GLfloat u) { SOFTGL_TRACED(glEvalCoord1f, u); unbuilt_command(); }
@@ -969,8 +1025,24 @@ SOFTGL_EXPORT GLuint APIENTRY glGenLists(GLsizei range) try {
   out_of_memory();
   return 0;
 }
-SOFTGL_EXPORT void APIENTRY glGenQueries(GLsizei n, GLuint* ids) { SOFTGL_TRACED(glGenQueries, n, ids); unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glGenQueriesARB(GLsizei n, GLuint* ids) { SOFTGL_TRACED(glGenQueriesARB, n, ids); unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glGenQueries(GLsizei n, GLuint* ids) try {
+  SOFTGL_TRACED(glGenQueries, n, ids);
+  Context& c = *current_context;
+  if ((!ids && n > 0)) [[unlikely]] return ignore_call(c);
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::GenQueries(c, n, ids);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glGenQueriesARB(GLsizei n, GLuint* ids) try {
+  SOFTGL_TRACED(glGenQueriesARB, n, ids);
+  Context& c = *current_context;
+  if ((!ids && n > 0)) [[unlikely]] return ignore_call(c);
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::GenQueries(c, n, ids);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glGenTextures(GLsizei n, GLuint* textures) try {
   SOFTGL_TRACED(glGenTextures, n, textures);
   Context& c = *current_context;

@@ -228,12 +228,60 @@ SOFTGL_EXPORT void APIENTRY glGetPolygonStipple(GLubyte* mask) try {
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetQueryObjectiv(GLuint id, GLenum pname, GLint* params) { SOFTGL_TRACED(glGetQueryObjectiv, id, pname, params); unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glGetQueryObjectivARB(GLuint id, GLenum pname, GLint* params) { SOFTGL_TRACED(glGetQueryObjectivARB, id, pname, params); unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glGetQueryObjectuiv(GLuint id, GLenum pname, GLuint* params) { SOFTGL_TRACED(glGetQueryObjectuiv, id, pname, params); unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glGetQueryObjectuivARB(GLuint id, GLenum pname, GLuint* params) { SOFTGL_TRACED(glGetQueryObjectuivARB, id, pname, params); unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glGetQueryiv(GLenum target, GLenum pname, GLint* params) { SOFTGL_TRACED(glGetQueryiv, target, pname, params); unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glGetQueryivARB(GLenum target, GLenum pname, GLint* params) { SOFTGL_TRACED(glGetQueryivARB, target, pname, params); unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glGetQueryObjectiv(GLuint id, GLenum pname, GLint* params) try {
+  SOFTGL_TRACED(glGetQueryObjectiv, id, pname, params);
+  Context& c = *current_context;
+  if (!params) [[unlikely]] return ignore_call(c);
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::GetQueryObjectiv(c, id, pname, params);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glGetQueryObjectivARB(GLuint id, GLenum pname, GLint* params) try {
+  SOFTGL_TRACED(glGetQueryObjectivARB, id, pname, params);
+  Context& c = *current_context;
+  if (!params) [[unlikely]] return ignore_call(c);
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::GetQueryObjectiv(c, id, pname, params);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glGetQueryObjectuiv(GLuint id, GLenum pname, GLuint* params) try {
+  SOFTGL_TRACED(glGetQueryObjectuiv, id, pname, params);
+  Context& c = *current_context;
+  if (!params) [[unlikely]] return ignore_call(c);
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::GetQueryObjectuiv(c, id, pname, params);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glGetQueryObjectuivARB(GLuint id, GLenum pname, GLuint* params) try {
+  SOFTGL_TRACED(glGetQueryObjectuivARB, id, pname, params);
+  Context& c = *current_context;
+  if (!params) [[unlikely]] return ignore_call(c);
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::GetQueryObjectuiv(c, id, pname, params);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glGetQueryiv(GLenum target, GLenum pname, GLint* params) try {
+  SOFTGL_TRACED(glGetQueryiv, target, pname, params);
+  Context& c = *current_context;
+  if (!params) [[unlikely]] return ignore_call(c);
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::GetQueryiv(c, target, pname, params);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glGetQueryivARB(GLenum target, GLenum pname, GLint* params) try {
+  SOFTGL_TRACED(glGetQueryivARB, target, pname, params);
+  Context& c = *current_context;
+  if (!params) [[unlikely]] return ignore_call(c);
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::GetQueryiv(c, target, pname, params);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT const GLubyte* APIENTRY glGetString(GLenum name) try {
   SOFTGL_TRACED(glGetString, name);
   Context& c = *current_context;
@@ -368,8 +416,24 @@ SOFTGL_EXPORT GLboolean APIENTRY glIsList(GLuint list) try {
   out_of_memory();
   return 0;
 }
-SOFTGL_EXPORT GLboolean APIENTRY glIsQuery(GLuint id) { SOFTGL_TRACED(glIsQuery, id); unbuilt_command(); return 0; }
-SOFTGL_EXPORT GLboolean APIENTRY glIsQueryARB(GLuint id) { SOFTGL_TRACED(glIsQueryARB, id); unbuilt_command(); return 0; }
+SOFTGL_EXPORT GLboolean APIENTRY glIsQuery(GLuint id) try {
+  SOFTGL_TRACED(glIsQuery, id);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
+  return gl::IsQuery(c, id);
+} catch (...) {
+  out_of_memory();
+  return 0;
+}
+SOFTGL_EXPORT GLboolean APIENTRY glIsQueryARB(GLuint id) try {
+  SOFTGL_TRACED(glIsQueryARB, id);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
+  return gl::IsQuery(c, id);
+} catch (...) {
+  out_of_memory();
+  return 0;
+}
 SOFTGL_EXPORT GLboolean APIENTRY glIsTexture(GLuint texture) try {
   SOFTGL_TRACED(glIsTexture, texture);
   Context& c = *current_context;

@@ -11,6 +11,8 @@ DOOR(glAreTexturesResident);
 DOOR(glArrayElement);
 DOOR(glArrayElementEXT);
 DOOR(glBegin);
+DOOR(glBeginQuery);
+DOOR(glBeginQueryARB);
 DOOR(glBindBuffer);
 DOOR(glBindBufferARB);
 DOOR(glBindTexture);
@@ -97,6 +99,8 @@ DOOR(glCullFace);
 DOOR(glDeleteBuffers);
 DOOR(glDeleteBuffersARB);
 DOOR(glDeleteLists);
+DOOR(glDeleteQueries);
+DOOR(glDeleteQueriesARB);
 DOOR(glDeleteTextures);
 DOOR(glDepthFunc);
 DOOR(glDepthMask);
@@ -118,6 +122,8 @@ DOOR(glEnable);
 DOOR(glEnableClientState);
 DOOR(glEnd);
 DOOR(glEndList);
+DOOR(glEndQuery);
+DOOR(glEndQueryARB);
 DOOR(glFeedbackBuffer);
 DOOR(glFinish);
 DOOR(glFlush);
@@ -140,6 +146,8 @@ DOOR(glFrustum);
 DOOR(glGenBuffers);
 DOOR(glGenBuffersARB);
 DOOR(glGenLists);
+DOOR(glGenQueries);
+DOOR(glGenQueriesARB);
 DOOR(glGenTextures);
 DOOR(glGetBooleanv);
 DOOR(glGetBufferParameteriv);
@@ -165,6 +173,12 @@ DOOR(glGetPixelMapusv);
 DOOR(glGetPointerv);
 DOOR(glGetPointervEXT);
 DOOR(glGetPolygonStipple);
+DOOR(glGetQueryObjectiv);
+DOOR(glGetQueryObjectivARB);
+DOOR(glGetQueryObjectuiv);
+DOOR(glGetQueryObjectuivARB);
+DOOR(glGetQueryiv);
+DOOR(glGetQueryivARB);
 DOOR(glGetString);
 DOOR(glGetTexEnvfv);
 DOOR(glGetTexEnviv);
@@ -196,6 +210,8 @@ DOOR(glIsBuffer);
 DOOR(glIsBufferARB);
 DOOR(glIsEnabled);
 DOOR(glIsList);
+DOOR(glIsQuery);
+DOOR(glIsQueryARB);
 DOOR(glIsTexture);
 DOOR(glLightModelf);
 DOOR(glLightModelfv);
@@ -554,6 +570,8 @@ const NamedDoor kNamedDoors[] = {
     {"glArrayElement", door_glArrayElement},
     {"glArrayElementEXT", door_glArrayElementEXT},
     {"glBegin", door_glBegin},
+    {"glBeginQuery", door_glBeginQuery},
+    {"glBeginQueryARB", door_glBeginQueryARB},
     {"glBindBuffer", door_glBindBuffer},
     {"glBindBufferARB", door_glBindBufferARB},
     {"glBindTexture", door_glBindTexture},
@@ -640,6 +658,8 @@ const NamedDoor kNamedDoors[] = {
     {"glDeleteBuffers", door_glDeleteBuffers},
     {"glDeleteBuffersARB", door_glDeleteBuffersARB},
     {"glDeleteLists", door_glDeleteLists},
+    {"glDeleteQueries", door_glDeleteQueries},
+    {"glDeleteQueriesARB", door_glDeleteQueriesARB},
     {"glDeleteTextures", door_glDeleteTextures},
     {"glDepthFunc", door_glDepthFunc},
     {"glDepthMask", door_glDepthMask},
@@ -661,6 +681,8 @@ const NamedDoor kNamedDoors[] = {
     {"glEnableClientState", door_glEnableClientState},
     {"glEnd", door_glEnd},
     {"glEndList", door_glEndList},
+    {"glEndQuery", door_glEndQuery},
+    {"glEndQueryARB", door_glEndQueryARB},
     {"glFeedbackBuffer", door_glFeedbackBuffer},
     {"glFinish", door_glFinish},
     {"glFlush", door_glFlush},
@@ -683,6 +705,8 @@ const NamedDoor kNamedDoors[] = {
     {"glGenBuffers", door_glGenBuffers},
     {"glGenBuffersARB", door_glGenBuffersARB},
     {"glGenLists", door_glGenLists},
+    {"glGenQueries", door_glGenQueries},
+    {"glGenQueriesARB", door_glGenQueriesARB},
     {"glGenTextures", door_glGenTextures},
     {"glGetBooleanv", door_glGetBooleanv},
     {"glGetBufferParameteriv", door_glGetBufferParameteriv},
@@ -708,6 +732,12 @@ const NamedDoor kNamedDoors[] = {
     {"glGetPointerv", door_glGetPointerv},
     {"glGetPointervEXT", door_glGetPointervEXT},
     {"glGetPolygonStipple", door_glGetPolygonStipple},
+    {"glGetQueryObjectiv", door_glGetQueryObjectiv},
+    {"glGetQueryObjectivARB", door_glGetQueryObjectivARB},
+    {"glGetQueryObjectuiv", door_glGetQueryObjectuiv},
+    {"glGetQueryObjectuivARB", door_glGetQueryObjectuivARB},
+    {"glGetQueryiv", door_glGetQueryiv},
+    {"glGetQueryivARB", door_glGetQueryivARB},
     {"glGetString", door_glGetString},
     {"glGetTexEnvfv", door_glGetTexEnvfv},
     {"glGetTexEnviv", door_glGetTexEnviv},
@@ -739,6 +769,8 @@ const NamedDoor kNamedDoors[] = {
     {"glIsBufferARB", door_glIsBufferARB},
     {"glIsEnabled", door_glIsEnabled},
     {"glIsList", door_glIsList},
+    {"glIsQuery", door_glIsQuery},
+    {"glIsQueryARB", door_glIsQueryARB},
     {"glIsTexture", door_glIsTexture},
     {"glLightModelf", door_glLightModelf},
     {"glLightModelfv", door_glLightModelfv},

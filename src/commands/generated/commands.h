@@ -143,6 +143,14 @@ void BlendFuncSeparate(Context& c, GLenum sfactorRGB, GLenum dfactorRGB, GLenum 
 void BlendEquation(Context& c, GLenum mode);
 void BlendColor(Context& c, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha);
 void LogicOp(Context& c, GLenum opcode);
+void GenQueries(Context& c, GLsizei n, GLuint* ids);
+void DeleteQueries(Context& c, GLsizei n, const GLuint* ids);
+GLboolean IsQuery(Context& c, GLuint id);
+void BeginQuery(Context& c, GLenum target, GLuint id);
+void EndQuery(Context& c, GLenum target);
+void GetQueryiv(Context& c, GLenum target, GLenum pname, GLint* params);
+void GetQueryObjectiv(Context& c, GLuint id, GLenum pname, GLint* params);
+void GetQueryObjectuiv(Context& c, GLuint id, GLenum pname, GLuint* params);
 void DrawBuffer(Context& c, GLenum buf);
 void ColorMask(Context& c, GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha);
 void IndexMask(Context& c, GLuint mask);

@@ -316,6 +316,14 @@ void play_command(Context& c, uint16_t opcode, const void* arguments) {
       const auto& r = *static_cast<const LogicOpArguments*>(arguments);
       return gl::LogicOp(c, r.opcode);
     }
+    case Opcode::BeginQuery: {
+      const auto& r = *static_cast<const BeginQueryArguments*>(arguments);
+      return gl::BeginQuery(c, r.target, r.id);
+    }
+    case Opcode::EndQuery: {
+      const auto& r = *static_cast<const EndQueryArguments*>(arguments);
+      return gl::EndQuery(c, r.target);
+    }
     case Opcode::DrawBuffer: {
       const auto& r = *static_cast<const DrawBufferArguments*>(arguments);
       return gl::DrawBuffer(c, r.buf);
@@ -489,6 +497,8 @@ const char* opcode_name(uint16_t opcode) {
       "BlendEquation",
       "BlendColor",
       "LogicOp",
+      "BeginQuery",
+      "EndQuery",
       "DrawBuffer",
       "ColorMask",
       "IndexMask",

@@ -85,6 +85,8 @@ enum class Opcode : uint16_t {
   BlendEquation,
   BlendColor,
   LogicOp,
+  BeginQuery,
+  EndQuery,
   DrawBuffer,
   ColorMask,
   IndexMask,
@@ -108,7 +110,7 @@ enum class Opcode : uint16_t {
   PushAttrib,
   PopAttrib,
 };
-constexpr int kOpcodes = 97;
+constexpr int kOpcodes = 99;
 
 struct RectArguments { GLfloat x1; GLfloat y1; GLfloat x2; GLfloat y2; };
 struct MatrixModeArguments { GLenum mode; };
@@ -182,6 +184,8 @@ struct BlendFuncSeparateArguments { GLenum sfactorRGB; GLenum dfactorRGB; GLenum
 struct BlendEquationArguments { GLenum mode; };
 struct BlendColorArguments { GLfloat red; GLfloat green; GLfloat blue; GLfloat alpha; };
 struct LogicOpArguments { GLenum opcode; };
+struct BeginQueryArguments { GLenum target; GLuint id; };
+struct EndQueryArguments { GLenum target; };
 struct DrawBufferArguments { GLenum buf; };
 struct ColorMaskArguments { GLboolean red; GLboolean green; GLboolean blue; GLboolean alpha; };
 struct IndexMaskArguments { GLuint mask; };

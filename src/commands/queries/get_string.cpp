@@ -14,7 +14,7 @@ namespace {
 /// Extensions that work: what GL 1.1 to 2.0 took over, under the names by which programs look for it.
 /// Programs search for a name with a blank behind it, hence the blank at the end.
 constexpr const char* kExtensions =
-    "GL_ARB_depth_texture GL_ARB_multitexture GL_ARB_point_parameters GL_ARB_shadow "
+    "GL_ARB_depth_texture GL_ARB_multitexture GL_ARB_occlusion_query GL_ARB_point_parameters GL_ARB_shadow "
     "GL_ARB_texture_border_clamp "
     "GL_ARB_texture_cube_map GL_ARB_texture_env_add GL_ARB_texture_env_combine GL_ARB_texture_env_crossbar "
     "GL_ARB_texture_env_dot3 GL_ARB_texture_mirrored_repeat GL_ARB_texture_non_power_of_two "
