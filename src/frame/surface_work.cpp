@@ -24,6 +24,11 @@ void write_tiles(Framebuffer& f) {
   for_each_tile(s, [&](uint32_t tile) { write_tile(s, tile); });
 }
 
+void accumulate(Framebuffer& f, const Accumulation& accumulation) {
+  const Surface& s = f.surface;
+  for_each_tile(s, [&](uint32_t tile) { accumulate_tile(s, f.accumulation, accumulation, tile); });
+}
+
 void resolve(const Surface& s, const ClientBuffer& client) {
   const Resolver resolver(s, client);
   for_each_tile(s, [&](uint32_t tile) { resolver.read(tile); });

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstring>
+#include <new>
 #include <utility>
 
 #include "base/pages.h"
+#include "surface/accumulation.h"
 
 namespace softgl {
 namespace {
@@ -20,9 +22,19 @@ bool plane_bytes(int tiles_x, int tiles_y, size_t pixel_bytes, size_t& bytes) {
 void Framebuffer::release() {
   unmap_pages(surface.color, color_bytes_);
   if (depth_bytes_) unmap_pages(surface.depth_stencil, depth_bytes_);
+  if (accumulation) unmap_pages(accumulation, accumulation_bytes_);
   surface = Surface{};
   tiles_.clear();
-  color_bytes_ = depth_bytes_ = 0;
+  accumulation = nullptr;
+  color_bytes_ = depth_bytes_ = accumulation_bytes_ = 0;
+}
+
+void Framebuffer::make_accumulation() {
+  if (accumulation) return;
+  const size_t bytes = accumulation_numbers(surface) * sizeof(int16_t);
+  accumulation = static_cast<int16_t*>(map_pages(bytes));
+  if (!accumulation) throw std::bad_alloc();
+  accumulation_bytes_ = bytes;
 }
 
 bool Framebuffer::allocate(int width, int height, ColorFormat color_format) {

@@ -34,6 +34,7 @@ struct Framebuffer {
   bool unresolved = false;   // something was drawn that the caller's buffer does not show
   ClientBuffer client;
   FramebufferCounts counts;
+  int16_t* accumulation = nullptr;       // accumulation.h; null, and all zeros, until it is first written
   std::vector<unsigned char> depth_copy; // what OSMesaGetDepthBuffer gave out; empty until it is called
 
   Framebuffer() = default;
@@ -44,12 +45,15 @@ struct Framebuffer {
   /// New planes of zeros (alpha 1 where there is none). False, and nothing changed, when memory does not
   /// suffice.
   bool allocate(int width, int height, ColorFormat color_format);
+  /// Memory of zeros for the accumulation buffer if it has none; throws std::bad_alloc.
+  void make_accumulation();
   /// Appends the planes and the caller's buffer, to be brought in early.
   void prepare(std::vector<Pages>& pages) const;
   void release();
 
 private:
   size_t color_bytes_ = 0, depth_bytes_ = 0; // mapped; no depth_bytes_ where the planes share memory
+  size_t accumulation_bytes_ = 0;
   std::vector<TileState> tiles_;
   uint32_t next_place_ = 0;
 };

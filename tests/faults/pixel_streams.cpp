@@ -1,4 +1,4 @@
-// Pixel rectangles: drawn, copied, read, as bits, through zoom and transfer.
+// Pixel rectangles: drawn, copied, read, as bits, through zoom and transfer. The accumulation buffer.
 #include "faults/streams.h"
 
 namespace softgl::test {
@@ -37,10 +37,37 @@ void rectangles(Player& p) {
   p.picture();
 }
 
+/// In contexts that get their accumulation buffers by each of the commands that may be the first.
+void accumulation(Player& p) {
+  const Gl& gl = p.gl;
+  for (int first = 0; first < 4; ++first) {
+    void* context = p.create(nullptr, kOSMesaRgba, 24, 8, 16);
+    if (!context || !p.make_current(context)) continue;
+    gl.ClearColor(0.3f, 0.6f, 0.9f, 1);
+    if (first == 3) gl.ClearAccum(0.1f, -0.2f, 0.3f, 1);
+    gl.Clear(GL_COLOR_BUFFER_BIT | GL_ACCUM_BUFFER_BIT);
+    p.check();
+    if (first == 1) gl.Accum(GL_RETURN, 1);
+    if (first == 2) gl.Accum(GL_ADD, 0.2f);
+    for (int i = 0; i < 3; ++i) {
+      gl.Color3f(0.5f * float(i), 1, 0);
+      gl.Rectf(-1, -1, 0.5f * float(i), 0.5f);
+      gl.Accum(GL_ACCUM, 0.25f);
+      p.check();
+    }
+    gl.Accum(GL_MULT, 0.9f);
+    gl.Accum(GL_RETURN, 1);
+    p.check();
+    p.picture();
+  }
+  p.make_current(p.own_context());
+  p.check();
+}
+
 } // namespace
 
 const std::vector<Stream>& pixel_streams() {
-  static const std::vector<Stream> streams = {{"pixels", rectangles}};
+  static const std::vector<Stream> streams = {{"pixels", rectangles}, {"pixels.accumulation", accumulation}};
   return streams;
 }
 

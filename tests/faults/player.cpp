@@ -19,8 +19,8 @@ Player::~Player() {
   while (!contexts_.empty()) destroy(contexts_.back()->handle);
 }
 
-void* Player::create(void* shared, GLenum format, int depth, int stencil) {
-  void* handle = gl.OSMesaCreateContextExt(format, depth, stencil, 0, shared);
+void* Player::create(void* shared, GLenum format, int depth, int stencil, int accumulation) {
+  void* handle = gl.OSMesaCreateContextExt(format, depth, stencil, accumulation, shared);
   if (handle)
     contexts_.push_back(std::make_unique<Context>(Context{handle}));
   else

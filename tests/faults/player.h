@@ -25,7 +25,8 @@ public:
   static constexpr int kWidth = 96, kHeight = 80;
 
   /// One more context; null when the library has no memory for it.
-  void* create(void* shared = nullptr, GLenum format = kOSMesaRgba, int depth = 24, int stencil = 8);
+  void* create(void* shared = nullptr, GLenum format = kOSMesaRgba, int depth = 24, int stencil = 8,
+               int accumulation = 0);
   /// With a buffer of the player's.
   bool make_current(void* context, int width = kWidth, int height = kHeight, GLenum type = GL_UNSIGNED_BYTE);
   bool make_none_current();

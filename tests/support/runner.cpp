@@ -54,7 +54,7 @@ struct CurrentContext {
 Picture draw(const Gl& gl, const Scene& scene, uint64_t seed) {
   Picture p;
   choose_size(scene, seed, p.width, p.height);
-  void* context = gl.OSMesaCreateContextExt(kOSMesaRgba, 24, 8, 0, nullptr);
+  void* context = gl.OSMesaCreateContextExt(kOSMesaRgba, 24, 8, scene.accumulation ? 16 : 0, nullptr);
   if (!context) throw std::runtime_error(gl.name + ": OSMesaCreateContextExt failed");
   const size_t pixels = size_t(p.width) * p.height;
   p.color.assign(pixels * 4, 0);

@@ -26,8 +26,9 @@ struct Scene {
   bool extension = false;        // uses an extension that OSMesa does not have
   bool clipped =
       false; // by planes of its own: where shaders draw, OSMesa computes the corners that arise another way
-  std::string numbers = {}; // draws the random numbers of this name; empty: of its own
-  bool floats = false;      // drawn to a buffer of floats: what 8 bits would round away must be equal, too
+  std::string numbers = {};  // draws the random numbers of this name; empty: of its own
+  bool floats = false;       // drawn to a buffer of floats: what 8 bits would round away must be equal, too
+  bool accumulation = false; // there is an accumulation buffer
 };
 
 /// All scenes with a name of their own, and all families, in alphabetical order: those that OSMesa can draw

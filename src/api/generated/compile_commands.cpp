@@ -725,6 +725,14 @@ void compile_ClearAccum(Context& c, GLfloat red, GLfloat green, GLfloat blue, GL
     if (may_execute(c)) gl::ClearAccum(c, red, green, blue, alpha);
   }
 }
+void compile_Accum(Context& c, GLenum op, GLfloat value) {
+  const AccumArguments kept_call{op, value};
+  new (record(c, uint16_t(Opcode::Accum), sizeof kept_call)) AccumArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::Accum(c, op, value);
+  }
+}
 void compile_InitNames(Context& c) {
   record(c, uint16_t(Opcode::InitNames), 0);
   if (execute_too(c)) {

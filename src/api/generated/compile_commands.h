@@ -95,6 +95,7 @@ void compile_ClearIndex(Context& c, GLfloat value);
 void compile_ClearDepth(Context& c, GLdouble depth);
 void compile_ClearStencil(Context& c, GLint s);
 void compile_ClearAccum(Context& c, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha);
+void compile_Accum(Context& c, GLenum op, GLfloat value);
 void compile_InitNames(Context& c);
 void compile_LoadName(Context& c, GLuint name);
 void compile_PushName(Context& c, GLuint name);

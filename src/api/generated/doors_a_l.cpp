@@ -11,7 +11,17 @@ using namespace softgl;
 
 extern "C" {
 
-SOFTGL_EXPORT void APIENTRY glAccum(GLenum op, GLfloat value) { SOFTGL_TRACED(glAccum, op, value); unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glAccum(GLenum op, GLfloat value) try {
+  SOFTGL_TRACED(glAccum, op, value);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_Accum(c, op, value);
+    if (!may_execute(c)) return;
+  }
+  gl::Accum(c, op, value);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glActiveTexture(GLenum texture) try {
   SOFTGL_TRACED(glActiveTexture, texture);
   Context& c = *current_context;

@@ -4,6 +4,7 @@
 #include "api/names.h"
 
 #define DOOR(name) extern "C" __attribute__((visibility("default"))) void door_##name() __asm__(#name)
+DOOR(glAccum);
 DOOR(glActiveTexture);
 DOOR(glActiveTextureARB);
 DOOR(glAlphaFunc);
@@ -563,6 +564,7 @@ DOOR(glWindowPos3svARB);
 namespace softgl {
 
 const NamedDoor kNamedDoors[] = {
+    {"glAccum", door_glAccum},
     {"glActiveTexture", door_glActiveTexture},
     {"glActiveTextureARB", door_glActiveTextureARB},
     {"glAlphaFunc", door_glAlphaFunc},

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/unit_range.h"
+#include "commands/framebuffer/accumulation.h"
 #include "commands/framebuffer/flush.h"
 #include "commands/generated/commands.h"
 #include "context/context.h"
@@ -58,6 +59,7 @@ void Clear(Context& c, GLbitfield mask) {
   record.x1 = box.x1, record.y1 = box.y1;
   if (record.x0 >= record.x1 || record.y0 >= record.y1) return;
 
+  const bool accumulation = (mask & GL_ACCUM_BUFFER_BIT) && prepare_accumulation_clear(c);
   const bool part = record.x0 > 0 || record.y0 > 0 || record.x1 < surface.width || record.y1 < surface.height;
   if ((mask & GL_COLOR_BUFFER_BIT) && s.color_buffer.draw_buffer != GL_NONE) {
     for (int i = 0; i < 4; ++i) {
@@ -80,10 +82,12 @@ void Clear(Context& c, GLbitfield mask) {
     record.stencil_value = uint32_t(s.stencil.clear) & 0xff;
     record.stencil_write_mask = s.stencil.write_mask & 0xff;
   }
-  if (!record.color && !record.depth && !record.stencil) return;
-  ++c.framebuffer.counts.clears;
-  if (c.frame.over_budget()) flush_rendering(c);
-  c.frame.append(c.frame.arena().make<ClearRecord>(record));
+  if (record.color || record.depth || record.stencil) {
+    ++c.framebuffer.counts.clears;
+    if (c.frame.over_budget()) flush_rendering(c);
+    c.frame.append(c.frame.arena().make<ClearRecord>(record));
+  }
+  if (accumulation) clear_accumulation(c, box);
 }
 
 void ClearColor(Context& c, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {

@@ -185,9 +185,4 @@ void IndexMask(Context& c, GLuint mask) { c.state.color_buffer.index_mask = mask
 void DepthMask(Context& c, GLboolean flag) { edit<&State::depth>(c).mask = flag != 0; }
 void StencilMask(Context& c, GLuint mask) { edit<&State::stencil>(c).write_mask = mask; }
 
-void ClearAccum(Context& c, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
-  const auto clamp = [](float v) { return v > -1.0f ? (v > 1.0f ? 1.0f : v) : -1.0f; };
-  c.state.accumulation.clear = {clamp(red), clamp(green), clamp(blue), clamp(alpha)};
-}
-
 } // namespace softgl::gl

@@ -162,6 +162,7 @@ void ClearIndex(Context& c, GLfloat value);
 void ClearDepth(Context& c, GLdouble depth);
 void ClearStencil(Context& c, GLint s);
 void ClearAccum(Context& c, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha);
+void Accum(Context& c, GLenum op, GLfloat value);
 void FeedbackBuffer(Context& c, GLsizei size, GLenum type, GLfloat* buffer);
 void SelectBuffer(Context& c, GLsizei size, GLuint* buffer);
 GLint RenderMode(Context& c, GLenum mode);

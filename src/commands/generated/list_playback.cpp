@@ -368,6 +368,10 @@ void play_command(Context& c, uint16_t opcode, const void* arguments) {
       const auto& r = *static_cast<const ClearAccumArguments*>(arguments);
       return gl::ClearAccum(c, r.red, r.green, r.blue, r.alpha);
     }
+    case Opcode::Accum: {
+      const auto& r = *static_cast<const AccumArguments*>(arguments);
+      return gl::Accum(c, r.op, r.value);
+    }
     case Opcode::InitNames: {
       return gl::InitNames(c);
     }
@@ -510,6 +514,7 @@ const char* opcode_name(uint16_t opcode) {
       "ClearDepth",
       "ClearStencil",
       "ClearAccum",
+      "Accum",
       "InitNames",
       "LoadName",
       "PushName",

@@ -98,6 +98,7 @@ enum class Opcode : uint16_t {
   ClearDepth,
   ClearStencil,
   ClearAccum,
+  Accum,
   InitNames,
   LoadName,
   PushName,
@@ -110,7 +111,7 @@ enum class Opcode : uint16_t {
   PushAttrib,
   PopAttrib,
 };
-constexpr int kOpcodes = 99;
+constexpr int kOpcodes = 100;
 
 struct RectArguments { GLfloat x1; GLfloat y1; GLfloat x2; GLfloat y2; };
 struct MatrixModeArguments { GLenum mode; };
@@ -197,6 +198,7 @@ struct ClearIndexArguments { GLfloat value; };
 struct ClearDepthArguments { GLdouble depth; };
 struct ClearStencilArguments { GLint s; };
 struct ClearAccumArguments { GLfloat red; GLfloat green; GLfloat blue; GLfloat alpha; };
+struct AccumArguments { GLenum op; GLfloat value; };
 struct LoadNameArguments { GLuint name; };
 struct PushNameArguments { GLuint name; };
 struct PassThroughArguments { GLfloat token; };
