@@ -317,15 +317,31 @@ template <class Out, class In> Out component_to(In v) {
 template <class T> constexpr T one() { return std::is_same_v<T, float> ? T(1) : T(~T(0)); }
 template <> constexpr float one<float>() { return 1.0f; }
 
+/// The number of components is known to the compiler, and which of them is where does not change on the way:
+/// half of the time.
+template <class In, int components, class Out>
+void unpack_components(const PixelFormat& f, const unsigned char* p, int count, bool swap, Out (*rgba)[4]) {
+  constexpr int kZero = components, kOne = components + 1;
+  int from[4] = {kZero, kZero, kZero, kOne};
+  for (int k = 0; k < components; ++k) from[f.target[k]] = k;
+  if (f.luminance) from[1] = from[2] = from[0];
+  Out value[components + 2];
+  value[kZero] = 0, value[kOne] = one<Out>();
+  for (int i = 0; i < count; ++i, p += components * sizeof(In)) {
+    for (int k = 0; k < components; ++k)
+      value[k] = component_to<Out>(load<In>(p + size_t(k) * sizeof(In), swap));
+    for (int k = 0; k < 4; ++k) rgba[i][k] = value[from[k]];
+  }
+}
+
 template <class In, class Out>
 void unpack_array(const PixelFormat& f, const unsigned char* p, int count, bool swap, Out (*rgba)[4]) {
   swap = swap && sizeof(In) > 1;
-  for (int i = 0; i < count; ++i, p += f.bytes, ++rgba) {
-    Out out[4] = {0, 0, 0, one<Out>()};
-    for (int k = 0; k < f.components; ++k)
-      out[f.target[k]] = component_to<Out>(load<In>(p + size_t(k) * sizeof(In), swap));
-    if (f.luminance) out[1] = out[2] = out[0];
-    std::memcpy(*rgba, out, sizeof out);
+  switch (f.components) {
+  case 1: return unpack_components<In, 1>(f, p, count, swap, rgba);
+  case 2: return unpack_components<In, 2>(f, p, count, swap, rgba);
+  case 3: return unpack_components<In, 3>(f, p, count, swap, rgba);
+  default: return unpack_components<In, 4>(f, p, count, swap, rgba);
   }
 }
 template <class Out, class In>

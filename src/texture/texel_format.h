@@ -36,6 +36,22 @@ struct PixelTransfer; // pixel_transfer.h
 /// Stores a row of client pixels. Pixel transfer operations are applied.
 void store_texels(const TexelFormat& to, void* texels, const PixelFormat& from, const void* pixels, int count,
                   bool swap_bytes, const PixelTransfer& transfer);
+/// Stores many rows of client pixels alike.
+class TexelRows {
+public:
+  /// `pixels`: how many there will be, of all rows together. The references must live as long as this.
+  TexelRows(const TexelFormat& to, const PixelFormat& from, bool swap_bytes, const PixelTransfer& transfer,
+            uint64_t pixels);
+  void store(void* texels, const void* pixels, int count) const;
+
+private:
+  const TexelFormat& to_;
+  const PixelFormat& from_;
+  bool swap_bytes_;
+  const PixelTransfer& transfer_;
+  int table_components_ = 0; // 0: there is no table
+  uint32_t table_[2][256];   // a texel is the exclusive or of its pixel's components' words
+};
 /// Reads a row of texels into client pixels (GetTexImage, 6.1.4); no pixel transfer takes place.
 void load_texels(const TexelFormat& from, const void* texels, const PixelFormat& to, void* pixels, int count,
                  bool swap_bytes);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <vector>
 
 #include "base/assert.h"
 #include "texture/pixel_formats.h"
@@ -24,7 +25,7 @@ std::shared_ptr<TextureImage> make_image(const TexelFormat& format, GLint intern
   image->depth = depth;
   image->row_bytes = size_t(width + 1) * size_t(format.bytes());
   image->slice_bytes = size_t(height + 1) * image->row_bytes;
-  if (!image->empty()) image->texels.resize(image->slice_bytes * size_t(depth) + 16);
+  if (!image->empty()) image->texels = TexelMemory(image->slice_bytes * size_t(depth) + 16);
   return image;
 }
 

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "base/assert.h"
 #include "base/gl_types.h"
 #include "base/vectors.h"
 #include "shaders/common/limits.h"
 #include "texture/texel_format.h"
+#include "texture/texel_memory.h"
 #include "texture/texture_target.h"
 
 namespace softgl {
@@ -22,7 +22,7 @@ struct TextureImage {
   int width = 0, height = 0, depth = 0;
   int border = 0; // of a proxy's image alone, whose sizes include it: others are kept without their border
   size_t row_bytes = 0, slice_bytes = 0;
-  std::vector<unsigned char> texels; // zeros where nothing was stored
+  TexelMemory texels; // zeros where nothing was stored
 
   bool empty() const { return width == 0 || height == 0 || depth == 0; }
   unsigned char* at(int x, int y, int z) {

@@ -37,11 +37,13 @@ namespace {
 // Texels of a box from client memory; the pointer is already past the skipped pixels.
 void store_box(Context& c, TextureImage& image, int x, int y, int z, int width, int height, int depth,
                const PixelFormat& format, const ImageLayout& layout, const unsigned char* pixels) {
+  const PixelTransfer transfer = pixel_transfer(c);
+  const TexelRows rows(*image.format, format, c.client.pixel_store.unpack.swap_bytes, transfer,
+                       uint64_t(width) * uint64_t(height) * uint64_t(depth));
   for (int k = 0; k < depth; ++k)
     for (int j = 0; j < height; ++j)
-      store_texels(*image.format, image.at(x, y + j, z + k), format,
-                   pixels + size_t(k) * layout.image_stride + size_t(j) * layout.row_stride, width,
-                   c.client.pixel_store.unpack.swap_bytes, pixel_transfer(c));
+      rows.store(image.at(x, y + j, z + k),
+                 pixels + size_t(k) * layout.image_stride + size_t(j) * layout.row_stride, width);
   image.repeat_edges();
 }
 
