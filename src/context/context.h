@@ -5,6 +5,7 @@
 
 #include "context/array_cache.h"
 #include "context/attribute_stack.h"
+#include "context/evaluator_maps.h"
 #include "context/list_compiler.h"
 #include "context/matrix_stacks.h"
 #include "context/object_store.h"
@@ -40,6 +41,7 @@ struct Context {
       std::make_shared<SharedObjects>(); // textures, buffers, lists: may be shared
   std::shared_ptr<TextureObject> proxy_texture[kTextureTargets];
   OcclusionQueries queries;
+  EvaluatorMaps evaluator_maps;
   ListCompiler lists;
   ArrayCache arrays; // what the last array draw found out about ClientState::vertex_array
   CombinerCache combiners;

@@ -223,12 +223,15 @@ struct PixelStoreState {
   PixelStore pack, unpack;
 };
 
-/// GL_EVAL_BIT (table 6.26).
+/// GL_EVAL_BIT (table 6.26). The maps themselves are in evaluator_maps.h.
+struct GridDirection {
+  GLint count = 1; // partitions between first and last
+  float first = 0, last = 1;
+};
 struct EvaluatorState {
   bool auto_normal = false;
-  uint32_t map1_enabled = 0, map2_enabled = 0; // bit i = GL_MAP1_COLOR_4 + i
-  float grid1_u1 = 0, grid1_u2 = 1, grid2_u1 = 0, grid2_u2 = 1, grid2_v1 = 0, grid2_v2 = 1;
-  GLint grid1_n = 1, grid2_nu = 1, grid2_nv = 1;
+  uint32_t map1_enabled = 0, map2_enabled = 0; // bit: EvaluatorTarget
+  GridDirection grid1, grid2[2];               // grid2: u, v
 };
 /// GL_HINT_BIT (table 6.28) and GL_LIST_BIT.
 struct HintState {

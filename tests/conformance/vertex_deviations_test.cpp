@@ -1,6 +1,8 @@
 // Where OSMesa's lists and vertices leave the specification (reference/DEVIATIONS.md).
 #include <catch2/catch.hpp>
 
+#include <array>
+
 #include "support/runner.h"
 
 namespace softgl::test {
@@ -85,7 +87,32 @@ void draw_empty_first(Stage& s) {
   s.gl.Finish();
 }
 
+void draw_material_behind_new_list(Stage& s) {
+  const Gl& gl = s.gl;
+  gl.Enable(GL_LIGHTING);
+  gl.LightModelfv(GL_LIGHT_MODEL_AMBIENT, std::array<GLfloat, 4>{1, 1, 1, 1}.data());
+  gl.ColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT);
+  gl.Enable(GL_COLOR_MATERIAL);
+  gl.Color4f(0, 1, 0, 1);
+  gl.NewList(1, GL_COMPILE);
+  gl.Begin(GL_TRIANGLES);
+  gl.Normal3f(0, 0, 1);
+  gl.Vertex2f(-1, -1);
+  gl.Vertex2f(3, -1);
+  gl.Vertex2f(-1, 3);
+  gl.End();
+  gl.EndList();
+  gl.CallList(1);
+}
+
 } // namespace
+
+TEST_CASE("a color that is set before glNewList is the material", "[conformance][deviation]") {
+  const Picture picture =
+      draw(softgl_library(), {"material_behind_new_list", draw_material_behind_new_list}, 0);
+  CHECK(picture.color[0] == 0);
+  CHECK(picture.color[1] == 255);
+}
 
 TEST_CASE("a color of three components has alpha 1", "[conformance][deviation]") {
   for (const Scene& scene : {Scene{"three_after_four", draw_three_after_four},

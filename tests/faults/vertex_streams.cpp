@@ -108,13 +108,55 @@ void clipped_and_stippled(Player& p) {
   p.picture();
 }
 
+/// Maps of all sizes, meshes larger than a piece of memory, and both in lists.
+void evaluators(Player& p) {
+  const Gl& gl = p.gl;
+  std::vector<GLfloat> points(30 * 30 * 4);
+  const auto maps = [&](GLint order) {
+    for (GLfloat& v : points) v = p.random.real(0, 1);
+    gl.Map1f(GL_MAP1_VERTEX_3, 0, 1, 3, order, points.data());
+    gl.Map2f(GL_MAP2_VERTEX_3, 0, 1, 4 * order, order, 0, 1, 4, order, points.data());
+    gl.Map2f(GL_MAP2_COLOR_4, 0, 1, 4 * order, order, 0, 1, 4, order, points.data());
+    p.check();
+  };
+  for (const GLenum enabled : {GL_MAP1_VERTEX_3, GL_MAP2_VERTEX_3, GL_MAP2_COLOR_4, GL_AUTO_NORMAL})
+    gl.Enable(enabled);
+  gl.MapGrid1f(20, 0, 1);
+  gl.MapGrid2f(60, 0, 1, 60, 0, 1);
+  for (const GLint order : {1, 2, 4, 30}) {
+    maps(order);
+    gl.EvalMesh1(GL_LINE, 0, 20);
+    gl.EvalMesh2(GL_LINE, 0, 12, 0, 12);
+    p.check();
+  }
+  maps(4);
+  const GLuint list = gl.GenLists(1);
+  gl.NewList(list, GL_COMPILE_AND_EXECUTE);
+  maps(3);
+  gl.Begin(GL_TRIANGLE_STRIP);
+  for (int i = 0; i < 40; ++i) {
+    gl.EvalPoint2(i, 40 - i);
+    if (i % 8 == 0) random_vertex(p);
+  }
+  gl.End();
+  gl.EvalMesh2(GL_FILL, 0, 60, 0, 60);
+  gl.EndList();
+  p.check();
+  gl.CallList(list);
+  p.check();
+  p.picture();
+  gl.DeleteLists(list, 1);
+  maps(1); // of the next stream's initial state only the points of order 1 are left
+}
+
 } // namespace
 
 const std::vector<Stream>& vertex_streams() {
   static const std::vector<Stream> streams = {{"vertices.many", many_vertices},
                                               {"vertices.late_attributes", late_attributes},
                                               {"vertices.small_runs", small_runs},
-                                              {"vertices.clipped", clipped_and_stippled}};
+                                              {"vertices.clipped", clipped_and_stippled},
+                                              {"vertices.evaluators", evaluators}};
   return streams;
 }
 

@@ -209,6 +209,15 @@ const FuzzCommand kCommands[] = {
   COMMAND(DrawRangeElements) const GLuint a = GLuint(r.integer(0, 5)), b = GLuint(r.pick({255, 255, 0})); gl.DrawRangeElements(GL_TRIANGLES, a, b < a ? b : 255, r.pick({-1, 0, 3, 30}), GL_UNSIGNED_BYTE, memory + 2048); END
   COMMAND(ArrayElement) gl.ArrayElement(r.integer(0, 100)); END
   COMMAND(Rectf) const Float4 v{tame(r), tame(r), tame(r), tame(r)}; gl.Rectf(v[0], v[1], v[2], v[3]); END
+  COMMAND(Map1f) const GLenum t = mostly(r, {GL_MAP1_VERTEX_3, GL_MAP1_VERTEX_4, GL_MAP1_COLOR_4, GL_MAP2_NORMAL}); const float a = number(r), b = number(r); const GLint s = small(r); gl.Map1f(t, a, b, s, r.pick({-1, 0, 1, 2, 4, 30, 31}), reinterpret_cast<const GLfloat*>(memory)); END
+  COMMAND(Map2f) const GLenum t = mostly(r, {GL_MAP2_VERTEX_3, GL_MAP2_VERTEX_4, GL_MAP2_COLOR_4, GL_MAP1_NORMAL}); const float a = number(r), b = number(r), c = number(r), d = number(r); const GLint su = small(r), sv = small(r), o = r.pick({0, 1, 2, 4, 30, 31}); gl.Map2f(t, a, b, su, o, c, d, sv, r.pick({0, 1, 2, 4, 30, 31}), reinterpret_cast<const GLfloat*>(memory)); END
+  COMMAND(MapGrid2f) const float a = number(r), b = number(r), c = number(r), d = number(r); const GLint n = small(r); gl.MapGrid2f(n, a, b, small(r), c, d); END
+  COMMAND(EnableMap) gl.Enable(GLenum(r.pick({GL_MAP1_VERTEX_3, GL_MAP2_VERTEX_4, GL_MAP2_COLOR_4, GL_AUTO_NORMAL}))); END
+  COMMAND(EvalCoord) const Float2 v{number(r), number(r)}; gl.EvalCoord1f(v[0]); gl.EvalCoord2f(v[0], v[1]); END
+  COMMAND(EvalPoint2) const GLint i = small(r); gl.EvalPoint2(i, small(r)); END
+  COMMAND(EvalMesh1) const GLenum m = mostly(r, {GL_POINT, GL_LINE}); const GLint i = r.integer(-1, 3); gl.EvalMesh1(m, i, r.integer(-1, 4)); END
+  COMMAND(EvalMesh2) const GLenum m = mostly(r, {GL_POINT, GL_LINE, GL_FILL}); const GLint i = r.integer(-1, 3), j = r.integer(-1, 4), k = r.integer(-1, 3); gl.EvalMesh2(m, i, j, k, r.integer(-1, 4)); END
+  COMMAND(GetMapfv) const GLenum t = mostly(r, {GL_MAP1_VERTEX_3, GL_MAP2_VERTEX_4}); gl.GetMapfv(t, mostly(r, {GL_COEFF, GL_ORDER, GL_DOMAIN}), reinterpret_cast<GLfloat*>(memory + 131072)); END
   COMMAND(ListBase) gl.ListBase(GLuint(r.integer(0, 3))); END
   COMMAND(Hint) const GLenum t = mostly(r, {GL_FOG_HINT, GL_POINT_SMOOTH_HINT}); gl.Hint(t, mostly(r, {GL_FASTEST, GL_NICEST})); END
   COMMAND(ColorMask) gl.ColorMask(r.chance(50), 1, 1, 1); END

@@ -402,6 +402,17 @@ StateCommand stack_command(Random& r) {
   }
 }
 
+StateCommand grid_command(Random& r) {
+  const GLint un = r.integer(-1, 40), vn = r.integer(-1, 40);
+  const float u1 = number(r), u2 = number(r), v1 = number(r), v2 = number(r);
+  switch (r.integer(0, 3)) {
+  case 0: return CALL(MapGrid1f, un, u1, u2);
+  case 1: return CALL(MapGrid1d, un, double(u1), double(u2));
+  case 2: return CALL(MapGrid2f, un, u1, u2, vn, v1, v2);
+  default: return CALL(MapGrid2d, un, double(u1), double(u2), vn, double(v1), double(v2));
+  }
+}
+
 } // namespace
 
 StateCommand random_state_command(Random& r) {
@@ -413,7 +424,7 @@ StateCommand random_state_command(Random& r) {
   case 4: return raster_command(r);
   case 5: return texture_command(r);
   case 6: return pixel_command(r);
-  case 7: return stack_command(r);
+  case 7: return r.chance(85) ? stack_command(r) : grid_command(r);
   default: return r.chance(50) ? CALL(Enable, capability(r)) : CALL(Disable, capability(r));
   }
 }

@@ -8,7 +8,6 @@
 #include "api/names.h"
 #include "commands/generated/list_playback.h"
 #include "commands/generated/list_records.h"
-#include "commands/vertices/list_payload.h"
 
 using namespace softgl;
 
@@ -58,14 +57,6 @@ TEST_CASE("Matrices are converted and transposed", "[api]") {
   CHECK(matrix_of(m).m[7] == 7.1f);
   CHECK(transposed(m).m[1] == 4.1f);
   CHECK(transposed(m).m[4] == 1.1f);
-}
-
-TEST_CASE("The control points of evaluators have a size", "[api]") {
-  CHECK(map1_bytes(GL_MAP1_VERTEX_3, 3, 4, 4) == 48);
-  CHECK(map1_bytes(GL_MAP1_VERTEX_3, 5, 4, 8) == (5 * 3 + 3) * 8);
-  CHECK(map1_bytes(GL_MAP1_VERTEX_3, 2, 4, 4) == 0);
-  CHECK(map1_bytes(0x1234, 3, 4, 4) == 0);
-  CHECK(map2_bytes(GL_MAP2_COLOR_4, 4, 2, 8, 3, 4) == (4 + 16 + 4) * 4);
 }
 
 TEST_CASE("Recorded commands know their names and what is allowed between Begin and End", "[api]") {

@@ -77,7 +77,7 @@ class Row:
         return [(t, n) for t, n, pointer in self.parameters if pointer]
 
     def recorded(self):
-        return self.list in ("record", "outside") and self.built != "no"
+        return self.list in ("record", "outside", "inside") and self.built != "no"
 
 
 def read_registry(path):
@@ -246,6 +246,8 @@ def plain_door(row, door, command, export_name):
     elif row.list == "outside":
         lines.append(f"  if ((c.guard & (kCompilingList | kInsideBeginEnd)) == kCompilingList) [[unlikely]] "
                      f"return compile_{row.name}(c{arguments});\n")
+    elif row.list == "inside":
+        lines.append(f"  if (c.guard & kCompilingList) [[unlikely]] return compile_{row.name}(c{arguments});\n")
     elif row.where == "out" and row.list == "self":
         lines.append(f"  if ({guard} && !may_execute_or_compile(c)) [[unlikely]] return{result};\n")
     elif row.where == "out":
@@ -268,6 +270,9 @@ def compiler(row):
     parameters = "".join(f", {t} {n}" for t, n, _ in row.parameters)
     arguments = "".join(f", {n}" for _, n, _ in row.parameters)
     lines = [f"void compile_{row.name}(Context& c{parameters}) {{\n"]
+    inside = row.list == "inside"
+    if inside:
+        lines.append("  close_compiled_run(c);\n")
     kept = {n: n for _, n, _ in row.parameters}
     pointers = row.pointers()
     if row.payload.startswith("image:"):
@@ -280,6 +285,8 @@ def compiler(row):
         kept[name] = f"static_cast<{pointers[0][0]}>(kept)"
     elif row.payload == "pname":
         kept[pointers[0][1]] = f"keep_values(c, {pointers[0][1]}, count_of(kCountOf_{row.convert[6:]}, pname))"
+    elif row.payload.startswith("by:"):
+        lines.append(f"  const {row.name}Arguments kept_call = {row.payload[3:]}(c{arguments});\n")
     elif row.payload != "-":
         for (kind, name), size in zip(pointers, row.payload.split(";")):
             element = kind.replace("const ", "").replace("*", "").strip()
@@ -288,12 +295,13 @@ def compiler(row):
     op = f"uint16_t(Opcode::{row.name})"
     if row.parameters:
         values = ", ".join(kept[n] for _, n, _ in row.parameters)
-        lines.append(f"  const {row.name}Arguments kept_call{{{values}}};\n")
+        if not row.payload.startswith("by:"):
+            lines.append(f"  const {row.name}Arguments kept_call{{{values}}};\n")
         lines.append(f"  new (record(c, {op}, sizeof kept_call)) {row.name}Arguments(kept_call);\n")
     else:
         lines.append(f"  record(c, {op}, 0);\n")
     lines.append(f"  if (execute_too(c)) {{\n    const ExecuteScope scope(c);\n"
-                 f"    if (may_execute(c)) gl::{row.name}(c{arguments});\n  }}\n}}\n")
+                 f"    {'' if inside else 'if (may_execute(c)) '}gl::{row.name}(c{arguments});\n  }}\n}}\n")
     return "".join(lines)
 
 

@@ -20,6 +20,106 @@ void compile_Rect(Context& c, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
     if (may_execute(c)) gl::Rect(c, x1, y1, x2, y2);
   }
 }
+void compile_EvalCoord1(Context& c, GLfloat u) {
+  close_compiled_run(c);
+  const EvalCoord1Arguments kept_call{u};
+  new (record(c, uint16_t(Opcode::EvalCoord1), sizeof kept_call)) EvalCoord1Arguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    gl::EvalCoord1(c, u);
+  }
+}
+void compile_EvalCoord2(Context& c, GLfloat u, GLfloat v) {
+  close_compiled_run(c);
+  const EvalCoord2Arguments kept_call{u, v};
+  new (record(c, uint16_t(Opcode::EvalCoord2), sizeof kept_call)) EvalCoord2Arguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    gl::EvalCoord2(c, u, v);
+  }
+}
+void compile_EvalPoint1(Context& c, GLint i) {
+  close_compiled_run(c);
+  const EvalPoint1Arguments kept_call{i};
+  new (record(c, uint16_t(Opcode::EvalPoint1), sizeof kept_call)) EvalPoint1Arguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    gl::EvalPoint1(c, i);
+  }
+}
+void compile_EvalPoint2(Context& c, GLint i, GLint j) {
+  close_compiled_run(c);
+  const EvalPoint2Arguments kept_call{i, j};
+  new (record(c, uint16_t(Opcode::EvalPoint2), sizeof kept_call)) EvalPoint2Arguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    gl::EvalPoint2(c, i, j);
+  }
+}
+void compile_EvalMesh1(Context& c, GLenum mode, GLint i1, GLint i2) {
+  const EvalMesh1Arguments kept_call{mode, i1, i2};
+  new (record(c, uint16_t(Opcode::EvalMesh1), sizeof kept_call)) EvalMesh1Arguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::EvalMesh1(c, mode, i1, i2);
+  }
+}
+void compile_EvalMesh2(Context& c, GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+  const EvalMesh2Arguments kept_call{mode, i1, i2, j1, j2};
+  new (record(c, uint16_t(Opcode::EvalMesh2), sizeof kept_call)) EvalMesh2Arguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::EvalMesh2(c, mode, i1, i2, j1, j2);
+  }
+}
+void compile_MapGrid1(Context& c, GLint un, GLfloat u1, GLfloat u2) {
+  const MapGrid1Arguments kept_call{un, u1, u2};
+  new (record(c, uint16_t(Opcode::MapGrid1), sizeof kept_call)) MapGrid1Arguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::MapGrid1(c, un, u1, u2);
+  }
+}
+void compile_MapGrid2(Context& c, GLint un, GLfloat u1, GLfloat u2, GLint vn, GLfloat v1, GLfloat v2) {
+  const MapGrid2Arguments kept_call{un, u1, u2, vn, v1, v2};
+  new (record(c, uint16_t(Opcode::MapGrid2), sizeof kept_call)) MapGrid2Arguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::MapGrid2(c, un, u1, u2, vn, v1, v2);
+  }
+}
+void compile_Map1f(Context& c, GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points) {
+  const Map1fArguments kept_call = keep_map(c, target, u1, u2, stride, order, points);
+  new (record(c, uint16_t(Opcode::Map1f), sizeof kept_call)) Map1fArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::Map1f(c, target, u1, u2, stride, order, points);
+  }
+}
+void compile_Map1d(Context& c, GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order, const GLdouble* points) {
+  const Map1dArguments kept_call = keep_map(c, target, u1, u2, stride, order, points);
+  new (record(c, uint16_t(Opcode::Map1d), sizeof kept_call)) Map1dArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::Map1d(c, target, u1, u2, stride, order, points);
+  }
+}
+void compile_Map2f(Context& c, GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2, GLint vstride, GLint vorder, const GLfloat* points) {
+  const Map2fArguments kept_call = keep_map(c, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+  new (record(c, uint16_t(Opcode::Map2f), sizeof kept_call)) Map2fArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::Map2f(c, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+  }
+}
+void compile_Map2d(Context& c, GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1, GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points) {
+  const Map2dArguments kept_call = keep_map(c, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+  new (record(c, uint16_t(Opcode::Map2d), sizeof kept_call)) Map2dArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::Map2d(c, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+  }
+}
 void compile_MatrixMode(Context& c, GLenum mode) {
   const MatrixModeArguments kept_call{mode};
   new (record(c, uint16_t(Opcode::MatrixMode), sizeof kept_call)) MatrixModeArguments(kept_call);

@@ -8,6 +8,18 @@ namespace softgl {
 struct Context;
 
 void compile_Rect(Context& c, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2);
+void compile_EvalCoord1(Context& c, GLfloat u);
+void compile_EvalCoord2(Context& c, GLfloat u, GLfloat v);
+void compile_EvalPoint1(Context& c, GLint i);
+void compile_EvalPoint2(Context& c, GLint i, GLint j);
+void compile_EvalMesh1(Context& c, GLenum mode, GLint i1, GLint i2);
+void compile_EvalMesh2(Context& c, GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2);
+void compile_MapGrid1(Context& c, GLint un, GLfloat u1, GLfloat u2);
+void compile_MapGrid2(Context& c, GLint un, GLfloat u1, GLfloat u2, GLint vn, GLfloat v1, GLfloat v2);
+void compile_Map1f(Context& c, GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points);
+void compile_Map1d(Context& c, GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order, const GLdouble* points);
+void compile_Map2f(Context& c, GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2, GLint vstride, GLint vorder, const GLfloat* points);
+void compile_Map2d(Context& c, GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1, GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points);
 void compile_MatrixMode(Context& c, GLenum mode);
 void compile_LoadMatrix(Context& c, const GLfloat* m);
 void compile_MultMatrix(Context& c, const GLfloat* m);

@@ -879,18 +879,122 @@ SOFTGL_EXPORT void APIENTRY glEndQueryARB(GLenum target) try {
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glEvalCoord1d(GLdouble u) { SOFTGL_TRACED(glEvalCoord1d, u); unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glEvalCoord1dv(const GLdouble* u) { SOFTGL_TRACED(glEvalCoord1dv, u); unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glEvalCoord1f(GLfloat u) { SOFTGL_TRACED(glEvalCoord1f, u); unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glEvalCoord1fv(const GLfloat* u) { SOFTGL_TRACED(glEvalCoord1fv, u); unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glEvalCoord2d(GLdouble u, GLdouble v) { SOFTGL_TRACED(glEvalCoord2d, u, v); unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glEvalCoord2dv(const GLdouble* u) { SOFTGL_TRACED(glEvalCoord2dv, u); unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glEvalCoord2f(GLfloat u, GLfloat v) { SOFTGL_TRACED(glEvalCoord2f, u, v); unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glEvalCoord2fv(const GLfloat* u) { SOFTGL_TRACED(glEvalCoord2fv, u); unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glEvalMesh1(GLenum mode, GLint i1, GLint i2) { SOFTGL_TRACED(glEvalMesh1, mode, i1, i2); unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glEvalMesh2(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) { SOFTGL_TRACED(glEvalMesh2, mode, i1, i2, j1, j2); unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glEvalPoint1(GLint i) { SOFTGL_TRACED(glEvalPoint1, i); unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glEvalPoint2(GLint i, GLint j) { SOFTGL_TRACED(glEvalPoint2, i, j); unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glEvalCoord1d(GLdouble u) try {
+  SOFTGL_TRACED(glEvalCoord1d, u);
+  Context& c = *current_context;
+  if (c.guard & kCompilingList) [[unlikely]] return compile_EvalCoord1(c, float(u));
+  if (c.guard & kNoContext) [[unlikely]] return;
+  gl::EvalCoord1(c, float(u));
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glEvalCoord1dv(const GLdouble* u) try {
+  SOFTGL_TRACED(glEvalCoord1dv, u);
+  Context& c = *current_context;
+  if (!u) [[unlikely]] return;
+  if (c.guard & kCompilingList) [[unlikely]] return compile_EvalCoord1(c, float(u[0]));
+  if (c.guard & kNoContext) [[unlikely]] return;
+  gl::EvalCoord1(c, float(u[0]));
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glEvalCoord1f(GLfloat u) try {
+  SOFTGL_TRACED(glEvalCoord1f, u);
+  Context& c = *current_context;
+  if (c.guard & kCompilingList) [[unlikely]] return compile_EvalCoord1(c, u);
+  if (c.guard & kNoContext) [[unlikely]] return;
+  gl::EvalCoord1(c, u);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glEvalCoord1fv(const GLfloat* u) try {
+  SOFTGL_TRACED(glEvalCoord1fv, u);
+  Context& c = *current_context;
+  if (!u) [[unlikely]] return;
+  if (c.guard & kCompilingList) [[unlikely]] return compile_EvalCoord1(c, u[0]);
+  if (c.guard & kNoContext) [[unlikely]] return;
+  gl::EvalCoord1(c, u[0]);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glEvalCoord2d(GLdouble u, GLdouble v) try {
+  SOFTGL_TRACED(glEvalCoord2d, u, v);
+  Context& c = *current_context;
+  if (c.guard & kCompilingList) [[unlikely]] return compile_EvalCoord2(c, float(u), float(v));
+  if (c.guard & kNoContext) [[unlikely]] return;
+  gl::EvalCoord2(c, float(u), float(v));
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glEvalCoord2dv(const GLdouble* u) try {
+  SOFTGL_TRACED(glEvalCoord2dv, u);
+  Context& c = *current_context;
+  if (!u) [[unlikely]] return;
+  if (c.guard & kCompilingList) [[unlikely]] return compile_EvalCoord2(c, float(u[0]), float(u[1]));
+  if (c.guard & kNoContext) [[unlikely]] return;
+  gl::EvalCoord2(c, float(u[0]), float(u[1]));
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glEvalCoord2f(GLfloat u, GLfloat v) try {
+  SOFTGL_TRACED(glEvalCoord2f, u, v);
+  Context& c = *current_context;
+  if (c.guard & kCompilingList) [[unlikely]] return compile_EvalCoord2(c, u, v);
+  if (c.guard & kNoContext) [[unlikely]] return;
+  gl::EvalCoord2(c, u, v);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glEvalCoord2fv(const GLfloat* u) try {
+  SOFTGL_TRACED(glEvalCoord2fv, u);
+  Context& c = *current_context;
+  if (!u) [[unlikely]] return;
+  if (c.guard & kCompilingList) [[unlikely]] return compile_EvalCoord2(c, u[0], u[1]);
+  if (c.guard & kNoContext) [[unlikely]] return;
+  gl::EvalCoord2(c, u[0], u[1]);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glEvalMesh1(GLenum mode, GLint i1, GLint i2) try {
+  SOFTGL_TRACED(glEvalMesh1, mode, i1, i2);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_EvalMesh1(c, mode, i1, i2);
+    if (!may_execute(c)) return;
+  }
+  gl::EvalMesh1(c, mode, i1, i2);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glEvalMesh2(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) try {
+  SOFTGL_TRACED(glEvalMesh2, mode, i1, i2, j1, j2);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_EvalMesh2(c, mode, i1, i2, j1, j2);
+    if (!may_execute(c)) return;
+  }
+  gl::EvalMesh2(c, mode, i1, i2, j1, j2);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glEvalPoint1(GLint i) try {
+  SOFTGL_TRACED(glEvalPoint1, i);
+  Context& c = *current_context;
+  if (c.guard & kCompilingList) [[unlikely]] return compile_EvalPoint1(c, i);
+  if (c.guard & kNoContext) [[unlikely]] return;
+  gl::EvalPoint1(c, i);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glEvalPoint2(GLint i, GLint j) try {
+  SOFTGL_TRACED(glEvalPoint2, i, j);
+  Context& c = *current_context;
+  if (c.guard & kCompilingList) [[unlikely]] return compile_EvalPoint2(c, i, j);
+  if (c.guard & kNoContext) [[unlikely]] return;
+  gl::EvalPoint2(c, i, j);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glFeedbackBuffer(GLsizei size, GLenum type, GLfloat* buffer) try {
   SOFTGL_TRACED(glFeedbackBuffer, size, type, buffer);
   Context& c = *current_context;

@@ -153,9 +153,33 @@ SOFTGL_EXPORT void APIENTRY glGetLightiv(GLenum light, GLenum pname, GLint* para
 } catch (...) {
   out_of_memory();
 }
-SOFTGL_EXPORT void APIENTRY glGetMapdv(GLenum target, GLenum query, GLdouble* v) { SOFTGL_TRACED(glGetMapdv, target, query, v); unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glGetMapfv(GLenum target, GLenum query, GLfloat* v) { SOFTGL_TRACED(glGetMapfv, target, query, v); unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glGetMapiv(GLenum target, GLenum query, GLint* v) { SOFTGL_TRACED(glGetMapiv, target, query, v); unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glGetMapdv(GLenum target, GLenum query, GLdouble* v) try {
+  SOFTGL_TRACED(glGetMapdv, target, query, v);
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::GetMapdv(c, target, query, v);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glGetMapfv(GLenum target, GLenum query, GLfloat* v) try {
+  SOFTGL_TRACED(glGetMapfv, target, query, v);
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::GetMapfv(c, target, query, v);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glGetMapiv(GLenum target, GLenum query, GLint* v) try {
+  SOFTGL_TRACED(glGetMapiv, target, query, v);
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::GetMapiv(c, target, query, v);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glGetMaterialfv(GLenum face, GLenum pname, GLfloat* params) try {
   SOFTGL_TRACED(glGetMaterialfv, face, pname, params);
   Context& c = *current_context;

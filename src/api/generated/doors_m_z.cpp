@@ -11,10 +11,54 @@ using namespace softgl;
 
 extern "C" {
 
-SOFTGL_EXPORT void APIENTRY glMap1d(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order, const GLdouble* points) { SOFTGL_TRACED(glMap1d, target, u1, u2, stride, order, points); unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glMap1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points) { SOFTGL_TRACED(glMap1f, target, u1, u2, stride, order, points); unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glMap2d(GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1, GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points) { SOFTGL_TRACED(glMap2d, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points); unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glMap2f(GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2, GLint vstride, GLint vorder, const GLfloat* points) { SOFTGL_TRACED(glMap2f, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points); unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glMap1d(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order, const GLdouble* points) try {
+  SOFTGL_TRACED(glMap1d, target, u1, u2, stride, order, points);
+  Context& c = *current_context;
+  if (!points) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_Map1d(c, target, u1, u2, stride, order, points);
+    if (!may_execute(c)) return;
+  }
+  gl::Map1d(c, target, u1, u2, stride, order, points);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glMap1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points) try {
+  SOFTGL_TRACED(glMap1f, target, u1, u2, stride, order, points);
+  Context& c = *current_context;
+  if (!points) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_Map1f(c, target, u1, u2, stride, order, points);
+    if (!may_execute(c)) return;
+  }
+  gl::Map1f(c, target, u1, u2, stride, order, points);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glMap2d(GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1, GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points) try {
+  SOFTGL_TRACED(glMap2d, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+  Context& c = *current_context;
+  if (!points) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_Map2d(c, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+    if (!may_execute(c)) return;
+  }
+  gl::Map2d(c, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glMap2f(GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2, GLint vstride, GLint vorder, const GLfloat* points) try {
+  SOFTGL_TRACED(glMap2f, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+  Context& c = *current_context;
+  if (!points) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_Map2f(c, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+    if (!may_execute(c)) return;
+  }
+  gl::Map2f(c, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void* APIENTRY glMapBuffer(GLenum target, GLenum access) try {
   SOFTGL_TRACED(glMapBuffer, target, access);
   Context& c = *current_context;
@@ -33,10 +77,50 @@ SOFTGL_EXPORT void* APIENTRY glMapBufferARB(GLenum target, GLenum access) try {
   out_of_memory();
   return nullptr;
 }
-SOFTGL_EXPORT void APIENTRY glMapGrid1d(GLint un, GLdouble u1, GLdouble u2) { SOFTGL_TRACED(glMapGrid1d, un, u1, u2); unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glMapGrid1f(GLint un, GLfloat u1, GLfloat u2) { SOFTGL_TRACED(glMapGrid1f, un, u1, u2); unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glMapGrid2d(GLint un, GLdouble u1, GLdouble u2, GLint vn, GLdouble v1, GLdouble v2) { SOFTGL_TRACED(glMapGrid2d, un, u1, u2, vn, v1, v2); unbuilt_command(); }
-SOFTGL_EXPORT void APIENTRY glMapGrid2f(GLint un, GLfloat u1, GLfloat u2, GLint vn, GLfloat v1, GLfloat v2) { SOFTGL_TRACED(glMapGrid2f, un, u1, u2, vn, v1, v2); unbuilt_command(); }
+SOFTGL_EXPORT void APIENTRY glMapGrid1d(GLint un, GLdouble u1, GLdouble u2) try {
+  SOFTGL_TRACED(glMapGrid1d, un, u1, u2);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_MapGrid1(c, un, GLfloat(u1), GLfloat(u2));
+    if (!may_execute(c)) return;
+  }
+  gl::MapGrid1(c, un, GLfloat(u1), GLfloat(u2));
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glMapGrid1f(GLint un, GLfloat u1, GLfloat u2) try {
+  SOFTGL_TRACED(glMapGrid1f, un, u1, u2);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_MapGrid1(c, un, u1, u2);
+    if (!may_execute(c)) return;
+  }
+  gl::MapGrid1(c, un, u1, u2);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glMapGrid2d(GLint un, GLdouble u1, GLdouble u2, GLint vn, GLdouble v1, GLdouble v2) try {
+  SOFTGL_TRACED(glMapGrid2d, un, u1, u2, vn, v1, v2);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_MapGrid2(c, un, GLfloat(u1), GLfloat(u2), vn, GLfloat(v1), GLfloat(v2));
+    if (!may_execute(c)) return;
+  }
+  gl::MapGrid2(c, un, GLfloat(u1), GLfloat(u2), vn, GLfloat(v1), GLfloat(v2));
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glMapGrid2f(GLint un, GLfloat u1, GLfloat u2, GLint vn, GLfloat v1, GLfloat v2) try {
+  SOFTGL_TRACED(glMapGrid2f, un, u1, u2, vn, v1, v2);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_MapGrid2(c, un, u1, u2, vn, v1, v2);
+    if (!may_execute(c)) return;
+  }
+  gl::MapGrid2(c, un, u1, u2, vn, v1, v2);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glMaterialf(GLenum face, GLenum pname, GLfloat param) try {
   SOFTGL_TRACED(glMaterialf, face, pname, param);
   Context& c = *current_context;

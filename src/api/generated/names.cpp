@@ -125,6 +125,18 @@ DOOR(glEnd);
 DOOR(glEndList);
 DOOR(glEndQuery);
 DOOR(glEndQueryARB);
+DOOR(glEvalCoord1d);
+DOOR(glEvalCoord1dv);
+DOOR(glEvalCoord1f);
+DOOR(glEvalCoord1fv);
+DOOR(glEvalCoord2d);
+DOOR(glEvalCoord2dv);
+DOOR(glEvalCoord2f);
+DOOR(glEvalCoord2fv);
+DOOR(glEvalMesh1);
+DOOR(glEvalMesh2);
+DOOR(glEvalPoint1);
+DOOR(glEvalPoint2);
 DOOR(glFeedbackBuffer);
 DOOR(glFinish);
 DOOR(glFlush);
@@ -166,6 +178,9 @@ DOOR(glGetFloatv);
 DOOR(glGetIntegerv);
 DOOR(glGetLightfv);
 DOOR(glGetLightiv);
+DOOR(glGetMapdv);
+DOOR(glGetMapfv);
+DOOR(glGetMapiv);
 DOOR(glGetMaterialfv);
 DOOR(glGetMaterialiv);
 DOOR(glGetPixelMapfv);
@@ -234,8 +249,16 @@ DOOR(glLoadTransposeMatrixdARB);
 DOOR(glLoadTransposeMatrixf);
 DOOR(glLoadTransposeMatrixfARB);
 DOOR(glLogicOp);
+DOOR(glMap1d);
+DOOR(glMap1f);
+DOOR(glMap2d);
+DOOR(glMap2f);
 DOOR(glMapBuffer);
 DOOR(glMapBufferARB);
+DOOR(glMapGrid1d);
+DOOR(glMapGrid1f);
+DOOR(glMapGrid2d);
+DOOR(glMapGrid2f);
 DOOR(glMaterialf);
 DOOR(glMaterialfv);
 DOOR(glMateriali);
@@ -685,6 +708,18 @@ const NamedDoor kNamedDoors[] = {
     {"glEndList", door_glEndList},
     {"glEndQuery", door_glEndQuery},
     {"glEndQueryARB", door_glEndQueryARB},
+    {"glEvalCoord1d", door_glEvalCoord1d},
+    {"glEvalCoord1dv", door_glEvalCoord1dv},
+    {"glEvalCoord1f", door_glEvalCoord1f},
+    {"glEvalCoord1fv", door_glEvalCoord1fv},
+    {"glEvalCoord2d", door_glEvalCoord2d},
+    {"glEvalCoord2dv", door_glEvalCoord2dv},
+    {"glEvalCoord2f", door_glEvalCoord2f},
+    {"glEvalCoord2fv", door_glEvalCoord2fv},
+    {"glEvalMesh1", door_glEvalMesh1},
+    {"glEvalMesh2", door_glEvalMesh2},
+    {"glEvalPoint1", door_glEvalPoint1},
+    {"glEvalPoint2", door_glEvalPoint2},
     {"glFeedbackBuffer", door_glFeedbackBuffer},
     {"glFinish", door_glFinish},
     {"glFlush", door_glFlush},
@@ -726,6 +761,9 @@ const NamedDoor kNamedDoors[] = {
     {"glGetIntegerv", door_glGetIntegerv},
     {"glGetLightfv", door_glGetLightfv},
     {"glGetLightiv", door_glGetLightiv},
+    {"glGetMapdv", door_glGetMapdv},
+    {"glGetMapfv", door_glGetMapfv},
+    {"glGetMapiv", door_glGetMapiv},
     {"glGetMaterialfv", door_glGetMaterialfv},
     {"glGetMaterialiv", door_glGetMaterialiv},
     {"glGetPixelMapfv", door_glGetPixelMapfv},
@@ -794,8 +832,16 @@ const NamedDoor kNamedDoors[] = {
     {"glLoadTransposeMatrixf", door_glLoadTransposeMatrixf},
     {"glLoadTransposeMatrixfARB", door_glLoadTransposeMatrixfARB},
     {"glLogicOp", door_glLogicOp},
+    {"glMap1d", door_glMap1d},
+    {"glMap1f", door_glMap1f},
+    {"glMap2d", door_glMap2d},
+    {"glMap2f", door_glMap2f},
     {"glMapBuffer", door_glMapBuffer},
     {"glMapBufferARB", door_glMapBufferARB},
+    {"glMapGrid1d", door_glMapGrid1d},
+    {"glMapGrid1f", door_glMapGrid1f},
+    {"glMapGrid2d", door_glMapGrid2d},
+    {"glMapGrid2f", door_glMapGrid2f},
     {"glMaterialf", door_glMaterialf},
     {"glMaterialfv", door_glMaterialfv},
     {"glMateriali", door_glMateriali},

@@ -14,6 +14,54 @@ void play_command(Context& c, uint16_t opcode, const void* arguments) {
       const auto& r = *static_cast<const RectArguments*>(arguments);
       return gl::Rect(c, r.x1, r.y1, r.x2, r.y2);
     }
+    case Opcode::EvalCoord1: {
+      const auto& r = *static_cast<const EvalCoord1Arguments*>(arguments);
+      return gl::EvalCoord1(c, r.u);
+    }
+    case Opcode::EvalCoord2: {
+      const auto& r = *static_cast<const EvalCoord2Arguments*>(arguments);
+      return gl::EvalCoord2(c, r.u, r.v);
+    }
+    case Opcode::EvalPoint1: {
+      const auto& r = *static_cast<const EvalPoint1Arguments*>(arguments);
+      return gl::EvalPoint1(c, r.i);
+    }
+    case Opcode::EvalPoint2: {
+      const auto& r = *static_cast<const EvalPoint2Arguments*>(arguments);
+      return gl::EvalPoint2(c, r.i, r.j);
+    }
+    case Opcode::EvalMesh1: {
+      const auto& r = *static_cast<const EvalMesh1Arguments*>(arguments);
+      return gl::EvalMesh1(c, r.mode, r.i1, r.i2);
+    }
+    case Opcode::EvalMesh2: {
+      const auto& r = *static_cast<const EvalMesh2Arguments*>(arguments);
+      return gl::EvalMesh2(c, r.mode, r.i1, r.i2, r.j1, r.j2);
+    }
+    case Opcode::MapGrid1: {
+      const auto& r = *static_cast<const MapGrid1Arguments*>(arguments);
+      return gl::MapGrid1(c, r.un, r.u1, r.u2);
+    }
+    case Opcode::MapGrid2: {
+      const auto& r = *static_cast<const MapGrid2Arguments*>(arguments);
+      return gl::MapGrid2(c, r.un, r.u1, r.u2, r.vn, r.v1, r.v2);
+    }
+    case Opcode::Map1f: {
+      const auto& r = *static_cast<const Map1fArguments*>(arguments);
+      return gl::Map1f(c, r.target, r.u1, r.u2, r.stride, r.order, r.points);
+    }
+    case Opcode::Map1d: {
+      const auto& r = *static_cast<const Map1dArguments*>(arguments);
+      return gl::Map1d(c, r.target, r.u1, r.u2, r.stride, r.order, r.points);
+    }
+    case Opcode::Map2f: {
+      const auto& r = *static_cast<const Map2fArguments*>(arguments);
+      return gl::Map2f(c, r.target, r.u1, r.u2, r.ustride, r.uorder, r.v1, r.v2, r.vstride, r.vorder, r.points);
+    }
+    case Opcode::Map2d: {
+      const auto& r = *static_cast<const Map2dArguments*>(arguments);
+      return gl::Map2d(c, r.target, r.u1, r.u2, r.ustride, r.uorder, r.v1, r.v2, r.vstride, r.vorder, r.points);
+    }
     case Opcode::MatrixMode: {
       const auto& r = *static_cast<const MatrixModeArguments*>(arguments);
       return gl::MatrixMode(c, r.mode);
@@ -418,6 +466,10 @@ void play_command(Context& c, uint16_t opcode, const void* arguments) {
 
 bool allowed_inside_begin_end(uint16_t opcode) {
   switch (Opcode(opcode)) {
+    case Opcode::EvalCoord1:
+    case Opcode::EvalCoord2:
+    case Opcode::EvalPoint1:
+    case Opcode::EvalPoint2:
     case Opcode::Material:
       return true;
     default: return false;
@@ -427,6 +479,18 @@ bool allowed_inside_begin_end(uint16_t opcode) {
 const char* opcode_name(uint16_t opcode) {
   static const char* const names[] = {
       "Rect",
+      "EvalCoord1",
+      "EvalCoord2",
+      "EvalPoint1",
+      "EvalPoint2",
+      "EvalMesh1",
+      "EvalMesh2",
+      "MapGrid1",
+      "MapGrid2",
+      "Map1f",
+      "Map1d",
+      "Map2f",
+      "Map2d",
       "MatrixMode",
       "LoadMatrix",
       "MultMatrix",

@@ -11,6 +11,18 @@ struct Context;
 
 enum class Opcode : uint16_t {
   Rect,
+  EvalCoord1,
+  EvalCoord2,
+  EvalPoint1,
+  EvalPoint2,
+  EvalMesh1,
+  EvalMesh2,
+  MapGrid1,
+  MapGrid2,
+  Map1f,
+  Map1d,
+  Map2f,
+  Map2d,
   MatrixMode,
   LoadMatrix,
   MultMatrix,
@@ -111,9 +123,21 @@ enum class Opcode : uint16_t {
   PushAttrib,
   PopAttrib,
 };
-constexpr int kOpcodes = 100;
+constexpr int kOpcodes = 112;
 
 struct RectArguments { GLfloat x1; GLfloat y1; GLfloat x2; GLfloat y2; };
+struct EvalCoord1Arguments { GLfloat u; };
+struct EvalCoord2Arguments { GLfloat u; GLfloat v; };
+struct EvalPoint1Arguments { GLint i; };
+struct EvalPoint2Arguments { GLint i; GLint j; };
+struct EvalMesh1Arguments { GLenum mode; GLint i1; GLint i2; };
+struct EvalMesh2Arguments { GLenum mode; GLint i1; GLint i2; GLint j1; GLint j2; };
+struct MapGrid1Arguments { GLint un; GLfloat u1; GLfloat u2; };
+struct MapGrid2Arguments { GLint un; GLfloat u1; GLfloat u2; GLint vn; GLfloat v1; GLfloat v2; };
+struct Map1fArguments { GLenum target; GLfloat u1; GLfloat u2; GLint stride; GLint order; const GLfloat* points; };
+struct Map1dArguments { GLenum target; GLdouble u1; GLdouble u2; GLint stride; GLint order; const GLdouble* points; };
+struct Map2fArguments { GLenum target; GLfloat u1; GLfloat u2; GLint ustride; GLint uorder; GLfloat v1; GLfloat v2; GLint vstride; GLint vorder; const GLfloat* points; };
+struct Map2dArguments { GLenum target; GLdouble u1; GLdouble u2; GLint ustride; GLint uorder; GLdouble v1; GLdouble v2; GLint vstride; GLint vorder; const GLdouble* points; };
 struct MatrixModeArguments { GLenum mode; };
 struct LoadMatrixArguments { const GLfloat* m; };
 struct MultMatrixArguments { const GLfloat* m; };

@@ -9,30 +9,37 @@
 namespace softgl {
 namespace {
 
-int map_components(GLenum target) {
-  switch (target) {
-  case GL_MAP1_INDEX:
-  case GL_MAP1_TEXTURE_COORD_1:
-  case GL_MAP2_INDEX:
-  case GL_MAP2_TEXTURE_COORD_1: return 1;
-  case GL_MAP1_TEXTURE_COORD_2:
-  case GL_MAP2_TEXTURE_COORD_2: return 2;
-  case GL_MAP1_NORMAL:
-  case GL_MAP1_TEXTURE_COORD_3:
-  case GL_MAP1_VERTEX_3:
-  case GL_MAP2_NORMAL:
-  case GL_MAP2_TEXTURE_COORD_3:
-  case GL_MAP2_VERTEX_3: return 3;
-  case GL_MAP1_COLOR_4:
-  case GL_MAP1_TEXTURE_COORD_4:
-  case GL_MAP1_VERTEX_4:
-  case GL_MAP2_COLOR_4:
-  case GL_MAP2_TEXTURE_COORD_4:
-  case GL_MAP2_VERTEX_4: return 4;
-  default: return 0;
-  }
+/// The control points of a map, one behind the other; null where an argument is bad.
+template <class T> const T* keep_points(Context& c, int components, GLint ustride, GLint uorder,
+                                        GLint vstride, GLint vorder, const T* points) {
+  const auto fits = [&](GLint stride, GLint order) {
+    return stride >= components && order >= 1 && order <= kMaxEvaluatorOrder;
+  };
+  if (components == 0 || !fits(ustride, uorder) || !fits(vstride, vorder)) return nullptr;
+  std::vector<T> tight;
+  tight.reserve(size_t(uorder) * size_t(vorder) * size_t(components));
+  for (ptrdiff_t i = 0; i < uorder; ++i)
+    for (ptrdiff_t j = 0; j < vorder; ++j) {
+      const T* point = points + i * ustride + j * vstride;
+      tight.insert(tight.end(), point, point + components);
+    }
+  return static_cast<const T*>(keep(c, tight.data(), tight.size() * sizeof(T)));
 }
-constexpr int kMaxOrder = 30;
+
+template <class Arguments, class T>
+Arguments keep_map1(Context& c, GLenum target, T u1, T u2, GLint stride, GLint order, const T* points) {
+  const int k = map_components(target, 1);
+  const T* tight = keep_points(c, k, stride, order, k, 1, points);
+  return {target, u1, u2, tight ? k : stride, order, tight};
+}
+
+template <class Arguments, class T> Arguments keep_map2(Context& c, GLenum target, T u1, T u2, GLint ustride,
+                                                        GLint uorder, T v1, T v2, GLint vstride, GLint vorder,
+                                                        const T* points) {
+  const int k = map_components(target, 2);
+  const T* tight = keep_points(c, k, ustride, uorder, vstride, vorder, points);
+  return {target, u1, u2, tight ? vorder * k : ustride, uorder, v1, v2, tight ? k : vstride, vorder, tight};
+}
 
 } // namespace
 
@@ -40,19 +47,21 @@ const void* keep_bytes(Context& c, const void* data, size_t bytes) {
   return data && bytes ? keep(c, data, bytes) : nullptr;
 }
 
-int64_t map1_bytes(GLenum target, GLint stride, GLint order, int bytes_per_value) {
-  const int k = map_components(target);
-  if (k == 0 || stride < k || order < 1 || order > kMaxOrder) return 0;
-  return (int64_t(stride) * (order - 1) + k) * bytes_per_value;
+Map1fArguments keep_map(Context& c, GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order,
+                        const GLfloat* points) {
+  return keep_map1<Map1fArguments>(c, target, u1, u2, stride, order, points);
 }
-
-int64_t map2_bytes(GLenum target, GLint ustride, GLint uorder, GLint vstride, GLint vorder,
-                   int bytes_per_value) {
-  const int k = map_components(target);
-  if (k == 0 || ustride < k || vstride < k || uorder < 1 || vorder < 1 || uorder > kMaxOrder ||
-      vorder > kMaxOrder)
-    return 0;
-  return (int64_t(ustride) * (uorder - 1) + int64_t(vstride) * (vorder - 1) + k) * bytes_per_value;
+Map1dArguments keep_map(Context& c, GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
+                        const GLdouble* points) {
+  return keep_map1<Map1dArguments>(c, target, u1, u2, stride, order, points);
+}
+Map2fArguments keep_map(Context& c, GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder,
+                        GLfloat v1, GLfloat v2, GLint vstride, GLint vorder, const GLfloat* points) {
+  return keep_map2<Map2fArguments>(c, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+}
+Map2dArguments keep_map(Context& c, GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder,
+                        GLdouble v1, GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points) {
+  return keep_map2<Map2dArguments>(c, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
 }
 
 const void* keep_image(Context& c, int dimensions, GLsizei width, GLsizei height, GLsizei depth,

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "commands/generated/list_records.h"
 #include "commands/vertices/list_compilation.h"
 #include "context/context.h"
 
@@ -21,10 +22,16 @@ inline const GLfloat* keep_values(Context& c, const GLfloat* values, size_t coun
 /// A byte count from GL's signed sizes: 0 for a negative one (the command itself raises the error).
 inline size_t payload_size(int64_t bytes) { return bytes > 0 ? size_t(bytes) : 0; }
 
-/// Bytes of the control points of glMap1 and glMap2; 0 when an argument is bad.
-int64_t map1_bytes(GLenum target, GLint stride, GLint order, int bytes_per_value);
-int64_t map2_bytes(GLenum target, GLint ustride, GLint uorder, GLint vstride, GLint vorder,
-                   int bytes_per_value);
+/// What a list keeps of glMap1 and glMap2: the control points in tight rows, and the strides of those. Where
+/// an argument is bad no point is read, and the command finds the same error when it is played.
+Map1fArguments keep_map(Context& c, GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order,
+                        const GLfloat* points);
+Map1dArguments keep_map(Context& c, GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
+                        const GLdouble* points);
+Map2fArguments keep_map(Context& c, GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder,
+                        GLfloat v1, GLfloat v2, GLint vstride, GLint vorder, const GLfloat* points);
+Map2dArguments keep_map(Context& c, GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder,
+                        GLdouble v1, GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points);
 
 /// Of glPixelMap; 0 when the size is bad.
 constexpr int64_t pixel_map_bytes(GLsizei size, int bytes_per_value) {

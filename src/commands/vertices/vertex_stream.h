@@ -14,6 +14,14 @@ void close_run(Context& context);
 /// while none has changed.
 const Vec4* current_constants(Context& context);
 
+/// The four values that the next vertex gets of an attribute. Not while a list is compiled.
+inline const float* current_value(const Context& c, int slot) {
+  const VertexBuilder& b = c.builder;
+  return b.offset[slot]              ? b.value[b.offset[slot]]
+         : b.deferred & (1u << slot) ? b.deferred_value[slot]
+                                     : &c.state.current.slot[slot].x;
+}
+
 /// Makes a value current outside of any run and sets the dirty bit if it is new.
 void set_current(Context& context, int slot, const float* value);
 
