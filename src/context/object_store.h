@@ -84,9 +84,10 @@ public:
     objects_.erase(it);
     return object;
   }
-  /// Frees the used ones of `count` names from `first` on (DeleteLists).
+  /// Frees the used ones of `count` names from `first` on (DeleteLists). Behind the last name there are none.
   void erase_block(GLuint first, GLuint count) {
     std::vector<Pointer> gone; // destroyed after the lock is released
+    count = GLuint(std::min<uint64_t>(count, (uint64_t(1) << 32) - first));
     std::lock_guard lock(mutex_);
     if (count < objects_.size()) {
       for (GLuint i = 0; i < count; ++i)
@@ -114,7 +115,7 @@ private:
   GLuint find_block(GLuint count) const {
     constexpr GLuint kLastName = 0xfffffffeu;
     if (count == 0) return 0;
-    if (count <= kLastName - highest_) return highest_ + 1;
+    if (highest_ < kLastName && count <= kLastName - highest_) return highest_ + 1;
     std::vector<GLuint> names;
     names.reserve(objects_.size());
     for (const auto& entry : objects_) names.push_back(entry.first);
@@ -122,9 +123,10 @@ private:
     GLuint candidate = 1;
     for (GLuint name : names) {
       if (name - candidate >= count) return candidate;
+      if (name >= kLastName) return 0;
       candidate = name + 1;
     }
-    return kLastName >= candidate && kLastName - candidate + 1 >= count ? candidate : 0;
+    return kLastName - candidate + 1 >= count ? candidate : 0;
   }
 
   mutable std::mutex mutex_;
