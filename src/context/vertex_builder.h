@@ -20,6 +20,10 @@ struct FreeVertices {
   void operator()(float* p) const { std::free(p); }
 };
 
+/// A run that holds array draws of a list only. Between two of them its slots are hidden, so that an
+/// attribute or a primitive of another kind is noticed, and ends the run.
+enum class ArrayRun : uint8_t { No, Open, Hidden };
+
 /// Collects vertices until the run closes: on a state change, when the chunk is full, on an array draw.
 ///
 /// A vertex is `slots` 16-byte slots: the position, then each attribute that was set since the run began, in
@@ -54,6 +58,8 @@ struct VertexBuilder {
   // Compiling only: the first vertex that has its own value; earlier ones take the value current at play
   // time.
   uint32_t first_set[kAttributeSlots] = {};
+  ArrayRun array_run = ArrayRun::No;
+  uint8_t hidden_offset[kAttributeSlots + 6] = {}; // `offset` while the slots are hidden
 
   const Vec4* constants = nullptr; // State::current as last written to the arena (see current_constants)
 

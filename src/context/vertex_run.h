@@ -40,6 +40,7 @@ struct VertexRun {
   /// Not a sequence of whole primitives: some vertices belong to a primitive that begins or ends outside of
   /// the run.
   bool partial = false;
+  bool of_arrays = false; // array draws: not between Begin and End, and the current values stay (2.8)
 
   /// Made at the second playing, when it pays: vertices that are alike are joined, and these name them.
   uint32_t plays = 0;

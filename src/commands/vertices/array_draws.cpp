@@ -41,9 +41,11 @@ void draw_arrays(Context& c, GLenum mode, uint32_t first, uint32_t count) {
   if (!arrays || !arrays->drawable || first >= arrays->limit) return;
   count = uint32_t(std::min<uint64_t>(count, arrays->limit - first));
   if (c.builder.compiling) {
+    open_array_run(c);
     gl::Begin(c, mode);
     for (uint32_t i = 0; i < count; ++i) emit_array_element(c, *arrays, first + i);
-    return gl::End(c);
+    gl::End(c);
+    return hide_array_run(c);
   }
   count = complete_vertices(mode, count);
   if (!count) return;
@@ -106,9 +108,11 @@ void draw_elements(Context& c, GLenum mode, uint32_t count, GLenum type, const v
       indices = count ? buffer->storage->bytes + offset : nullptr;
     }
     if (!indices) return;
+    open_array_run(c);
     gl::Begin(c, mode);
     for (uint32_t i = 0; i < count; ++i) emit_array_element(c, *arrays, load_index(indices, type, i));
-    return gl::End(c);
+    gl::End(c);
+    return hide_array_run(c);
   }
   const Indices indices = indices_of(c, mode, count, type, pointer);
   if (!indices.count) return;

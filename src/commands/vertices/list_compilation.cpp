@@ -84,6 +84,7 @@ std::shared_ptr<VertexRun> take_run(VertexBuilder& b, bool partial) {
   run->slots = b.slots;
   run->vertex_count = b.vertex_count();
   run->partial = partial;
+  run->of_arrays = b.array_run != ArrayRun::No;
   std::memcpy(run->offset, b.offset, sizeof run->offset);
   std::memcpy(run->final_value, b.value, b.slots * 16);
   for (const int slot : Bits(b.present & ~1u)) {
@@ -100,10 +101,16 @@ std::shared_ptr<VertexRun> take_run(VertexBuilder& b, bool partial) {
   return run;
 }
 
+void show_slots(VertexBuilder& b) {
+  std::memcpy(b.offset, b.hidden_offset, sizeof b.offset);
+  b.array_run = ArrayRun::Open;
+}
+
 /// Moves the builder's vertices into the list. `partial`: they are not whole primitives.
 void keep_vertices(Context& c, bool partial) {
   VertexBuilder& b = c.builder;
-  if (!partial && b.vertex_count()) record_uniform_attributes(c);
+  const bool of_arrays = b.array_run != ArrayRun::No;
+  if (!partial && !of_arrays && b.vertex_count()) record_uniform_attributes(c);
   if (partial || b.vertex_count()) {
     const std::shared_ptr<VertexRun> run = take_run(b, partial);
     auto& runs = c.lists.list->runs;
@@ -113,7 +120,7 @@ void keep_vertices(Context& c, bool partial) {
       ExecuteScope scope(c);
       play_run(c, run);
     }
-  } else { // only attributes were set
+  } else if (!of_arrays) { // only attributes were set
     for (const int slot : Bits(b.present & ~1u & ~b.deferred)) defer(b, slot, b.value[b.offset[slot]]);
   }
 }
@@ -175,6 +182,7 @@ void raise_error(Context& c, GLenum code, bool allowed_inside) {
 void close_compiled_run(Context& c) {
   VertexBuilder& b = c.builder;
   c.lists.last_was_error = false;
+  if (b.array_run == ArrayRun::Hidden) show_slots(b);
   const bool partial = b.inside();
   if (partial || b.base || b.present != 1)
     or_drop_vertices(c, [&] {
@@ -186,10 +194,25 @@ void close_compiled_run(Context& c) {
     });
   forget_vertices(b);
   forget_layout(b);
+  b.array_run = ArrayRun::No;
   b.mode = kNoPrimitive;
   b.limit = nullptr;
   c.guard &= ~(kRunPending | kInsideBeginEnd);
   for (const int slot : Bits(std::exchange(b.deferred, 0))) append_attribute(c, slot, b.deferred_value[slot]);
+}
+
+void open_array_run(Context& c) {
+  VertexBuilder& b = c.builder;
+  if (b.array_run == ArrayRun::Hidden) return show_slots(b);
+  close_compiled_run(c);
+  b.array_run = ArrayRun::Open;
+}
+
+void hide_array_run(Context& c) {
+  VertexBuilder& b = c.builder;
+  std::memcpy(b.hidden_offset, b.offset, sizeof b.offset);
+  std::memset(b.offset, 0, sizeof b.offset);
+  b.array_run = ArrayRun::Hidden;
 }
 
 void compile_end(Context& c) {

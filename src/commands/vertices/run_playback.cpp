@@ -137,6 +137,7 @@ void draw_run(Context& c, const std::shared_ptr<VertexRun>& pointer) {
 } // namespace
 
 void play_run(Context& c, const std::shared_ptr<VertexRun>& run) {
+  if (run->of_arrays && c.guard & kInsideBeginEnd) return; // a record before it raises the error
   if (run->partial || c.guard & kInsideBeginEnd) return replay_calls(c, *run);
   if (c.guard & kRunPending) close_run(c);
   if (!run->primitives.empty()) {
@@ -144,6 +145,7 @@ void play_run(Context& c, const std::shared_ptr<VertexRun>& run) {
       draw_run(c, run);
     } catch (const std::bad_alloc&) { set_error(c, GL_OUT_OF_MEMORY); }
   }
+  if (run->of_arrays) return;
   for (const int slot : Bits(run->present & ~1u)) set_current(c, slot, run->final_value[run->offset[slot]]);
 }
 

@@ -134,7 +134,8 @@ void gl::Begin(Context& c, GLenum mode) {
   if (c.guard & kNoContext) return;
   if (mode > GL_POLYGON) return raise_error(c, GL_INVALID_ENUM);
   if (b.mode != kNoPrimitive) return raise_error(c, GL_INVALID_OPERATION);
-  if (b.limit) close_compiled_run(c); // vertices whose Begin is in no known list
+  // Vertices whose Begin is in no known list, or those of array draws.
+  if (b.limit || b.array_run == ArrayRun::Hidden) close_compiled_run(c);
   b.dropping = b.compiling && c.lists.failed;
   or_drop_vertices(c, [&] {
     if (b.dropping) return;
@@ -209,6 +210,7 @@ const Vec4* current_constants(Context& c) {
 void set_absent_attribute(Context& c, int slot, float x, float y, float z, float w) {
   VertexBuilder& b = c.builder;
   if (c.guard & kNoContext) return;
+  if (b.array_run == ArrayRun::Hidden) close_compiled_run(c);
   alignas(16) const float now[4] = {x, y, z, w};
   if (b.inside() && !b.dropping) {
     static constexpr float unknown[4] = {0, 0, 0, 1};
