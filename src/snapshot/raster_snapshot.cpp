@@ -14,6 +14,13 @@ namespace {
 /// becomes 1.
 float drawn_size(float size) { return size > 1.0f ? std::min(size, 255.0f) : 1.0f; }
 
+/// The size of points that do not shrink with distance (3.3). A minimum above the maximum counts.
+float clamped_size(const PointState& point) {
+  return point.size < point.size_min   ? point.size_min
+         : point.size > point.size_max ? point.size_max
+                                       : point.size;
+}
+
 /// The pattern's rows count from the bottom of the window, the surface's from its top (GL 1.5, 3.5.2).
 const uint64_t* make_stipple(const PolygonStippleState& stipple, int height, Arena& arena) {
   auto* block = arena.allocate_array<uint64_t>(16);
@@ -54,7 +61,7 @@ const RasterConstants* make_raster_constants(const Context& context, Arena& aren
   r.sprite_units = s.point.sprite ? static_cast<uint8_t>(s.point.coord_replace) : 0;
   r.sprite_lower_left = s.point.sprite_origin == GL_LOWER_LEFT;
   r.line_width = drawn_size(s.line.width);
-  r.point_size = drawn_size(s.point.size);
+  r.point_size = drawn_size(clamped_size(s.point));
   return &r;
 }
 

@@ -251,3 +251,16 @@ TEST_CASE("the internal format of an image that does not exist is 1", "[spec][st
   gl.GetTexLevelParameteriv(GL_TEXTURE_2D, 3, GL_TEXTURE_INTERNAL_FORMAT, &format);
   CHECK(format == 1);
 }
+
+TEST_CASE("no texel shares an exponent", "[spec][textures]") {
+  const Gl& gl = softgl_library();
+  CurrentContext context(gl);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  GLint integer = 77;
+  GLfloat number = 77;
+  gl.GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_SHARED_SIZE, &integer);
+  gl.GetTexLevelParameterfv(GL_TEXTURE_2D, 0, GL_TEXTURE_SHARED_SIZE, &number);
+  CHECK(integer == 0);
+  CHECK(number == 0);
+  CHECK(gl.GetError() == GL_NO_ERROR);
+}

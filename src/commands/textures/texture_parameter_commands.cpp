@@ -156,6 +156,7 @@ bool get_level_parameter(Context& c, GLenum target, GLint level, GLenum pname, G
   case GL_TEXTURE_INTENSITY_SIZE: value = bits(base == GL_INTENSITY, 0); return true;
   case GL_TEXTURE_DEPTH_SIZE: value = bits(base == GL_DEPTH_COMPONENT, 0); return true;
   case GL_TEXTURE_COMPRESSED: value = 0; return true;
+  case GL_TEXTURE_SHARED_SIZE: value = 0; return true; // of later versions: no format shares an exponent
   case GL_TEXTURE_COMPRESSED_IMAGE_SIZE:
     return set_error(c, GL_INVALID_OPERATION), false; // no compressed images
   default: return set_error(c, GL_INVALID_ENUM), false;
