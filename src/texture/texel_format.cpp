@@ -317,6 +317,28 @@ void TexelRows::store(void* texels, const void* pixels, int count) const {
   }
 }
 
+void store_color_indexes(const TexelFormat& to, void* texels, const PixelFormat& from, const void* pixels,
+                         int bit_offset, int count, bool swap_bytes, bool lsb_first,
+                         const PixelTransfer& transfer) {
+  const PixelFormat color = describe_pixel_format(GL_RGBA, GL_UNSIGNED_BYTE); // for wider texels, too
+  auto p = static_cast<const unsigned char*>(pixels);
+  auto t = static_cast<unsigned char*>(texels);
+  for (int done = 0; done < count; done += kRow) {
+    const int n = std::min(kRow, count - done);
+    uint32_t index[kRow];
+    uint8_t rgba[kRow][4];
+    unpack_indexes(from, p + size_t(done) * from.bytes,
+                   from.channel == PixelChannel::Bitmap ? bit_offset + done : 0, n, swap_bytes, lsb_first,
+                   index);
+    for (int i = 0; i < n; ++i) {
+      float value[4];
+      transfer.index_to_color(index[i], value);
+      for (int k = 0; k < 4; ++k) rgba[i][k] = uint8_t(float_to_unorm(value[k], 8));
+    }
+    store_texels(to, t + size_t(done) * size_t(to.bytes()), color, rgba, n, false, PixelTransfer::none());
+  }
+}
+
 namespace {
 
 bool wide_packed(const PixelFormat& f) { return f.channel == PixelChannel::Packed && f.bits[0] > 8; }

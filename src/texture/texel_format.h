@@ -36,6 +36,11 @@ struct PixelTransfer; // pixel_transfer.h
 /// Stores a row of client pixels. Pixel transfer operations are applied.
 void store_texels(const TexelFormat& to, void* texels, const PixelFormat& from, const void* pixels, int count,
                   bool swap_bytes, const PixelTransfer& transfer);
+/// The same of color indexes, which become colors by shift, offset and maps (3.6.5). `bit_offset` and
+/// `lsb_first` are of GL_BITMAP only.
+void store_color_indexes(const TexelFormat& to, void* texels, const PixelFormat& from, const void* pixels,
+                         int bit_offset, int count, bool swap_bytes, bool lsb_first,
+                         const PixelTransfer& transfer);
 /// Stores many rows of client pixels alike.
 class TexelRows {
 public:

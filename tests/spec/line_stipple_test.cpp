@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "spec/state_snapshot.h"
 #include "support/runner.h"
 
 namespace softgl::test {
@@ -82,6 +83,28 @@ TEST_CASE("the stipple pattern starts anew with a strip whose first line is out 
           "[spec][lines][deviation]") {
   CHECK_FALSE(changed_by_another(softgl_library()));
   CHECK(changed_by_another(osmesa_library()));
+}
+
+// In OSMesa such a strip becomes single lines (reference/DEVIATIONS.md).
+TEST_CASE("a strip in front of lines in a list has one pattern", "[spec][lines][lists]") {
+  const Gl& gl = softgl_library();
+  const auto picture = [&](bool listed) {
+    CurrentContext context(gl);
+    gl.Enable(GL_LINE_STIPPLE);
+    gl.LineStipple(1, 0x00ff);
+    if (listed) gl.NewList(1, GL_COMPILE);
+    gl.Begin(GL_LINE_STRIP);
+    for (const float x : {-0.9f, -0.3f, 0.9f}) gl.Vertex2f(x, 0.5f);
+    gl.End();
+    gl.Begin(GL_LINES);
+    for (const float x : {-0.9f, -0.3f, 0.0f, 0.9f}) gl.Vertex2f(x, 0);
+    gl.End();
+    if (listed) gl.EndList(), gl.CallList(1);
+    std::vector<GLubyte> pixels(64 * 64 * 4);
+    gl.ReadPixels(0, 0, 64, 64, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    return pixels;
+  };
+  CHECK((picture(true) == picture(false)));
 }
 
 } // namespace softgl::test

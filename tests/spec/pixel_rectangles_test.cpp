@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <vector>
 
 #include "spec/state_snapshot.h"
@@ -274,6 +275,26 @@ TEST_CASE("Bad pixel rectangles raise errors and change nothing", "[spec][pixels
   gl.DrawPixels(1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
   gl.Finish();
   check(GL_NO_ERROR);
+}
+
+// OSMesa repeats the upper bits (reference/DEVIATIONS.md).
+TEST_CASE("elements of five and six bits are drawn as the nearest bytes", "[spec][pixels]") {
+  const Gl& gl = softgl_library();
+  CurrentContext context(gl);
+  for (const auto& [type, format, red, red_bits] :
+       {std::tuple{GL_UNSIGNED_SHORT_5_6_5, GL_RGB, 11, 5}, std::tuple{GL_UNSIGNED_SHORT_5_6_5, GL_RGB, 5, 6},
+        std::tuple{GL_UNSIGNED_SHORT_5_6_5_REV, GL_RGB, 0, 5},
+        std::tuple{GL_UNSIGNED_SHORT_5_5_5_1, GL_RGBA, 11, 5},
+        std::tuple{GL_UNSIGNED_SHORT_1_5_5_5_REV, GL_RGBA, 0, 5}})
+    for (int v = 0; v < 1 << red_bits; v++) {
+      const GLushort element = GLushort(v << red);
+      gl.WindowPos2i(0, 0);
+      gl.DrawPixels(1, 1, GLenum(format), GLenum(type), &element);
+      GLubyte pixel[4];
+      gl.ReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+      INFO(type << " " << v);
+      CHECK(pixel[red == 5 ? 1 : 0] == std::lround(v * 255.0 / ((1 << red_bits) - 1)));
+    }
 }
 
 } // namespace

@@ -243,5 +243,30 @@ TEST_CASE("A raster position is lit as a vertex is", "[spec][pixels]") {
   }
 }
 
+// In OSMesa their coordinates are not transformed (reference/DEVIATIONS.md).
+TEST_CASE("pixels have the transformed texture coordinates of the raster position", "[spec][pixels]") {
+  const Gl& gl = softgl_library();
+  CurrentContext context(gl);
+  const GLubyte texels[16] = {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255};
+  const GLubyte black[4] = {0, 0, 0, 255};
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+  gl.Enable(GL_TEXTURE_2D);
+  gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+  gl.MatrixMode(GL_TEXTURE);
+  gl.Scalef(3, 1, 1);
+  gl.TexCoord2f(0.25f, 0.25f);
+  gl.RasterPos2f(0, 0);
+  GLfloat coordinates[4];
+  gl.GetFloatv(GL_CURRENT_RASTER_TEXTURE_COORDS, coordinates);
+  CHECK(coordinates[0] == 0.75f);
+  gl.DrawPixels(1, 1, GL_RGBA, GL_UNSIGNED_BYTE, black);
+  GLubyte pixel[4];
+  gl.ReadPixels(32, 32, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+  CHECK(pixel[0] == 0);
+  CHECK(pixel[1] == 255); // the right texel
+}
+
 } // namespace
 } // namespace softgl::test

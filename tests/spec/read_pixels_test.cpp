@@ -2,11 +2,13 @@
 // and type.
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <cstdio>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "spec/state_snapshot.h"
 #include "support/gl.h"
 
 using namespace softgl::test;
@@ -209,4 +211,22 @@ TEST_CASE("glPixelStore and glReadPixels raise the errors of the specification",
   gl.GetIntegerv(GL_PACK_ALIGNMENT, &value);
   CHECK(value == 4);
   gl.OSMesaDestroyContext(context);
+}
+
+// OSMesa repeats the upper bits (reference/DEVIATIONS.md).
+TEST_CASE("bytes are read as the nearest elements of ten bits", "[spec][pixels]") {
+  const Gl& gl = softgl_library();
+  CurrentContext context(gl);
+  for (int v = 0; v < 256; v++) {
+    const GLubyte pixel[4] = {GLubyte(v), GLubyte(v), GLubyte(v), GLubyte(v)};
+    gl.WindowPos2i(0, 0);
+    gl.DrawPixels(1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+    GLuint reversed, element;
+    gl.ReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV, &reversed);
+    gl.ReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_INT_10_10_10_2, &element);
+    const GLuint ten = GLuint(std::lround(v * 1023.0 / 255)), two = GLuint(std::lround(v * 3.0 / 255));
+    INFO(v);
+    CHECK(reversed == (ten | ten << 10 | ten << 20 | two << 30));
+    CHECK(element == (ten << 22 | ten << 12 | ten << 2 | two));
+  }
 }

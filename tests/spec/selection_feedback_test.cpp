@@ -246,5 +246,18 @@ TEST_CASE("Errors of selection and feedback", "[spec][selection]") {
   CHECK(mode == GL_FEEDBACK);
 }
 
+// OSMesa raises the error and changes the mode (reference/DEVIATIONS.md).
+TEST_CASE("a refused glRenderMode leaves the mode", "[spec][selection]") {
+  const Gl& gl = softgl_library();
+  CurrentContext context(gl);
+  for (const GLenum mode : {GL_SELECT, GL_FEEDBACK}) {
+    CHECK(gl.RenderMode(mode) == 0);
+    CHECK(gl.GetError() == GL_INVALID_OPERATION);
+    GLint now = 0;
+    gl.GetIntegerv(GL_RENDER_MODE, &now);
+    CHECK(now == GL_RENDER);
+  }
+}
+
 } // namespace
 } // namespace softgl::test

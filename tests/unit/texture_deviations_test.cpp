@@ -169,3 +169,88 @@ TEST_CASE("One minus the texel of a unit that is off is one in all components", 
   CHECK(draw(softgl_library()) == std::vector<int>{255, 255, 255});
   CHECK(draw(osmesa_library()) == std::vector<int>{255, 0, 0});
 }
+
+namespace {
+
+/// What a texture holds that was made of 40 x 3 color indexes.
+std::vector<unsigned char> texels_of_indexes(const Gl& gl, GLenum type, GLenum internal_format,
+                                             bool sub_image, int shift, int offset) {
+  TextureContext c(gl);
+  for (GLenum map = GL_PIXEL_MAP_I_TO_R; map <= GL_PIXEL_MAP_I_TO_A; ++map) {
+    float values[64];
+    for (int i = 0; i < 64; ++i) values[i] = float((i * 37 + int(map) * 11) % 64) / 63;
+    gl.PixelMapfv(map, 64, values);
+  }
+  gl.PixelTransferi(GL_INDEX_SHIFT, shift);
+  gl.PixelTransferi(GL_INDEX_OFFSET, offset);
+  gl.PixelTransferf(GL_RED_SCALE, 0.5f); // not of indexes
+  std::vector<float> memory(40 * 3);
+  unsigned char* bytes = reinterpret_cast<unsigned char*>(memory.data());
+  for (size_t i = 0; i < memory.size() * 4; ++i) bytes[i] = (unsigned char)(i * 73 + 5);
+  if (type == GL_FLOAT)
+    for (size_t i = 0; i < memory.size(); ++i) memory[i] = float(i) + 0.75f;
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GLint(internal_format), 40, 3, 0, GL_COLOR_INDEX, type,
+                sub_image ? nullptr : memory.data());
+  if (sub_image) gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 40, 3, GL_COLOR_INDEX, type, memory.data());
+  CHECK(gl.GetError() == GL_NO_ERROR);
+  std::vector<unsigned char> texels(40 * 3 * 8);
+  gl.GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_SHORT, texels.data());
+  return texels;
+}
+
+} // namespace
+
+TEST_CASE("Color indexes become the texels of OSMesa", "[texture]") {
+  for (GLenum type : {GL_UNSIGNED_BYTE, GL_BYTE, GL_UNSIGNED_SHORT, GL_INT, GL_FLOAT})
+    for (GLenum format :
+         {GL_RGBA8, GL_RGBA, GL_RGB, GL_RGBA16, GL_RGB10_A2, GL_RGBA4, GL_LUMINANCE, GL_ALPHA})
+      for (bool sub_image : {false, true})
+        for (int shift : {0, 2, -1}) {
+          INFO(type << " " << format << " " << sub_image << " " << shift);
+          CHECK((texels_of_indexes(softgl_library(), type, format, sub_image, shift, shift * 3) ==
+                 texels_of_indexes(osmesa_library(), type, format, sub_image, shift, shift * 3)));
+        }
+}
+
+// OSMesa reads the bits of all rows as one row.
+TEST_CASE("Each row of a bitmap begins in a byte of its own", "[texture][deviation]") {
+  TextureContext c(softgl_library());
+  const float red[2] = {0.2f, 1};
+  c.gl.PixelMapfv(GL_PIXEL_MAP_I_TO_R, 2, red);
+  const unsigned char rows[12] = {0xA5, 0xff, 0xff, 0xff, 0x3C, 0xff, 0xff, 0xff, 0x80};
+  for (bool lsb_first : {false, true}) {
+    c.gl.PixelStorei(GL_UNPACK_LSB_FIRST, lsb_first);
+    for (int skip : {0, 2}) {
+      c.gl.PixelStorei(GL_UNPACK_SKIP_PIXELS, skip);
+      c.gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 4, 3, 0, GL_COLOR_INDEX, GL_BITMAP, rows);
+      unsigned char texels[3][4] = {};
+      c.gl.GetTexImage(GL_TEXTURE_2D, 0, GL_RED, GL_UNSIGNED_BYTE, texels);
+      for (int y = 0; y < 3; ++y)
+        for (int x = 0; x < 4; ++x) {
+          const int bit = x + skip;
+          CHECK(texels[y][x] == (rows[4 * y] >> (lsb_first ? bit : 7 - bit) & 1 ? 255 : 51));
+        }
+    }
+  }
+  CHECK(c.gl.GetError() == GL_NO_ERROR);
+}
+
+TEST_CASE("The border of an image is left out", "[texture][deviation]") {
+  for (const Gl* gl : {&softgl_library(), &osmesa_library()}) {
+    TextureContext c(*gl);
+    std::vector<unsigned char> texels(6 * 6 * 4);
+    for (size_t i = 0; i < texels.size(); ++i) texels[i] = (unsigned char)i;
+    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 6, 6, 1, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+    GLint width = 0, border = 7;
+    gl->GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
+    gl->GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_BORDER, &border);
+    CHECK(width == 4);
+    CHECK(border == 0);
+    gl->TexSubImage2D(GL_TEXTURE_2D, 0, -1, -1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+    CHECK(gl->GetError() == GL_INVALID_VALUE);
+    std::vector<unsigned char> inside(6 * 6 * 4, 7);
+    gl->GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, inside.data());
+    CHECK(inside[0] == texels[(6 + 1) * 4]);
+    CHECK(inside[4 * 4 * 4] == 7);
+  }
+}

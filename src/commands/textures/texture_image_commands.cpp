@@ -34,16 +34,24 @@ void regenerate_mipmaps(TextureObject& object, int face, int level) {
 
 namespace {
 
-// Texels of a box from client memory; the pointer is already past the skipped pixels.
+// Texels of a box from client memory; the pointer and the offset of bits are already past the skipped pixels.
 void store_box(Context& c, TextureImage& image, int x, int y, int z, int width, int height, int depth,
                const PixelFormat& format, const ImageLayout& layout, const unsigned char* pixels) {
+  const PixelStore& store = c.client.pixel_store.unpack;
   const PixelTransfer transfer = pixel_transfer(c);
-  const TexelRows rows(*image.format, format, c.client.pixel_store.unpack.swap_bytes, transfer,
-                       uint64_t(width) * uint64_t(height) * uint64_t(depth));
+  const TexelRows rows(
+      *image.format, format, store.swap_bytes, transfer,
+      format.format == GL_COLOR_INDEX ? 0 : uint64_t(width) * uint64_t(height) * uint64_t(depth));
   for (int k = 0; k < depth; ++k)
-    for (int j = 0; j < height; ++j)
-      rows.store(image.at(x, y + j, z + k),
-                 pixels + size_t(k) * layout.image_stride + size_t(j) * layout.row_stride, width);
+    for (int j = 0; j < height; ++j) {
+      void* const texels = image.at(x, y + j, z + k);
+      const unsigned char* row = pixels + size_t(k) * layout.image_stride + size_t(j) * layout.row_stride;
+      if (format.format == GL_COLOR_INDEX)
+        store_color_indexes(*image.format, texels, format, row, layout.bit_offset, width, store.swap_bytes,
+                            store.lsb_first, transfer);
+      else
+        rows.store(texels, row, width);
+    }
   image.repeat_edges();
 }
 
@@ -96,8 +104,9 @@ void specify_image(Context& c, int dimensions, GLenum target, GLint level, GLint
   if (pixels && !image->empty()) {
     // The border is dropped, as OSMesa drops it: only the pixels inside are read.
     const PixelFormat f = describe_pixel_format(format, type);
-    const ImageLayout layout = layout_image(c.client.pixel_store.unpack, dimensions, width, height, f);
+    ImageLayout layout = layout_image(c.client.pixel_store.unpack, dimensions, width, height, f);
     auto p = static_cast<const unsigned char*>(pixels) + layout.offset + size_t(b) * f.bytes;
+    if (f.channel == PixelChannel::Bitmap) layout.bit_offset += b;
     if (dimensions > 1) p += size_t(b) * layout.row_stride;
     if (dimensions > 2) p += size_t(b) * layout.image_stride;
     store_box(c, *image, 0, 0, 0, image->width, image->height, image->depth, f, layout, p);
