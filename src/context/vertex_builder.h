@@ -58,6 +58,9 @@ struct VertexBuilder {
   // Compiling only: the first vertex that has its own value; earlier ones take the value current at play
   // time.
   uint32_t first_set[kAttributeSlots] = {};
+  // Compiling only: attributes that a record before the run sets, and those first set between Begin and End.
+  uint32_t recorded = 0, set_inside = 0;
+  alignas(16) float recorded_value[kAttributeSlots][4] = {};
   ArrayRun array_run = ArrayRun::No;
   uint8_t hidden_offset[kAttributeSlots + 6] = {}; // `offset` while the slots are hidden
 

@@ -59,13 +59,18 @@ void defer(VertexBuilder& b, int slot, const float* value) {
   b.deferred |= 1u << slot;
 }
 
-/// An attribute that never changes is set once, before the run, and not by its vertices.
+// What is interpolated where vertices set it, and goes to the fragments as it is where they do not.
+constexpr uint32_t kInterpolated = 1u << kColor | 0xffu << kTexCoord0;
+
+/// An attribute that never changes is set once, before the run, and not by its vertices. Not where that would
+/// change last bits of what was given between Begin and End.
 void record_uniform_attributes(Context& c) {
   VertexBuilder& b = c.builder;
   const uint32_t count = b.vertex_count();
   for (const int slot : Bits(b.present & ~1u)) {
     const unsigned offset = b.offset[slot];
-    if (b.first_set[slot] || !is_uniform(b.base, count, b.slots, offset)) continue;
+    if (b.first_set[slot] || (b.set_inside & kInterpolated) >> slot & 1) continue;
+    if (!is_uniform(b.base, count, b.slots, offset)) continue;
     float value[4], last[4];
     std::memcpy(value, b.base + 4 * offset, 16);
     std::memcpy(last, b.value[offset], 16);
@@ -199,6 +204,13 @@ void close_compiled_run(Context& c) {
   b.limit = nullptr;
   c.guard &= ~(kRunPending | kInsideBeginEnd);
   for (const int slot : Bits(std::exchange(b.deferred, 0))) append_attribute(c, slot, b.deferred_value[slot]);
+}
+
+void record_attribute(Context& c, int slot, const float* value) {
+  VertexBuilder& b = c.builder;
+  std::memcpy(b.recorded_value[slot], value, 16);
+  b.recorded |= 1u << slot;
+  append_attribute(c, slot, value);
 }
 
 void open_array_run(Context& c) {

@@ -38,6 +38,8 @@ void raise_error(Context& context, GLenum code, bool allowed_inside = false);
 /// Moves the vertices that wait into the list. A primitive that is open ends in a later run, or in another
 /// list.
 void close_compiled_run(Context& context);
+/// Appends the setting of an attribute. The run of vertices that follows it knows the value.
+void record_attribute(Context& context, int slot, const float* value);
 /// Stand around the Begin and End of an array draw, whose vertices are not mixed with others.
 void open_array_run(Context& context);
 void hide_array_run(Context& context);

@@ -107,6 +107,7 @@ void forget_vertices(VertexBuilder& b) {
 
 void forget_layout(VertexBuilder& b) {
   b.slots = b.present = 1;
+  b.recorded = b.set_inside = 0;
   std::memset(b.offset, 0, sizeof b.offset);
 }
 

@@ -100,7 +100,21 @@ void split_run(Context& c) {
   b.first = 0;
 }
 
-/// Attributes set since the last primitive get a slot where their value differs from the one before.
+/// A slot for an attribute of the run; the vertices that wait have the value that was current. In a list that
+/// is known if a record before the run sets it, else it is the one of play time.
+void add_attribute(Context& c, int slot) {
+  VertexBuilder& b = c.builder;
+  static constexpr float unknown[4] = {0, 0, 0, 1};
+  const bool recorded = b.recorded >> slot & 1;
+  add_slot(c, slot,
+           !b.compiling ? &c.state.current.slot[slot].x
+           : recorded   ? b.recorded_value[slot]
+                        : unknown);
+  if (recorded) b.first_set[slot] = 0;
+}
+
+/// Attributes set since the last primitive get a slot where their value differs from the one before. Those in
+/// front of all vertices of a list's run do not change in it so far.
 void apply_deferred(Context& c) {
   VertexBuilder& b = c.builder;
   if (!b.compiling && b.vertex_count() > kWidenLimit) {
@@ -112,16 +126,14 @@ void apply_deferred(Context& c) {
       }
     }
   }
-  static constexpr float unknown[4] = {0, 0, 0, 1};
   for (const int slot : Bits(b.deferred)) {
     const float* now = b.deferred_value[slot];
-    const float* before = b.compiling ? unknown : &c.state.current.slot[slot].x;
-    if (!b.compiling && same_bits(now, before, 16)) continue;
-    if (!b.compiling && b.vertex_count() == 0) {
-      set_current(c, slot, now);
+    if (!b.compiling && same_bits(now, &c.state.current.slot[slot].x, 16)) continue;
+    if (b.vertex_count() == 0) {
+      b.compiling ? record_attribute(c, slot, now) : set_current(c, slot, now);
       continue;
     }
-    add_slot(c, slot, before);
+    add_attribute(c, slot);
     std::memcpy(b.value[b.offset[slot]], now, 16);
   }
   b.deferred = 0;
@@ -213,8 +225,8 @@ void set_absent_attribute(Context& c, int slot, float x, float y, float z, float
   if (b.array_run == ArrayRun::Hidden) close_compiled_run(c);
   alignas(16) const float now[4] = {x, y, z, w};
   if (b.inside() && !b.dropping) {
-    static constexpr float unknown[4] = {0, 0, 0, 1};
-    or_drop_vertices(c, [&] { add_slot(c, slot, b.compiling ? unknown : &c.state.current.slot[slot].x); });
+    b.set_inside |= 1u << slot;
+    or_drop_vertices(c, [&] { add_attribute(c, slot); });
   }
   if (b.offset[slot]) {
     std::memcpy(b.value[b.offset[slot]], now, 16);
