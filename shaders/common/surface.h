@@ -1,4 +1,5 @@
-// Framebuffer memory as the kernels see it: 64x64-pixel tiles of sixty-four 8x8-pixel blocks, window y down.
+// Framebuffer memory as the kernels see it: 64x64-pixel tiles of sixty-four 8x8-pixel blocks. Rows go down
+// from the top of the window; in framebuffer objects they go up from the bottom (Surface::y_up).
 #pragma once
 
 #include <stddef.h>
@@ -23,43 +24,64 @@ enum class DepthFormat : uint8_t { None, Z16, Z24S8 };
 /// The integer that depth 1 is stored as.
 constexpr uint32_t largest_depth(DepthFormat f) { return f == DepthFormat::Z16 ? 0xffff : 0xffffff; }
 
-/// Index of pixel (x, y), y down, inside its 64x64 tile: 8x8 blocks in rows, rows of pixels inside a block.
+/// Index of pixel (x, y) inside its 64x64 tile: 8x8 blocks in rows, rows of pixels inside a block.
 inline int pixel_in_tile(int x, int y) {
   return ((y & 56) << 6) | ((x & 56) << 3) | ((y & 7) << 3) | (x & 7);
 }
 
-/// What is known of the words that a plane has in a tile. While it waits, all of them are `word`, and the
-/// plane's memory has still to be told: so a tile that is cleared and never drawn on costs nothing.
+/// What is known of a plane in a tile, and where its pixels are: from place * kTilePixels on. While it waits,
+/// all words are `word`, and the plane's memory has still to be told: so a tile that is cleared and never
+/// drawn on costs nothing. Only planes of 32-bit words may wait.
 struct TileWords {
   uint32_t word = 0;
-  uint32_t known = 0; // bits that are those of `word` at all pixels
-  bool waits = false; // known are all bits
+  uint32_t known = 0;   // bits that are those of `word` at all pixels
+  bool waits = false;   // known are all bits
+  bool changed = false; // something was written since the owner looked (Plane)
+  uint32_t place = ~uint32_t(0);
 };
-/// Tile t = (y / 64) * tiles_x + x / 64 has the pixels from place * kTilePixels on in both planes.
-struct TileState {
-  uint32_t place;                 // kNoPlace: both planes wait
-  TileWords color, depth_stencil; // color: of Rgba8 only
-};
-constexpr uint32_t kNoPlace = ~uint32_t(0);
+constexpr uint32_t kNoPlace = ~uint32_t(0); // the tile waits without memory
 
-/// The color and depth/stencil planes. Tiles get their places in them when they are first written to, so
-/// that those of a picture that fills half the window lie close together and the rest of the planes is never
-/// brought into memory. Where both planes have words they share that memory, a tile's depths behind its
-/// colors.
+/// The color and depth/stencil planes. Tiles of the window get their places in them when they are first
+/// written to, so that those of a picture that fills half the window lie close together and the rest of the
+/// planes is never brought into memory. Where both planes have words they share that memory, a tile's depths
+/// behind its colors. The planes of framebuffer objects have fixed places; each may be larger than the
+/// surface, and one may be missing.
 struct Surface {
   int32_t width, height; // pixels
   int32_t tiles_x, tiles_y;
   ColorFormat color_format;
   DepthFormat depth_format;
-  void* color;             // tiles_x * tiles_y * kTilePixels pixels of color_format
-  uint32_t* depth_stencil; // as many words; null when depth_format is None
-  TileState* tile;         // of each tile
-  uint32_t* next_place;    // places before it are taken
-  uint32_t place_step;     // places from tile to tile: 2 where the planes share memory, else 1
+  uint32_t name;                     // of the framebuffer object, for the trace; 0: the window
+  bool y_up;                         // row 0 is the bottom row of GL's window coordinates, not the top one
+  int32_t plane_width, plane_height; // pixels of the larger plane: a clear of the surface leaves those beyond
+  void* color;                       // pixels of color_format; null: nothing is drawn to colors
+  uint32_t* depth_stencil;           // words; null when depth_format is None
+  TileWords *color_tile, *depth_tile;   // of each tile of the planes; null where there is no plane
+  int32_t color_columns, depth_columns; // tiles in a row of each plane
+  uint32_t* next_place;                 // of the window: places before it are taken
+  uint32_t place_step;                  // places from tile to tile: 2 where the planes share memory, else 1
 };
 
-inline size_t pixel_index(const Surface& s, int x, int y) {
-  return s.tile[(y >> 6) * s.tiles_x + (x >> 6)].place * size_t(kTilePixels) + size_t(pixel_in_tile(x, y));
+/// Number of tile `tile` of the surface in a plane that has `columns` tiles in a row.
+inline uint32_t tile_of_plane(const Surface& s, int32_t columns, uint32_t tile) {
+  const auto row = uint32_t(s.tiles_x);
+  return columns == s.tiles_x ? tile : tile / row * uint32_t(columns) + tile % row;
+}
+inline TileWords& color_words(const Surface& s, uint32_t tile) {
+  return s.color_tile[tile_of_plane(s, s.color_columns, tile)];
+}
+inline TileWords& depth_words(const Surface& s, uint32_t tile) {
+  return s.depth_tile[tile_of_plane(s, s.depth_columns, tile)];
+}
+
+inline size_t pixel_index(const TileWords* tiles, int32_t columns, int x, int y) {
+  return tiles[(y >> 6) * columns + (x >> 6)].place * size_t(kTilePixels) + size_t(pixel_in_tile(x, y));
+}
+inline size_t color_index(const Surface& s, int x, int y) {
+  return pixel_index(s.color_tile, s.color_columns, x, y);
+}
+inline size_t depth_index(const Surface& s, int x, int y) {
+  return pixel_index(s.depth_tile, s.depth_columns, x, y);
 }
 
 } // namespace softgl

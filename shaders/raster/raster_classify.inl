@@ -20,6 +20,7 @@ static void classify_triangles(const RasterDraw& draw, const TriangleInput& in, 
   out.small = out.large = out.negative = 0;
   uint64_t beyond = 0; // small ones with more pixels a side than kTinyBox
   IntV box_pixels = IntV{};
+  const EdgeRule rule(r);
   for (int base = 0; base < in.count; base += kWidth) {
     const int lanes = in.count - base < kWidth ? in.count - base : kWidth;
     IntV x[3], y[3];
@@ -38,9 +39,9 @@ static void classify_triangles(const RasterDraw& draw, const TriangleInput& in, 
       x[k] = round_to_int(sx) & valid,
       y[k] = round_to_int(sy) & valid; // no sums of lanes that are out of range
     }
-    const IntV column = max_(first_column(x), splat(r.x0)), row = max_(first_row(y), splat(r.y0));
+    const IntV column = max_(first_column(x), splat(r.x0)), row = max_(first_row(y, rule), splat(r.y0));
     const IntV w = min_(last_column(x), splat(r.x1 - 1)) - column,
-               h = min_(last_row(y), splat(r.y1 - 1)) - row;
+               h = min_(last_row(y, rule), splat(r.y1 - 1)) - row;
     valid &= (w >= 0) & (h >= 0);
     uint32_t alive = sign_bits(valid) & ((lanes == 32 ? 0u : 1u << lanes) - 1u);
     if (alive == 0) continue;
@@ -93,10 +94,10 @@ static void classify_triangles(const RasterDraw& draw, const TriangleInput& in, 
 struct EdgeV {
   UintV c, a, b; // inside iff c - 256 * a * dx + 256 * b * dy >= 0; a and b are kept times 256
 };
-SOFTGL_INLINE EdgeV edge_of(IntV xi, IntV yi, IntV xj, IntV yj) {
+SOFTGL_INLINE EdgeV edge_of(IntV xi, IntV yi, IntV xj, IntV yj, const EdgeRule& rule) {
   EdgeV e;
   const IntV a = yi - yj, b = xi - xj;
-  const IntV included = (a < 0) | ((a == 0) & (b < 0)); // all ones: centres on the edge are inside
+  const IntV included = edge_included(a, b, rule);
   e.c = (UintV)multiply(a, xi) - (UintV)multiply(b, yi) - 1 - (UintV)included;
   e.a = (UintV)a << 8, e.b = (UintV)b << 8;
   return e;
@@ -109,7 +110,8 @@ SOFTGL_INLINE uint64_t box_pixels(int32_t w, int32_t h) {
 
 /// Finds the pixels of the small triangles of a tiny batch: bit 8 * dy + dx of their boxes. Those without any
 /// are small no more.
-static void cover_tiny(const SnappedBatch& batch, int count, TriangleOutput& out) {
+static void cover_tiny(const RasterDraw& draw, const SnappedBatch& batch, int count, TriangleOutput& out) {
+  const EdgeRule rule(*draw.raster);
   const uint64_t small_before = out.small;
   out.small = 0;
   for (int base = 0; base < count; base += kWidth) {
@@ -123,11 +125,12 @@ static void cover_tiny(const SnappedBatch& batch, int count, TriangleOutput& out
     IntV x[3], y[3];
     for (int k = 0; k < 3; ++k) x[k] = load(batch.x[k] + base), y[k] = load(batch.y[k] + base);
     // Edges accept nothing outside the box of the triangle, but they know of no scissor box.
-    const IntV clipped = (column + w != last_column(x)) | (row + h != last_row(y));
+    const IntV clipped = (column + w != last_column(x)) | (row + h != last_row(y, rule));
     for (int k = 0; k < 3; ++k) x[k] -= column << 8, y[k] -= row << 8;
     const IntV x0 = choose(negative, x[1], x[0]), y0 = choose(negative, y[1], y[0]),
                x1 = choose(negative, x[0], x[1]), y1 = choose(negative, y[0], y[1]);
-    EdgeV e0 = edge_of(x0, y0, x1, y1), e1 = edge_of(x1, y1, x[2], y[2]), e2 = edge_of(x[2], y[2], x0, y0);
+    EdgeV e0 = edge_of(x0, y0, x1, y1, rule), e1 = edge_of(x1, y1, x[2], y[2], rule),
+          e2 = edge_of(x[2], y[2], x0, y0, rule);
     int columns = 1, rows = 1;
     while (columns < kTinyBox && sign_bits((w >= columns) & mine)) ++columns;
     while (rows < kTinyBox && sign_bits((h >= rows) & mine)) ++rows;

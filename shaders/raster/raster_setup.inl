@@ -11,6 +11,7 @@ namespace SOFTGL_ISA {
 static void setup_triangles(const RasterDraw& draw, const TriangleInput& in, const TriangleOutput& batch,
                             RasterPrimitive* const* record) {
   const RasterConstants& r = *draw.raster;
+  const int32_t flip = r.top_edge_rule ? -1 : 0, bottom = r.top_edge_rule ? 0 : 1; // EdgeRule
   StoredPlanes planes;
   alignas(64) int32_t x[3][kWidth], y[3][kWidth];
   for (uint64_t left = batch.large; left;) {
@@ -38,15 +39,15 @@ static void setup_triangles(const RasterDraw& draw, const TriangleInput& in, con
       for (int k = 0; k < 3; ++k) {
         const int j = k == 2 ? 0 : k + 1;
         const int32_t ea = y[k][i] - y[j][i], eb = x[k][i] - x[j][i];
-        const int64_t ec =
-            int64_t(ea) * x[k][i] - int64_t(eb) * y[k][i] + ((ea < 0 || (ea == 0 && eb < 0)) ? 1 : 0);
+        const int64_t ec = int64_t(ea) * x[k][i] - int64_t(eb) * y[k][i] +
+                           ((ea < 0 || (ea == 0 && (eb ^ flip) < 0)) ? 1 : 0);
         q.a[k] = ea, q.b[k] = eb, q.c[k] = (ec - 1) >> 8;
         min_x = x[k][i] < min_x ? x[k][i] : min_x, max_x = x[k][i] > max_x ? x[k][i] : max_x;
         min_y = y[k][i] < min_y ? y[k][i] : min_y, max_y = y[k][i] > max_y ? y[k][i] : max_y;
       }
       q.a[3] = q.b[3] = 0, q.c[3] = 0;
       const int32_t px0 = (min_x + 255) >> 8, px1 = ((max_x - 1) >> 8) + 1;
-      const int32_t py0 = (min_y >> 8) + 1, py1 = (max_y >> 8) + 1;
+      const int32_t py0 = (min_y + 255 + bottom) >> 8, py1 = ((max_y - 1 + bottom) >> 8) + 1;
       q.x0 = px0 > r.x0 ? px0 : r.x0, q.x1 = px1 < r.x1 ? px1 : r.x1;
       q.y0 = py0 > r.y0 ? py0 : r.y0, q.y1 = py1 < r.y1 ? py1 : r.y1;
     }

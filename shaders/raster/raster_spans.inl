@@ -31,9 +31,10 @@ SOFTGL_INLINE SpanSide choose(IntV mask, const SpanSide& a, const SpanSide& b) {
 
 /// The edge from corner i to corner j of a triangle with positive area, at row `y`; `right` is set where it
 /// bounds the right.
-SOFTGL_INLINE SpanSide side_of(IntV xi, IntV yi, IntV xj, IntV yj, IntV y, IntV& right) {
+SOFTGL_INLINE SpanSide side_of(IntV xi, IntV yi, IntV xj, IntV yj, IntV y, const EdgeRule& rule,
+                               IntV& right) {
   const IntV a = yi - yj, b = xi - xj;
-  const IntV included = (a < 0) | ((a == 0) & (b < 0)); // all ones: centres on the edge are inside
+  const IntV included = edge_included(a, b, rule);
   // All numbers are small: a side is at most 64 pixels long, and no more than that away from the tile.
   const IntV value = ((multiply(a, xi) - multiply(b, yi) - 1 - included) >> 8) + multiply(b, y);
   right = a >= 0;
@@ -53,12 +54,13 @@ static void list_pixels(const RasterConstants& r, const TileTarget& tile, const 
   auto within = [](int32_t v, int32_t most) { return v < 0 ? 0 : v < most ? v : most; };
   const int32_t left = within(r.x0 - tile.x, kTileSize), top = within(r.y0 - tile.y, kTileSize);
   const int32_t right = within(r.x1 - tile.x, kTileSize), bottom = within(r.y1 - tile.y, kTileSize);
-  const IntV first = max_(first_row(y), splat(top)), last = min_(last_row(y), splat(bottom - 1));
+  const EdgeRule rule(r);
+  const IntV first = max_(first_row(y, rule), splat(top)), last = min_(last_row(y, rule), splat(bottom - 1));
 
   IntV is_right[3];
-  const SpanSide side[3] = {side_of(x[0], y[0], x[1], y[1], first, is_right[0]),
-                            side_of(x[1], y[1], x[2], y[2], first, is_right[1]),
-                            side_of(x[2], y[2], x[0], y[0], first, is_right[2])};
+  const SpanSide side[3] = {side_of(x[0], y[0], x[1], y[1], first, rule, is_right[0]),
+                            side_of(x[1], y[1], x[2], y[2], first, rule, is_right[1]),
+                            side_of(x[2], y[2], x[0], y[0], first, rule, is_right[2])};
   // Going round, one side at least bounds each way (a level one counts as right); the third may be another of
   // either.
   const SpanSide open_right = {splat(float(1 << 20)), FloatV{}, splat(1.0f)},

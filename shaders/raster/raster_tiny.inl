@@ -149,7 +149,7 @@ static void prepare_triangles(const RasterDraw& draw, const TriangleInput& in, T
   classify_triangles(draw, in, batch, out);
   out.run_count = 0;
   if (!out.tiny) return;
-  cover_tiny(batch, in.count, out);
+  cover_tiny(draw, batch, in.count, out);
   TinyBatch(draw, in, out).run(scratch);
 }
 

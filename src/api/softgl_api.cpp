@@ -6,6 +6,7 @@
 #include "commands/framebuffer/flush.h"
 #include "context/current_context.h"
 #include "frame/parallel.h"
+#include "frame/surface_work.h"
 
 using namespace softgl;
 
@@ -43,6 +44,7 @@ SOFTGL_EXPORT uint64_t softgl_frame_hash() {
   if (c.guard & kNoContext) return 0;
   try {
     flush_rendering(c);
+    write_tiles(c.framebuffer);
   } catch (...) { set_error(c, GL_OUT_OF_MEMORY); }
   const Surface& s = c.framebuffer.surface;
   uint64_t hash = mixed(uint64_t(s.width) << 32 | uint32_t(s.height), uint64_t(s.color_format));
@@ -50,14 +52,14 @@ SOFTGL_EXPORT uint64_t softgl_frame_hash() {
   const auto* color = static_cast<const unsigned char*>(s.color);
   for (int y = 0; y < s.height; ++y)
     for (int x = 0; x < s.width; ++x) {
-      const size_t i = pixel_index(s, x, y);
+      const size_t i = color_index(s, x, y);
       uint64_t word = 0;
       for (size_t b = 0; b < bytes; ++b) {
         word = word << 8 | color[i * bytes + b];
         if (b % 8 == 7) hash = mixed(hash, word);
       }
       if (bytes < 8) hash = mixed(hash, word);
-      if (s.depth_stencil) hash = mixed(hash, s.depth_stencil[i]);
+      if (s.depth_stencil) hash = mixed(hash, s.depth_stencil[depth_index(s, x, y)]);
     }
   return hash;
 }

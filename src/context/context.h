@@ -6,6 +6,7 @@
 #include "context/array_cache.h"
 #include "context/attribute_stack.h"
 #include "context/evaluator_maps.h"
+#include "context/framebuffer_objects.h"
 #include "context/list_compiler.h"
 #include "context/matrix_stacks.h"
 #include "context/object_store.h"
@@ -47,7 +48,11 @@ struct Context {
   CombinerCache combiners;
   Frame frame;
   SnapshotCache snapshots; // point into frame.arena()
-  Framebuffer framebuffer;
+  Framebuffer framebuffer; // the window
+  NameTable<FramebufferObject> framebuffer_objects;
+  FramebufferBindings bindings;
+  RenderTarget* draw = &framebuffer; // what is drawn to; empty while the bound object is not complete
+  RenderTarget* read = &framebuffer;
   const bool smooth_is_phong = smooth_is_phong_by_environment();
 };
 

@@ -137,6 +137,7 @@ private:
 struct TextureObject; // texture/texture_object.h
 struct BufferObject;  // vertex/buffer_objects.h
 struct DisplayList;   // lists/display_list.h
+struct Renderbuffer;  // framebuffer_objects.h
 
 /// What contexts may share. Queries are a context's own (occlusion_queries.h).
 struct SharedObjects {
@@ -144,6 +145,7 @@ struct SharedObjects {
   std::shared_ptr<TextureObject> default_texture[5]; // by TextureTarget: the objects of name 0
   NameTable<BufferObject> buffers;
   NameTable<DisplayList> lists;
+  NameTable<Renderbuffer> renderbuffers;
 };
 
 } // namespace softgl

@@ -72,6 +72,7 @@ struct Frame::Workers {
   struct Scratch {
     BinnerScratch binner;
     FragmentBlock block;
+    uint32_t no_colors[kTilePixels]; // of surfaces without a color plane
   };
   struct Worker {
     Scratch* scratch;
@@ -211,7 +212,8 @@ private:
     join();
     auto execute = [this](uint32_t tile, int worker) {
       if (!head_[tile]) return;
-      execute_tile(surface_, tile, head_[tile], *kernels().raster, (*frame_.workers_)[worker].scratch->block);
+      Frame::Workers::Scratch& scratch = *(*frame_.workers_)[worker].scratch;
+      execute_tile(surface_, tile, head_[tile], *kernels().raster, scratch.block, scratch.no_colors);
       head_[tile] = nullptr;
     };
     // In the order of the surface: so a worker mostly has the tiles of the frame before in its cache.
@@ -369,19 +371,22 @@ void Frame::make_workers(size_t bytes) {
                  std::max(bytes, (sizeof(Workers::Scratch) + 63) & ~size_t(63)));
 }
 
-void Frame::flush(const Surface& surface, const TileReader* reader) try {
+void Frame::flush(const Surface& surface, const TileReader* reader, bool keep_memory) try {
   if (!items_.empty() && surface.tiles_x > 0 && surface.tiles_y > 0) {
     SOFTGL_ASSERT(surface.tiles_x == (surface.width + kTileSize - 1) / kTileSize &&
                   surface.tiles_y == (surface.height + kTileSize - 1) / kTileSize);
     const FloatEnvironment environment;
     make_workers(0);
     std::optional<FlushTrace> trace;
-    if (tracing) trace.emplace(items_);
+    if (tracing) trace.emplace(items_, surface.name);
     const int rounds = FrameWork(*this, surface, reader).run();
     if (trace) trace->end(arena_.used(), rounds, ThreadPool::instance().workers());
     most_round_steps_ = std::min(2 * most_round_steps_, kRoundSteps);
   }
-  forget_work();
+  if (keep_memory)
+    items_.clear();
+  else
+    forget_work();
 } catch (...) {
   // Tried again it would fail again: it is dropped, and the memory goes back to those who need it.
   forget_work();

@@ -54,8 +54,9 @@ public:
   void prepare(std::vector<Pages>& pages);
   /// Does all work on `surface` with all threads and forgets it; snapshots taken from State must be taken
   /// anew after it (kDirtyAll). Same bytes for any number of threads. When memory ends it throws; the rest of
-  /// the work is forgotten, too.
-  void flush(const Surface& surface, const TileReader* reader = nullptr);
+  /// the work is forgotten, too. `keep_memory`: only the draws and clears are forgotten; arena() and retained
+  /// objects stay for draws to come.
+  void flush(const Surface& surface, const TileReader* reader = nullptr, bool keep_memory = false);
 
 private:
   static constexpr size_t kBudgetBytes = 256u << 20;

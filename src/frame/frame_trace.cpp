@@ -131,7 +131,7 @@ void trace_draw(const DrawRecord& draw) {
   trace_work(text);
 }
 
-FlushTrace::FlushTrace(std::span<const Frame::Item> items) {
+FlushTrace::FlushTrace(std::span<const Frame::Item> items, uint32_t framebuffer) : framebuffer_(framebuffer) {
   for (const Frame::Item& item : items) {
     ++(item.clear ? clears_ : draws_);
     if (item.draw) primitives_ += primitives_of(*item.draw);
@@ -146,6 +146,7 @@ void FlushTrace::end(size_t arena_bytes, int rounds, int workers) const {
   text.print("flush %zu draws, %zu clears, %llu primitives, %zu bytes, %d rounds, %d workers, %lld us",
              draws_, clears_, static_cast<unsigned long long>(primitives_), arena_bytes, rounds, workers,
              static_cast<long long>(time.count()));
+  if (framebuffer_) text.print(", framebuffer %u", framebuffer_);
   if (taken) text.put((", fast paths " + to_names(taken)).c_str());
   trace_work(text);
 }

@@ -1,5 +1,7 @@
 #include "frame/surface_work.h"
 
+#include <algorithm>
+
 #include "frame/parallel.h"
 #include "frame/tile_worker.h"
 
@@ -7,17 +9,34 @@ namespace softgl {
 namespace {
 
 /// With all threads; below about a quarter of a megapixel a copy is shorter than waking a thread.
-template <class Visit> void for_each_tile(const Surface& s, Visit&& visit) {
-  const size_t tiles = size_t(s.tiles_x) * size_t(s.tiles_y);
-  if (int64_t(s.width) * s.height < 256 * 1024)
+template <class Visit> void for_each_tile(int width, int height, size_t tiles, Visit&& visit) {
+  if (int64_t(width) * height < 256 * 1024)
     for (size_t tile = 0; tile < tiles; ++tile) visit(uint32_t(tile));
   else
     in_parallel(tiles, [&](size_t tile) { visit(uint32_t(tile)); });
 }
 
+template <class Visit> void for_each_tile(const Surface& s, Visit&& visit) {
+  for_each_tile(s.width, s.height, size_t(s.tiles_x) * size_t(s.tiles_y), visit);
+}
+
 } // namespace
 
-void write_tiles(Framebuffer& f) {
+void load_plane(RenderPlane& plane, const TextureImage& image, int slice) {
+  for_each_tile(plane.width, plane.height, plane.tiles(),
+                [&](uint32_t tile) { load_tile(plane, image, slice, tile); });
+}
+
+void store_plane(RenderPlane& plane, TextureImage& image, int slice) {
+  for_each_tile(plane.width, plane.height, plane.tiles(),
+                [&](uint32_t tile) { store_tile(plane, image, slice, tile); });
+}
+
+bool has_changed(const RenderPlane& plane) {
+  return std::any_of(plane.tile.begin(), plane.tile.end(), [](const TileWords& t) { return t.changed; });
+}
+
+void write_tiles(RenderTarget& f) {
   if (!f.unwritten) return;
   f.unwritten = false;
   const Surface& s = f.surface;

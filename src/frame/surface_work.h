@@ -3,11 +3,18 @@
 
 #include "surface/accumulation.h"
 #include "surface/framebuffer.h"
+#include "surface/texel_tiles.h"
 
 namespace softgl {
 
 /// Tells the planes what waits to be written to them (TileWords); the resolver alone reads a surface without.
-void write_tiles(Framebuffer& framebuffer);
+void write_tiles(RenderTarget& target);
+
+/// All of the plane from the texels of a slice, and the texels from what has changed of the plane.
+void load_plane(RenderPlane& plane, const TextureImage& image, int slice);
+void store_plane(RenderPlane& plane, TextureImage& image, int slice);
+/// True where something was drawn to the plane since it was loaded or stored.
+bool has_changed(const RenderPlane& plane);
 
 /// Does an operation of the accumulation buffer, which must have memory; if it has to do with colors, nothing
 /// may wait to be written to the planes.

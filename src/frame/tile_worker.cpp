@@ -23,13 +23,13 @@ Box clear_box(const ClearRecord& c, const Surface& s, uint32_t tile) {
           std::min(c.y1 - y, kTileSize)};
 }
 
-/// True when the clear covers every pixel of the tile that the surface has.
+/// True when the clear covers every pixel of the tile that the planes have.
 bool covers_tile(const ClearRecord& c, const Surface& s, uint32_t tile) {
   const Box b = clear_box(c, s, tile);
   const int32_t x = static_cast<int32_t>(tile % uint32_t(s.tiles_x)) * kTileSize,
                 y = static_cast<int32_t>(tile / uint32_t(s.tiles_x)) * kTileSize;
-  return b.x0 == 0 && b.y0 == 0 && b.x1 >= std::min(kTileSize, s.width - x) &&
-         b.y1 >= std::min(kTileSize, s.height - y);
+  return b.x0 == 0 && b.y0 == 0 && b.x1 >= std::min(kTileSize, s.plane_width - x) &&
+         b.y1 >= std::min(kTileSize, s.plane_height - y);
 }
 
 /// Replaces the bits of `mask` in the pixels of the box; all of the tile when `whole`.
@@ -59,9 +59,8 @@ void write_words(uint32_t* plane, TileWords& words) {
 }
 
 /// Of a tile that waits without a place nothing is read or written there.
-size_t first_pixel(const Surface& s, uint32_t tile) {
-  const uint32_t place = s.tile[tile].place;
-  return place == kNoPlace ? 0 : place * size_t(kTilePixels);
+size_t first_pixel(const TileWords& words) {
+  return words.place == kNoPlace ? 0 : words.place * size_t(kTilePixels);
 }
 
 /// Replaces the bits of `mask` in the words of the box. What waits has been written, unless the box is the
@@ -79,7 +78,9 @@ void clear_words(uint32_t* plane, TileWords& words, uint32_t value, uint32_t mas
 }
 
 void clear_color(const ClearRecord& c, const Surface& s, uint32_t tile, const Box& box, bool whole) {
-  const size_t first = first_pixel(s, tile);
+  TileWords& words = color_words(s, tile);
+  const size_t first = first_pixel(words);
+  words.changed = true;
   switch (s.color_format) {
   case ColorFormat::Rgba8: {
     uint32_t value = 0, mask = 0;
@@ -88,7 +89,7 @@ void clear_color(const ClearRecord& c, const Surface& s, uint32_t tile, const Bo
       if (c.color_mask[i])
         mask |= 0xffu << (8 * i); // GCC 12.2 -fsanitize=undefined makes 0 of (c ? 0xffu : 0u) << 8 * i
     }
-    clear_words(static_cast<uint32_t*>(s.color) + first, s.tile[tile].color, value, mask, box, whole);
+    clear_words(static_cast<uint32_t*>(s.color) + first, words, value, mask, box, whole);
     break;
   }
   case ColorFormat::Rgb565: {
@@ -124,14 +125,16 @@ void execute_clear(const ClearRecord& c, const Surface& s, uint32_t tile) {
   if (box.x0 >= box.x1 || box.y0 >= box.y1) return;
   const bool whole = covers_tile(c, s, tile) && takes(FastPath::WaitingClears);
   if (!whole) write_tile(s, tile);
-  if (c.color) clear_color(c, s, tile, box, whole);
+  if (c.color && s.color) clear_color(c, s, tile, box, whole);
   if (!s.depth_stencil || !(c.depth || c.stencil)) return;
   uint32_t value = 0, mask = 0;
   if (c.depth) value |= c.depth_value & 0xffffff, mask |= 0xffffff;
   if (c.stencil && s.depth_format == DepthFormat::Z24S8)
     value |= c.stencil_value << 24, mask |= c.stencil_write_mask << 24;
   if (s.depth_format == DepthFormat::Z16 && c.depth) mask = ~0u;
-  clear_words(s.depth_stencil + first_pixel(s, tile), s.tile[tile].depth_stencil, value, mask, box, whole);
+  TileWords& words = depth_words(s, tile);
+  words.changed = true;
+  clear_words(s.depth_stencil + first_pixel(words), words, value, mask, box, whole);
 }
 
 /// Makes ready for fragments of a draw: what waits is written, and what they write is no longer known.
@@ -139,24 +142,56 @@ void open_tile(const Surface& s, uint32_t tile, const RasterDraw& draw) {
   write_tile(s, tile);
   const FragmentKey& key = draw.program->key;
   const uint32_t stencil = s.depth_format == DepthFormat::Z24S8 ? 0xff000000u : 0;
-  s.tile[tile].color.known &= ~draw.color_mask;
-  if (key.stencil) s.tile[tile].depth_stencil.known &= ~stencil;
-  if (key.depth_write) s.tile[tile].depth_stencil.known &= stencil;
+  if (s.color) {
+    TileWords& words = color_words(s, tile);
+    words.known &= ~draw.color_mask;
+    words.changed = true;
+  }
+  if (!s.depth_stencil) return;
+  TileWords& words = depth_words(s, tile);
+  if (key.stencil) words.known &= ~stencil;
+  if (key.depth_write) words.known &= stencil;
+  words.changed = words.changed || key.stencil || key.depth_write;
+}
+
+/// Where a draw finds the pixels of the tile.
+void set_target(const Surface& s, uint32_t tile, uint32_t* no_colors, TileTarget& target) {
+  target.color = no_colors;
+  if (s.color)
+    target.color = static_cast<uint8_t*>(s.color) +
+                   first_pixel(color_words(s, tile)) * size_t(bytes_per_pixel(s.color_format));
+  target.depth_stencil = nullptr;
+  target.one_stencil = takes(FastPath::DepthWords);
+  target.stencil_bits = 0;
+  if (!s.depth_stencil) return;
+  const TileWords& words = depth_words(s, tile);
+  target.depth_stencil = s.depth_stencil + first_pixel(words);
+  if (s.depth_format != DepthFormat::Z24S8) return;
+  target.one_stencil = target.one_stencil && words.known >> 24 == 255;
+  target.stencil_bits = words.word & 0xff000000u;
 }
 
 } // namespace
 
 void write_tile(const Surface& s, uint32_t tile) {
-  TileState& state = s.tile[tile];
-  if (state.place == kNoPlace)
-    state.place = std::atomic_ref(*s.next_place).fetch_add(s.place_step, std::memory_order_relaxed);
-  const size_t first = first_pixel(s, tile);
-  if (s.color_format == ColorFormat::Rgba8) write_words(static_cast<uint32_t*>(s.color) + first, state.color);
-  if (s.depth_stencil) write_words(s.depth_stencil + first, state.depth_stencil);
+  if (s.color) {
+    TileWords& words = color_words(s, tile);
+    if (words.place == kNoPlace) {
+      words.place = std::atomic_ref(*s.next_place).fetch_add(s.place_step, std::memory_order_relaxed);
+      if (s.depth_stencil) depth_words(s, tile).place = words.place;
+    }
+    if (s.color_format == ColorFormat::Rgba8)
+      write_words(static_cast<uint32_t*>(s.color) + first_pixel(words), words);
+  }
+  if (s.depth_stencil) {
+    TileWords& words = depth_words(s, tile);
+    write_words(s.depth_stencil + first_pixel(words), words);
+  }
 }
 
 bool clear_hides_all(const ClearRecord& c, const Surface& s, uint32_t tile, bool stencil_drawn) {
-  if (!c.color || !(c.color_mask[0] && c.color_mask[1] && c.color_mask[2] && c.color_mask[3])) return false;
+  if (s.color && !c.color) return false;
+  if (s.color && !(c.color_mask[0] && c.color_mask[1] && c.color_mask[2] && c.color_mask[3])) return false;
   if (s.depth_format != DepthFormat::None && !c.depth) return false;
   if (stencil_drawn && s.depth_format == DepthFormat::Z24S8 &&
       !(c.stencil && (c.stencil_write_mask & 255) == 255))
@@ -165,7 +200,7 @@ bool clear_hides_all(const ClearRecord& c, const Surface& s, uint32_t tile, bool
 }
 
 void execute_tile(const Surface& surface, uint32_t tile, const TileChunk* work, const RasterKernels& kernels,
-                  FragmentBlock& scratch) {
+                  FragmentBlock& scratch, uint32_t* no_colors) {
   SOFTGL_ASSERT(tile < uint32_t(surface.tiles_x) * uint32_t(surface.tiles_y));
   TileTarget target;
   target.x = static_cast<int32_t>(tile % uint32_t(surface.tiles_x)) * kTileSize;
@@ -176,14 +211,7 @@ void execute_tile(const Surface& surface, uint32_t tile, const TileChunk* work, 
     SOFTGL_ASSERT(segment.kind == TileSegment::Clear ? segment.clear != nullptr : segment.draw && count > 0);
     if (segment.kind != TileSegment::Clear) {
       open_tile(surface, tile, *segment.draw);
-      const size_t first = first_pixel(surface, tile);
-      target.color =
-          static_cast<uint8_t*>(surface.color) + first * size_t(bytes_per_pixel(surface.color_format));
-      target.depth_stencil = surface.depth_stencil ? surface.depth_stencil + first : nullptr;
-      const TileWords& words = surface.tile[tile].depth_stencil;
-      target.one_stencil = (surface.depth_format != DepthFormat::Z24S8 || words.known >> 24 == 255) &&
-                           takes(FastPath::DepthWords);
-      target.stencil_bits = surface.depth_format == DepthFormat::Z24S8 ? words.word & 0xff000000u : 0;
+      set_target(surface, tile, no_colors, target);
       target.samples = segment.draw->samples ? &samples : nullptr;
     }
     switch (segment.kind) {

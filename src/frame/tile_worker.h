@@ -7,9 +7,11 @@
 
 namespace softgl {
 
-/// Does all work of a chain of chunks on tile number `tile`, in order. `scratch` belongs to the worker.
+/// Does all work of a chain of chunks on tile number `tile`, in order. `scratch` belongs to the worker, and
+/// so does `no_colors`, a tile of words for the colors of a surface without a color plane: kernels always
+/// write them.
 void execute_tile(const Surface& surface, uint32_t tile, const TileChunk* work, const RasterKernels& kernels,
-                  FragmentBlock& scratch);
+                  FragmentBlock& scratch, uint32_t* no_colors);
 
 /// Tells the planes of a tile what waits to be written to them.
 void write_tile(const Surface& surface, uint32_t tile);

@@ -115,13 +115,16 @@ bool setup_line(const RasterDraw& draw, const ShadedVertices::Slot* corner0,
   for (int i = 0; i < 4; ++i) {
     const int j = (i + 1) & 3;
     const int32_t a = y[i] - y[j], b = x[i] - x[j];
-    const int64_t c = int64_t(a) * x[i] - int64_t(b) * y[i] + ((a < 0 || (a == 0 && b < 0)) ? 1 : 0);
+    const bool included = a < 0 || (a == 0 && (r.top_edge_rule ? b > 0 : b < 0));
+    const int64_t c = int64_t(a) * x[i] - int64_t(b) * y[i] + (included ? 1 : 0);
     out.a[i] = a, out.b[i] = b, out.c[i] = (c - 1) >> 8;
   }
   const auto [min_x, max_x] = std::minmax({x[0], x[1], x[2], x[3]});
   const auto [min_y, max_y] = std::minmax({y[0], y[1], y[2], y[3]});
   out.x0 = std::max((min_x + 255) >> 8, r.x0), out.x1 = std::min(((max_x - 1) >> 8) + 1, r.x1);
-  out.y0 = std::max((min_y >> 8) + 1, r.y0), out.y1 = std::min((max_y >> 8) + 1, r.y1);
+  const int32_t bottom = r.top_edge_rule ? 0 : 1; // centres on the last row's level edge are inside
+  out.y0 = std::max((min_y + 255 + bottom) >> 8, r.y0),
+  out.y1 = std::min(((max_y - 1 + bottom) >> 8) + 1, r.y1);
   if (out.x0 >= out.x1 || out.y0 >= out.y1) return false;
 
   // Planes: the gradient is along the major axis only.

@@ -56,14 +56,15 @@ bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, boo
     return false; // also drops what is not a number
   float size = draw.layout.point >= 0 ? corner[draw.layout.point].v[0] : r.point_size;
   size = size > 0.0f ? std::min(size, 255.0f) : 0.0f;
+  const int32_t bottom = r.top_edge_rule ? 0 : 1; // centres on the lowest row's edge are inside
   int32_t x0, y0, x1, y1, fixed_width;
   if (r.point_sprite) {
     fixed_width = std::max(256, snap(size));
     const int32_t left = snap(v[0] - 0.5f) - fixed_width / 2, top = snap(v[1] - 0.5f) - fixed_width / 2;
     x0 = (left + 255) >> 8, x1 = (left + fixed_width + 255) >> 8;
-    y0 = (top >> 8) + 1, y1 = ((top + fixed_width) >> 8) + 1;
+    y0 = (top + 255 + bottom) >> 8, y1 = (top + fixed_width + 255 + bottom) >> 8;
   } else {
-    const int32_t x = snap(v[0]), y = snap(v[1]) - 1;
+    const int32_t x = snap(v[0]), y = snap(v[1]) - bottom;
     fixed_width = std::max(256, (snap(size) + 127) & ~255);
     const int32_t n = fixed_width >> 8;
     x0 = n & 1 ? (x >> 8) - (n - 1) / 2 : ((x + 128) >> 8) - n / 2;

@@ -177,9 +177,9 @@ constexpr DerivedRow kRows[] = {
      kDirtyLighting | kDirtyLights | kDirtyMaterial | kConstantColor | kMaterialSources | kLightingSpace,
      kLightingConstants, make_lighting_constants, difference_of<&SnapshotCache::lighting>},
     {"vertex program",
-     kDirtyLighting | kDirtyTransform | kDirtyFog | kDirtyPoint | kDirtyLine | kDirtyPolygon |
-         kFragmentInputs | kLightingSpace | kTransformConstants | kClipPlanes | kCoordinates | kShadedLayout |
-         kLightingConstants,
+     kDirtyFramebuffer | kDirtyLighting | kDirtyTransform | kDirtyFog | kDirtyPoint | kDirtyLine |
+         kDirtyPolygon | kFragmentInputs | kLightingSpace | kTransformConstants | kClipPlanes | kCoordinates |
+         kShadedLayout | kLightingConstants,
      kNobodysInput, make_vertex, difference_of<&SnapshotCache::vertex>},
     {"fragment program of the draw", kStateFragmentProgram | kLightingConstants, kNobodysInput,
      make_draw_fragment_program, difference_of<&SnapshotCache::fragment_of_draw>},

@@ -68,7 +68,7 @@ void put_vertex(RenderModeState& m, const Vec4& window, const Vec4& color, const
 /// Takes primitives; polygons have been culled, and have the colors of the side that is seen.
 class Receiver final : public PrimitiveSink {
 public:
-  Receiver(RenderModeState& mode, float height) : mode_(mode), height_(height) {}
+  Receiver(RenderModeState& mode, const Surface& surface) : mode_(mode), surface_(surface) {}
 
   void triangles(const DrawRecord& draw, const AssembledTriangles& batch) override {
     for (int32_t i = 0; i < batch.count; ++i) {
@@ -109,12 +109,12 @@ private:
     auto value = [](const Slot& s) { return Vec4(s.v[0], s.v[1], s.v[2], s.v[3]); };
     const ShadedLayout& l = draw.layout;
     const Slot* colors = draw.raster->flat ? provoking : v;
-    put_vertex(mode_, {v->v[0], height_ - v->v[1], v->v[2], 1.0f / v->v[3]}, value(colors[l.color]),
-               value(v[l.texcoord[0]]));
+    const float y = surface_.y_up ? v->v[1] : float(surface_.height) - v->v[1];
+    put_vertex(mode_, {v->v[0], y, v->v[2], 1.0f / v->v[3]}, value(colors[l.color]), value(v[l.texcoord[0]]));
   }
 
   RenderModeState& mode_;
-  const float height_;
+  const Surface& surface_;
 };
 
 } // namespace
@@ -133,13 +133,13 @@ void feed_back(Context& c, const DrawCall& call) {
   {
     const FloatEnvironment environment;
     shade_vertices(draw, call.first_vertex, call.vertex_count, vertices);
-    Receiver receiver(c.state.render_mode, float(c.framebuffer.surface.height));
+    Receiver receiver(c.state.render_mode, c.draw->surface);
     for (uint32_t i = 0; i < call.primitive_count; ++i)
       assemble(draw, vertices, call.primitives[i], 0, assembly_steps(call.primitives[i]), arena, receiver);
   }
   arena.rewind(mark);
   if (!c.frame.over_budget()) return;
-  c.frame.flush(c.framebuffer.surface); // empty, but for what callers have put there
+  c.frame.flush(c.draw->surface); // empty, but for what callers have put there
   c.dirty = kDirtyAll;
 }
 

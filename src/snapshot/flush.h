@@ -11,7 +11,9 @@ struct Context;
 /// it is finished. Vertices that wait in the builder stay there. Afterwards all snapshots have to be made
 /// anew.
 void execute_frame(Context& context, const TileReader* reader = nullptr);
-/// The same, and the planes know all of it (write_tiles).
+/// Does the work that waits, but keeps the frame's memory: what lies in it stays valid.
+void execute_frame_so_far(Context& context);
+/// As execute_frame(), and the planes know all of it (write_tiles).
 void flush_frame(Context& context);
 
 } // namespace softgl

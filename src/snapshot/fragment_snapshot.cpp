@@ -88,7 +88,7 @@ void set_fog(const FogState& fog, FragmentKey& key, FragmentConstants& k) {
 
 const FragmentProgram* make_fragment_program(Context& context, Arena& arena, const PixelImage* image) {
   const State& s = context.state;
-  const Surface& surface = context.framebuffer.surface;
+  const Surface& surface = context.draw->surface;
   const ColorBufferState& c = s.color_buffer;
   auto& k = *arena.make<FragmentConstants>();
   auto& program = *arena.make<FragmentProgram>();
@@ -111,11 +111,11 @@ const FragmentProgram* make_fragment_program(Context& context, Arena& arena, con
 
   key.depth_function = uint64_t(Compare::Always);
   // A plane of depth and stencil together may stand for a buffer that has only one of them.
-  if (s.depth.test && context.framebuffer.depth_bits > 0) {
+  if (s.depth.test && context.draw->depth_bits > 0) {
     key.depth_function = compare(s.depth.function);
     key.depth_write = s.depth.mask;
   }
-  if (s.stencil.test && context.framebuffer.stencil_bits > 0) {
+  if (s.stencil.test && context.draw->stencil_bits > 0) {
     key.stencil = 1;
     key.stencil_function = compare(s.stencil.function);
     key.stencil_fail = stencil_operation(s.stencil.fail);
@@ -141,10 +141,10 @@ const FragmentProgram* make_fragment_program(Context& context, Arena& arena, con
     key.logic_op = 1;
     key.blend_source_rgb = c.logic_op_mode - GL_CLEAR;
   }
-  if (c.draw_buffer != GL_NONE)
+  if (draws_color(context))
     for (int i = 0; i < 4; ++i) key.color_mask |= uint64_t(c.mask[i]) << i;
   // Surfaces without alpha keep it at 1, so that destination alpha reads as 1.
-  if (!context.framebuffer.has_alpha) key.color_mask &= 7;
+  if (!context.draw->has_alpha) key.color_mask &= 7;
 
   key = simplify(key); // before the textures: their stages may take the color sum over
   if (image) {
@@ -158,23 +158,45 @@ const FragmentProgram* make_fragment_program(Context& context, Arena& arena, con
   return &program;
 }
 
-const FragmentProgram* make_stencil_program(Context& context, Arena& arena, const PixelImage& image,
-                                            uint8_t value) {
-  const Surface& surface = context.framebuffer.surface;
-  auto& k = *arena.make<FragmentConstants>();
+namespace {
+
+/// A program whose only stage fetches the elements of the image.
+FragmentProgram& make_image_program(Context& context, Arena& arena, const PixelImage& image,
+                                    FragmentConstants& k) {
+  const Surface& surface = context.draw->surface;
   auto& program = *arena.make<FragmentProgram>();
   FragmentKey& key = program.key;
   key.color_format = uint64_t(surface.color_format);
   key.depth_format = uint64_t(surface.depth_format);
   key.alpha_function = key.depth_function = key.stencil_function = uint64_t(Compare::Always);
+  k.image = &image;
+  program.constants = &k;
+  program.add(kernels().raster->image[int(image.kind)]);
+  return program;
+}
+
+} // namespace
+
+const FragmentProgram* make_stencil_program(Context& context, Arena& arena, const PixelImage& image,
+                                            uint8_t value, uint32_t write_mask) {
+  auto& k = *arena.make<FragmentConstants>();
+  FragmentProgram& program = make_image_program(context, arena, image, k);
+  FragmentKey& key = program.key;
   key.stencil = 1;
   key.stencil_fail = key.stencil_depth_fail = key.stencil_pass = uint64_t(StencilOperation::Replace);
   k.stencil_reference = value;
   k.stencil_value_mask = 0xff;
-  k.stencil_write_mask = static_cast<uint8_t>(context.state.stencil.write_mask);
-  k.image = &image;
-  program.constants = &k;
-  program.add(kernels().raster->image[int(image.kind)]);
+  k.stencil_write_mask = static_cast<uint8_t>(write_mask);
+  return &program;
+}
+
+const FragmentProgram* make_copy_program(Context& context, Arena& arena, const PixelImage& image) {
+  FragmentProgram& program = make_image_program(context, arena, image, *arena.make<FragmentConstants>());
+  program.writes_depth = image.kind == PixelElement::Depth;
+  if (program.writes_depth)
+    program.key.depth_write = 1;
+  else
+    program.key.color_mask = context.draw->has_alpha ? 15 : 7;
   return &program;
 }
 

@@ -17,6 +17,8 @@ const FragmentProgram* make_fragment_program(Context& context, Arena& arena,
 /// Sets the stencil values of an image's bits to `value`, under the mask, whatever the tests are
 /// (GL 1.5, 3.6.4, 4.3.3).
 const FragmentProgram* make_stencil_program(Context& context, Arena& arena, const PixelImage& image,
-                                            uint8_t value);
+                                            uint8_t value, uint32_t write_mask);
+/// Stores an image's colors, or depths, whatever the tests and masks are.
+const FragmentProgram* make_copy_program(Context& context, Arena& arena, const PixelImage& image);
 
 } // namespace softgl

@@ -21,12 +21,12 @@ float clamped_size(const PointState& point) {
                                        : point.size;
 }
 
-/// The pattern's rows count from the bottom of the window, the surface's from its top (GL 1.5, 3.5.2).
-const uint64_t* make_stipple(const PolygonStippleState& stipple, int height, Arena& arena) {
+/// The pattern's rows count from the bottom of the window (GL 1.5, 3.5.2).
+const uint64_t* make_stipple(const PolygonStippleState& stipple, const Surface& surface, Arena& arena) {
   auto* block = arena.allocate_array<uint64_t>(16);
   std::fill_n(block, 16, uint64_t(0));
   for (int y = 0; y < 32; ++y) {
-    const uint32_t row = stipple.row[(height - 1 - y) & 31];
+    const uint32_t row = stipple.row[(surface.y_up ? y : surface.height - 1 - y) & 31];
     for (int x = 0; x < 32; ++x)
       block[y / 8 * 4 + x / 8] |= uint64_t(row >> (31 - x) & 1) << (8 * (y & 7) + (x & 7));
   }
@@ -37,13 +37,14 @@ const uint64_t* make_stipple(const PolygonStippleState& stipple, int height, Are
 
 const RasterConstants* make_raster_constants(const Context& context, Arena& arena) {
   const State& s = context.state;
-  const Surface& surface = context.framebuffer.surface;
+  const Surface& surface = context.draw->surface;
   auto& r = *arena.make<RasterConstants>();
   const WindowBox box = drawn_box(s.scissor, surface);
   r.x0 = box.x0, r.y0 = box.y0;
   r.x1 = box.x1, r.y1 = box.y1;
-  // Positive areas are counter-clockwise in GL's y-up sense.
-  const bool positive_is_front = s.polygon.front_face == GL_CCW;
+  // Positive areas are counter-clockwise in GL's y-up sense where rows go down.
+  const bool positive_is_front = (s.polygon.front_face == GL_CCW) != surface.y_up;
+  r.top_edge_rule = surface.y_up;
   r.back = positive_is_front ? 0 : 1;
   r.cull = static_cast<uint8_t>((s.polygon.culls(!positive_is_front) ? 1 : 0) |
                                 (s.polygon.culls(positive_is_front) ? 2 : 0));
@@ -56,10 +57,10 @@ const RasterConstants* make_raster_constants(const Context& context, Arena& aren
       static_cast<float>(s.polygon.offset_units * (1.0 / largest_depth(surface.depth_format)) * 2);
   r.offset_factor = s.polygon.offset_factor;
   r.offset = !before && s.polygon.offset_fill && (r.offset_units != 0.0f || r.offset_factor != 0.0f);
-  r.stipple = s.polygon.stipple ? make_stipple(s.polygon_stipple, surface.height, arena) : nullptr;
+  r.stipple = s.polygon.stipple ? make_stipple(s.polygon_stipple, surface, arena) : nullptr;
   r.point_sprite = s.point.sprite;
   r.sprite_units = s.point.sprite ? static_cast<uint8_t>(s.point.coord_replace) : 0;
-  r.sprite_lower_left = s.point.sprite_origin == GL_LOWER_LEFT;
+  r.sprite_lower_left = (s.point.sprite_origin == GL_LOWER_LEFT) != surface.y_up;
   r.line_width = drawn_size(s.line.width);
   r.point_size = drawn_size(clamped_size(s.point));
   return &r;

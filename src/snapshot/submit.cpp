@@ -9,6 +9,7 @@
 #include "snapshot/flush.h"
 #include "snapshot/fragment_snapshot.h"
 #include "snapshot/raster_snapshot.h"
+#include "snapshot/render_targets.h"
 #include "snapshot/vertex_snapshot.h"
 
 namespace softgl {
@@ -27,9 +28,9 @@ uint64_t* active_counter(Context& c) {
 
 void submit(Context& c, const DrawCall& call) {
   const bool has_position = call.source && call.source->present >> kPosition & 1;
-  if (!has_position || call.primitive_count == 0 || call.vertex_count == 0 ||
-      c.framebuffer.surface.width == 0)
-    return;
+  if (!has_position || call.primitive_count == 0 || call.vertex_count == 0) return;
+  if (c.bindings.draw && !ready_to_draw(c)) return;
+  if (c.draw->surface.width == 0) return;
   check_call(call);
   // The frame's arena is needed now: no run of live vertices may be open in it.
   SOFTGL_ASSERT(c.builder.compiling || !c.builder.base);
@@ -55,8 +56,9 @@ void append_rectangle(Context& c, const FragmentProgram* program, const WindowBo
     if (at >= 0) slot[at] = {{v.x, v.y, v.z, v.w}};
   };
   // OSMesa's depth goes through the clip volume.
-  set(0, {p.window.x, float(c.framebuffer.surface.height) - p.window.y,
-          (p.window.z * 2.0f - 1.0f) * 0.5f + 0.5f, 1});
+  const Surface& surface = c.draw->surface;
+  const float y = surface.y_up ? p.window.y : float(surface.height) - p.window.y;
+  set(0, {p.window.x, y, (p.window.z * 2.0f - 1.0f) * 0.5f + 0.5f, 1});
   for (int at : {layout.color, layout.back_color}) set(at, p.color);
   for (int at : {layout.secondary, layout.back_secondary}) set(at, Vec4(Vec3(p.secondary_color), p.distance));
   for (int u = 0; u < kMaxTextureUnits; ++u) set(layout.texcoord[u], p.texcoord[u]);
@@ -72,9 +74,14 @@ void submit_pixels(Context& c, const PixelImage& image, const WindowBox& box) {
   append_rectangle(c, make_fragment_program(c, c.frame.arena(), &image), box, active_counter(c));
 }
 
-void submit_stencil(Context& c, const PixelImage& image, uint8_t value, const WindowBox& box) {
+void submit_stencil(Context& c, const PixelImage& image, uint8_t value, const WindowBox& box,
+                    uint32_t write_mask) {
   // These are no fragments (4.3.1), so no query counts them.
-  append_rectangle(c, make_stencil_program(c, c.frame.arena(), image, value), box, nullptr);
+  append_rectangle(c, make_stencil_program(c, c.frame.arena(), image, value, write_mask), box, nullptr);
+}
+
+void submit_copy(Context& c, const PixelImage& image, const WindowBox& box) {
+  append_rectangle(c, make_copy_program(c, c.frame.arena(), image), box, nullptr);
 }
 
 } // namespace softgl

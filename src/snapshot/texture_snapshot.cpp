@@ -1,5 +1,6 @@
 #include "snapshot/texture_snapshot.h"
 #include "context/texture_bindings.h"
+#include "snapshot/render_targets.h"
 
 #include <algorithm>
 #include <bit>
@@ -61,7 +62,8 @@ void set_border(const Vec4& color, GLenum base, TextureUnitConstants& t) {
   switch (base) {
   case GL_ALPHA: t.border[0] = t.border[1] = t.border[2] = 0, t.border[3] = color.w; break;
   case GL_LUMINANCE:
-  case GL_DEPTH_COMPONENT: t.border[0] = t.border[1] = t.border[2] = r, t.border[3] = 1; break;
+  case GL_DEPTH_COMPONENT:
+  case GL_DEPTH_STENCIL: t.border[0] = t.border[1] = t.border[2] = r, t.border[3] = 1; break;
   case GL_LUMINANCE_ALPHA: t.border[0] = t.border[1] = t.border[2] = r, t.border[3] = color.w; break;
   case GL_INTENSITY: t.border[0] = t.border[1] = t.border[2] = t.border[3] = r; break;
   case GL_RGB: t.border[0] = r, t.border[1] = color.y, t.border[2] = color.z, t.border[3] = 1; break;
@@ -106,7 +108,7 @@ void set_levels(const TextureObject& object, CompleteLevels levels, TextureUnitC
 }
 
 GLenum sampled_base(const TextureObject& object, const TexelFormat& format) {
-  return format.base == GL_DEPTH_COMPONENT ? object.parameters.depth_mode : format.base;
+  return format.layout == TexelLayout::Depth ? object.parameters.depth_mode : format.base;
 }
 
 /// Where OSMesa 22.3.6 looks whether a size is a power of two: level 0, if the base level is one of its
@@ -124,6 +126,7 @@ TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum&
   const TextureTarget target = enabled_target(state);
   if (target == kTextureTargets) return nullptr;
   const auto object = bound_texture(c, unit, target);
+  if (object->drawn_to) store_drawn_texels(*object);
   const CompleteLevels levels = complete_levels(*object);
   if (levels.count == 0) return nullptr; // incomplete: as if texturing were off (3.8.10)
   auto* t = arena.make<TextureUnitConstants>();
@@ -148,7 +151,7 @@ TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum&
     t->color[i] = state.env_color[i] > 0 ? std::min(state.env_color[i], 1.0f) : 0.0f; // no NaN
   base = sampled_base(*object, *image.format);
   set_border(p.border_color, image.format->base, *t);
-  if (image.format->base == GL_DEPTH_COMPONENT) {
+  if (image.format->layout == TexelLayout::Depth) {
     t->compares = p.compare_mode == GL_COMPARE_R_TO_TEXTURE;
     t->compare_function = uint8_t(p.compare_function - GL_NEVER);
     t->depth_target = p.depth_mode == GL_INTENSITY ? 1 : p.depth_mode == GL_ALPHA ? 2 : 0;

@@ -73,8 +73,10 @@ const TransformConstants* make_transform(Context& c, bool eye_space, Arena& aren
   const float half_width = 0.5f * float(v.width), half_height = 0.5f * float(v.height);
   k->window_scale[0] = half_width;
   k->window_offset[0] = half_width + float(v.x);
-  k->window_scale[1] = -half_height;
-  k->window_offset[1] = float(c.framebuffer.surface.height) - (half_height + float(v.y));
+  const Surface& surface = c.draw->surface;
+  k->window_scale[1] = surface.y_up ? half_height : -half_height;
+  k->window_offset[1] =
+      surface.y_up ? half_height + float(v.y) : float(surface.height) - (half_height + float(v.y));
   k->window_scale[2] = float(0.5 * (v.far_depth - v.near_depth));
   k->window_offset[2] = float(0.5 * (v.near_depth + v.far_depth));
   return k;
@@ -100,7 +102,7 @@ const ClipPlaneConstants* make_clip_planes(Context& c, Arena& arena) {
 const PolygonConstants* make_polygon_constants(const Context& c, Arena& arena) {
   const PolygonState& p = c.state.polygon;
   auto* k = arena.make<PolygonConstants>();
-  k->ccw_is_front = p.front_face == GL_CCW;
+  k->ccw_is_front = (p.front_face == GL_CCW) != c.draw->surface.y_up; // as rows go
   k->mode[0] = polygon_mode(p.seen_mode(!k->ccw_is_front));
   k->mode[1] = polygon_mode(p.seen_mode(k->ccw_is_front));
   k->cull_front = p.culls(false);

@@ -195,13 +195,13 @@ void accumulate_tile(const Surface& s, int16_t* numbers, const Accumulation& a, 
                    std::min(a.y1 - y, rows)};
   if (box.x0 >= box.x1 || box.y0 >= box.y1) return;
   const bool whole = box.x0 == 0 && box.y0 == 0 && box.x1 == columns && box.y1 == rows;
-  TileState& state = s.tile[tile];
+  TileWords& state = color_words(s, tile);
   // Operations without colors may find the tile's still waiting, without a place.
   unsigned char* color = nullptr;
   if (state.place != kNoPlace)
     color = static_cast<unsigned char*>(s.color) +
             state.place * size_t(kTilePixels) * size_t(bytes_per_pixel(s.color_format));
-  if (a.operation == AccumulationOperation::Return) state.color.known &= ~Rgba8::mask(a.color_mask);
+  if (a.operation == AccumulationOperation::Return) state.known &= ~Rgba8::mask(a.color_mask);
   const auto run = run_of(s.color_format);
   int16_t* of_tile = numbers + size_t(tile) * kTilePixels * 4;
   for_each_run(box, whole, [&](int first, int count) { run(a, color, of_tile, first, count); });

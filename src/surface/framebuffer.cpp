@@ -24,7 +24,8 @@ void Framebuffer::release() {
   if (depth_bytes_) unmap_pages(surface.depth_stencil, depth_bytes_);
   if (accumulation) unmap_pages(accumulation, accumulation_bytes_);
   surface = Surface{};
-  tiles_.clear();
+  color_tiles_.clear();
+  depth_tiles_.clear();
   accumulation = nullptr;
   color_bytes_ = depth_bytes_ = accumulation_bytes_ = 0;
 }
@@ -43,18 +44,26 @@ bool Framebuffer::allocate(int width, int height, ColorFormat color_format) {
   s.height = height;
   s.tiles_x = int((int64_t(width) + kTileSize - 1) / kTileSize);
   s.tiles_y = int((int64_t(height) + kTileSize - 1) / kTileSize);
+  s.plane_width = width;
+  s.plane_height = height;
+  s.color_columns = s.depth_columns = s.tiles_x;
   s.color_format = color_format;
   s.depth_format = depth_bits == 0 && stencil_bits == 0    ? DepthFormat::None
                    : depth_bits == 16 && stencil_bits == 0 ? DepthFormat::Z16
                                                            : DepthFormat::Z24S8;
   size_t color_bytes = 0, depth_bytes = 0;
   if (!plane_bytes(s.tiles_x, s.tiles_y, size_t(bytes_per_pixel(color_format)), color_bytes)) return false;
-  const TileWords color = {has_alpha ? 0 : 0xff000000u, ~0u, color_format == ColorFormat::Rgba8},
-                  zero = {0, ~0u, true};
-  std::vector<TileState> tiles(size_t(s.tiles_x) * size_t(s.tiles_y), TileState{kNoPlace, color, zero});
+  const bool waits = color_format == ColorFormat::Rgba8;
+  const size_t tiles = size_t(s.tiles_x) * size_t(s.tiles_y);
+  std::vector<TileWords> color_tiles(tiles, TileWords{has_alpha ? 0 : 0xff000000u, ~0u, waits}), depth_tiles;
+  if (s.depth_format != DepthFormat::None) depth_tiles.assign(tiles, TileWords{0, ~0u, true});
   uint32_t places = 0;
-  if (!color.waits)
-    for (TileState& tile : tiles) tile.place = places++;
+  if (!waits)
+    for (size_t i = 0; i < tiles; ++i) {
+      color_tiles[i].place = places;
+      if (!depth_tiles.empty()) depth_tiles[i].place = places;
+      ++places;
+    }
   if (s.depth_format != DepthFormat::None &&
       !plane_bytes(s.tiles_x, s.tiles_y, sizeof(uint32_t), depth_bytes))
     return false;
@@ -79,8 +88,10 @@ bool Framebuffer::allocate(int width, int height, ColorFormat color_format) {
       for (size_t i = 0; i < pixels; ++i) static_cast<float*>(s.color)[4 * i + 3] = 1.0f;
   }
   release();
-  tiles_ = std::move(tiles);
-  s.tile = tiles_.data();
+  color_tiles_ = std::move(color_tiles);
+  depth_tiles_ = std::move(depth_tiles);
+  s.color_tile = color_tiles_.data();
+  s.depth_tile = depth_tiles_.empty() ? nullptr : depth_tiles_.data();
   next_place_ = places;
   s.next_place = &next_place_;
   surface = s;

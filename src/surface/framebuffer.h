@@ -25,13 +25,18 @@ struct FramebufferCounts {
   uint64_t flushes = 0, resolves = 0, clears = 0, reads = 0;
 };
 
-struct Framebuffer {
-  Surface surface{}; // what is drawn to; empty before the first MakeCurrent
+/// What a context draws to, or reads from: the window or a framebuffer object.
+struct RenderTarget {
+  Surface surface{}; // empty where nothing can be drawn
   int depth_bits = 0, stencil_bits = 0,
       accumulation_bits = 0; // a depth_stencil plane may serve only one of the two
   bool has_alpha = true;     // false for RGB and RGB_565: alpha reads as 1 and is never written
   bool unwritten = false;    // something may wait to be written to the planes (TileWords)
-  bool unresolved = false;   // something was drawn that the caller's buffer does not show
+};
+
+/// The window. Its surface is empty before the first MakeCurrent.
+struct Framebuffer : RenderTarget {
+  bool unresolved = false; // something was drawn that the caller's buffer does not show
   ClientBuffer client;
   FramebufferCounts counts;
   int16_t* accumulation = nullptr;       // accumulation.h; null, and all zeros, until it is first written
@@ -54,7 +59,7 @@ struct Framebuffer {
 private:
   size_t color_bytes_ = 0, depth_bytes_ = 0; // mapped; no depth_bytes_ where the planes share memory
   size_t accumulation_bytes_ = 0;
-  std::vector<TileState> tiles_;
+  std::vector<TileWords> color_tiles_, depth_tiles_;
   uint32_t next_place_ = 0;
 };
 

@@ -11,14 +11,14 @@ namespace softgl {
 namespace {
 
 /// Copies the pixels of a row block by block: 8 neighbours are contiguous.
-template <class Pixel>
-void copy_row(const Surface& s, const Pixel* plane, int x, int y, int count, Pixel* row) {
+template <class Pixel> void copy_row(const Surface& s, const Pixel* plane, const TileWords* tiles,
+                                     int32_t columns, int x, int y, int count, Pixel* row) {
   SOFTGL_ASSERT(x >= 0 && count >= 0 && x + count <= s.width && y >= 0 && y < s.height);
   while (count > 0) {
-    const TileState& tile = s.tile[(y >> 6) * s.tiles_x + (x >> 6)];
-    SOFTGL_ASSERT(tile.place != kNoPlace && !tile.color.waits && !tile.depth_stencil.waits);
+    SOFTGL_ASSERT(tiles[(y >> 6) * columns + (x >> 6)].place != kNoPlace &&
+                  !tiles[(y >> 6) * columns + (x >> 6)].waits);
     const int run = std::min(count, 8 - (x & 7));
-    std::memcpy(row, plane + pixel_index(s, x, y), size_t(run) * sizeof(Pixel));
+    std::memcpy(row, plane + pixel_index(tiles, columns, x, y), size_t(run) * sizeof(Pixel));
     x += run;
     row += run;
     count -= run;
@@ -39,33 +39,33 @@ struct Bytes16 {
   unsigned char b[16];
 };
 
-/// Calls row(y down, first column within the rectangle, count, row within the rectangle) for the part on the
-/// surface.
+template <class Pixel> void copy_colors(const Surface& s, int x, int y, int count, Pixel* row) {
+  copy_row(s, static_cast<const Pixel*>(s.color), s.color_tile, s.color_columns, x, y, count, row);
+}
+
+/// Calls row(row of the surface, first column within the rectangle, count, row within the rectangle) for the
+/// part on the surface.
 template <class Row> void for_each_row(const Surface& s, int x, int y, int width, int height, Row&& row) {
   const int64_t left = std::max<int64_t>(x, 0), right = std::min<int64_t>(int64_t(x) + width, s.width);
   if (left >= right) return;
   for (int64_t line = std::max<int64_t>(y, 0); line < std::min<int64_t>(int64_t(y) + height, s.height);
        ++line)
-    row(int(s.height - 1 - line), int(left), int(right - left), size_t(line - y), size_t(left - x));
+    row(surface_row(s, int(line)), int(left), int(right - left), size_t(line - y), size_t(left - x));
 }
 
 } // namespace
 
 void copy_color_row(const Surface& s, int x, int y, int count, void* row) {
   switch (s.color_format) {
-  case ColorFormat::Rgba8:
-    return copy_row(s, static_cast<const Bytes4*>(s.color), x, y, count, static_cast<Bytes4*>(row));
-  case ColorFormat::Rgba16:
-    return copy_row(s, static_cast<const Bytes8*>(s.color), x, y, count, static_cast<Bytes8*>(row));
-  case ColorFormat::RgbaFloat:
-    return copy_row(s, static_cast<const Bytes16*>(s.color), x, y, count, static_cast<Bytes16*>(row));
-  case ColorFormat::Rgb565:
-    return copy_row(s, static_cast<const Bytes2*>(s.color), x, y, count, static_cast<Bytes2*>(row));
+  case ColorFormat::Rgba8: return copy_colors(s, x, y, count, static_cast<Bytes4*>(row));
+  case ColorFormat::Rgba16: return copy_colors(s, x, y, count, static_cast<Bytes8*>(row));
+  case ColorFormat::RgbaFloat: return copy_colors(s, x, y, count, static_cast<Bytes16*>(row));
+  case ColorFormat::Rgb565: return copy_colors(s, x, y, count, static_cast<Bytes2*>(row));
   }
 }
 
 void copy_depth_stencil_row(const Surface& s, int x, int y, int count, uint32_t* row) {
-  copy_row(s, static_cast<const uint32_t*>(s.depth_stencil), x, y, count, row);
+  copy_row(s, static_cast<const uint32_t*>(s.depth_stencil), s.depth_tile, s.depth_columns, x, y, count, row);
 }
 
 void color_row_to_bytes(ColorFormat format, const void* row, int count, uint8_t (*rgba)[4]) {
@@ -124,20 +124,22 @@ void read_rgba8(const Surface& s, int x, int y, int width, int height, uint8_t (
   if (width <= 0 || height <= 0) return;
   std::memset(rgba, 0, size_t(width) * size_t(height) * 4);
   std::vector<unsigned char> row(size_t(width) * 16);
-  for_each_row(s, x, y, width, height, [&](int y_down, int first, int count, size_t line, size_t column) {
-    copy_color_row(s, first, y_down, count, row.data());
-    color_row_to_bytes(s.color_format, row.data(), count, rgba + line * size_t(width) + column);
-  });
+  for_each_row(s, x, y, width, height,
+               [&](int row_of_surface, int first, int count, size_t line, size_t column) {
+                 copy_color_row(s, first, row_of_surface, count, row.data());
+                 color_row_to_bytes(s.color_format, row.data(), count, rgba + line * size_t(width) + column);
+               });
 }
 
 void read_rgba_float(const Surface& s, int x, int y, int width, int height, float (*rgba)[4]) {
   if (width <= 0 || height <= 0) return;
   std::memset(rgba, 0, size_t(width) * size_t(height) * 16);
   std::vector<unsigned char> row(size_t(width) * 16);
-  for_each_row(s, x, y, width, height, [&](int y_down, int first, int count, size_t line, size_t column) {
-    copy_color_row(s, first, y_down, count, row.data());
-    color_row_to_floats(s.color_format, row.data(), count, rgba + line * size_t(width) + column);
-  });
+  for_each_row(s, x, y, width, height,
+               [&](int row_of_surface, int first, int count, size_t line, size_t column) {
+                 copy_color_row(s, first, row_of_surface, count, row.data());
+                 color_row_to_floats(s.color_format, row.data(), count, rgba + line * size_t(width) + column);
+               });
 }
 
 namespace {
@@ -149,10 +151,11 @@ void read_words(const Surface& s, int x, int y, int width, int height, T* out, C
   std::fill_n(out, size_t(width) * size_t(height), T(0));
   if (!s.depth_stencil) return;
   std::vector<uint32_t> row(static_cast<size_t>(width));
-  for_each_row(s, x, y, width, height, [&](int y_down, int first, int count, size_t line, size_t column) {
-    copy_depth_stencil_row(s, first, y_down, count, row.data());
-    std::transform(row.begin(), row.begin() + count, out + line * size_t(width) + column, convert);
-  });
+  for_each_row(
+      s, x, y, width, height, [&](int row_of_surface, int first, int count, size_t line, size_t column) {
+        copy_depth_stencil_row(s, first, row_of_surface, count, row.data());
+        std::transform(row.begin(), row.begin() + count, out + line * size_t(width) + column, convert);
+      });
 }
 
 } // namespace

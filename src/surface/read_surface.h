@@ -7,7 +7,11 @@
 
 namespace softgl {
 
-/// Pixels (x .. x + count - 1, y) of the surface, y down, which all lie in it, in the surface's format.
+/// The row of the surface that GL's window coordinate y means.
+inline int surface_row(const Surface& surface, int y) { return surface.y_up ? y : surface.height - 1 - y; }
+
+/// Pixels (x .. x + count - 1, y) of the surface, y counts its rows, which all lie in it, in the surface's
+/// format.
 void copy_color_row(const Surface& surface, int x, int y, int count, void* row);
 void copy_depth_stencil_row(const Surface& surface, int x, int y, int count, uint32_t* row);
 

@@ -115,11 +115,12 @@ template <class Convert> void resolve_tile(const Surface& s, const ClientBuffer&
   const int columns = s.width - x0 < kTileSize ? s.width - x0 : kTileSize,
             rows = s.height - y0 < kTileSize ? s.height - y0 : kTileSize;
   // Of a tile that waits all rows of blocks are this one.
-  const bool waits = s.tile[tile].color.waits;
+  const TileWords& words = color_words(s, tile);
+  const bool waits = words.waits;
   const auto* color = static_cast<const unsigned char*>(s.color) +
-                      (waits ? 0 : s.tile[tile].place * size_t(kTilePixels) * Convert::kFrom);
+                      (waits ? 0 : words.place * size_t(kTilePixels) * Convert::kFrom);
   uint32_t same[kBlock * Convert::kFrom / sizeof(uint32_t)];
-  if (waits) std::fill(std::begin(same), std::end(same), s.tile[tile].color.word);
+  if (waits) std::fill(std::begin(same), std::end(same), words.word);
   auto pixels = [&](int x, int y) {
     return waits ? reinterpret_cast<const unsigned char*>(same)
                  : color + size_t(pixel_in_tile(x, y)) * Convert::kFrom;
@@ -173,7 +174,7 @@ void copy_depth(Framebuffer& f) {
   unsigned char* out = f.depth_copy.data();
   for (int y = s.height - 1; y >= 0; --y)
     for (int x = 0; x < s.width; ++x, out += bytes) {
-      const uint32_t word = s.depth_stencil[pixel_index(s, x, y)];
+      const uint32_t word = s.depth_stencil[depth_index(s, x, y)];
       if (bytes == 4)
         std::memcpy(out, &word, 4);
       else {

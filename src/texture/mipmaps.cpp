@@ -154,7 +154,7 @@ void generate_mipmaps(TextureObject& object, int face) {
     case TexelLayout::Rgba16: reduce_wide<uint16_t>(*from, footprints, *to, 4); break;
     case TexelLayout::Depth: reduce_wide<uint32_t>(*from, footprints, *to, 1); break;
     }
-    to->repeat_edges();
+    to->texels_changed();
     object.image[face][level] = to;
     from = to;
   }

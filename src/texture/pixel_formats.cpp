@@ -83,8 +83,10 @@ GLenum check_pixel_format(GLenum format, GLenum type) {
   case GL_RGBA:
   case GL_BGRA:
   case GL_ABGR_EXT: components = 4; break;
+  case GL_DEPTH_STENCIL: return type == GL_UNSIGNED_INT_24_8 ? GL_NO_ERROR : GL_INVALID_ENUM;
   default: return GL_INVALID_ENUM;
   }
+  if (type == GL_UNSIGNED_INT_24_8) return GL_INVALID_OPERATION;
   if (type == GL_BITMAP)
     return format == GL_COLOR_INDEX || format == GL_STENCIL_INDEX ? GL_NO_ERROR : GL_INVALID_ENUM;
   if (plain_type(type)) return GL_NO_ERROR;
@@ -166,6 +168,7 @@ PixelFormat describe_pixel_format(GLenum format, GLenum type) {
     f.element_bytes = 2;
     break;
   case GL_UNSIGNED_INT:
+  case GL_UNSIGNED_INT_24_8: // of GL_DEPTH_STENCIL
     f.channel = PixelChannel::UnsignedInt;
     f.element_bytes = 4;
     break;

@@ -31,6 +31,7 @@ constexpr TexelFormat kIntensity16{GL_INTENSITY, k16, true, {16, 16, 16, 16}};
 constexpr TexelFormat kDepth16{GL_DEPTH_COMPONENT, kDepth, true, {16, 0, 0, 0}},
     kDepth24{GL_DEPTH_COMPONENT, kDepth, true, {24, 0, 0, 0}};
 constexpr TexelFormat kDepth32{GL_DEPTH_COMPONENT, kDepth, true, {32, 0, 0, 0}};
+constexpr TexelFormat kDepth24Stencil8{GL_DEPTH_STENCIL, kDepth, true, {24, 0, 0, 0}};
 
 // Unsized internal formats take the client's own precision where OSMesa has a storage of just that form.
 const TexelFormat* match_unsized(GLint internal_format, GLenum format, GLenum type, bool swap_bytes) {
@@ -136,6 +137,8 @@ const TexelFormat* choose_texel_format(GLint internal_format, GLenum format, GLe
   case GL_DEPTH_COMPONENT:
   case GL_DEPTH_COMPONENT24: return &kDepth24;
   case GL_DEPTH_COMPONENT32: return &kDepth32;
+  case GL_DEPTH_STENCIL:
+  case GL_DEPTH24_STENCIL8: return &kDepth24Stencil8;
   default: return nullptr;
   }
 }
@@ -260,6 +263,29 @@ void store_depth(const TexelFormat& to, uint32_t* texel, const PixelFormat& from
 }
 
 } // namespace
+
+void store_depth_stencil(uint32_t* texels, uint8_t* stencils, const void* pixels, int count, bool swap_bytes,
+                         const PixelTransfer& transfer) {
+  auto p = static_cast<const unsigned char*>(pixels);
+  for (int i = 0; i < count; ++i, p += 4) {
+    uint32_t v;
+    std::memcpy(&v, p, 4);
+    if (swap_bytes) v = __builtin_bswap32(v);
+    texels[i] = v >> 8;
+    if (transfer.changes_depth()) texels[i] = float_to_unorm(transfer.depth(unorm_to_float(v >> 8, 24)), 24);
+    stencils[i] = uint8_t(transfer.stencil(v & 255));
+  }
+}
+
+void load_depth_stencil(const uint32_t* texels, const uint8_t* stencils, void* pixels, int count,
+                        bool swap_bytes) {
+  auto p = static_cast<unsigned char*>(pixels);
+  for (int i = 0; i < count; ++i, p += 4) {
+    uint32_t v = texels[i] << 8 | stencils[i];
+    if (swap_bytes) v = __builtin_bswap32(v);
+    std::memcpy(p, &v, 4);
+  }
+}
 
 void store_texels(const TexelFormat& to, void* texels, const PixelFormat& from, const void* pixels, int count,
                   bool swap_bytes, const PixelTransfer& transfer) {

@@ -16,8 +16,8 @@ namespace softgl {
 enum class TexelLayout : uint8_t { Rgba8, Rgba16, Depth };
 
 struct TexelFormat {
-  GLenum
-      base; // GL_ALPHA, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_INTENSITY, GL_RGB, GL_RGBA, GL_DEPTH_COMPONENT
+  GLenum base; // GL_ALPHA, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_INTENSITY, GL_RGB, GL_RGBA,
+               // GL_DEPTH_COMPONENT, GL_DEPTH_STENCIL (its stencil values lie beside the texels)
   TexelLayout layout;
   bool array;      // components are whole bytes or shorts: OSMesa converts them one by one
   uint8_t bits[4]; // stored bits of r g b a; 0 = not stored. Depth: bits[0]
@@ -57,6 +57,11 @@ private:
   int table_components_ = 0; // 0: there is no table
   uint32_t table_[2][256];   // a texel is the exclusive or of its pixel's components' words
 };
+/// The same of GL_DEPTH_STENCIL pixels, whose stencil values go to a row of their own.
+void store_depth_stencil(uint32_t* texels, uint8_t* stencils, const void* pixels, int count, bool swap_bytes,
+                         const PixelTransfer& transfer);
+void load_depth_stencil(const uint32_t* texels, const uint8_t* stencils, void* pixels, int count,
+                        bool swap_bytes);
 /// Reads a row of texels into client pixels (GetTexImage, 6.1.4); no pixel transfer takes place.
 void load_texels(const TexelFormat& from, const void* texels, const PixelFormat& to, void* pixels, int count,
                  bool swap_bytes);

@@ -26,7 +26,23 @@ std::shared_ptr<TextureImage> make_image(const TexelFormat& format, GLint intern
   image->row_bytes = size_t(width + 1) * size_t(format.bytes());
   image->slice_bytes = size_t(height + 1) * image->row_bytes;
   if (!image->empty()) image->texels = TexelMemory(image->slice_bytes * size_t(depth) + 16);
+  if (format.base == GL_DEPTH_STENCIL) image->stencils.resize(size_t(width) * size_t(height) * size_t(depth));
   return image;
+}
+
+void TextureImage::fill_absent_alpha() {
+  if (format->bits[3] || (format->base != GL_RGB && format->base != GL_LUMINANCE)) return;
+  const size_t step = size_t(format->bytes());
+  if (format->layout == TexelLayout::Rgba8)
+    for (size_t i = 3; i < texels.size(); i += step) texels.data()[i] = 255;
+  else
+    for (size_t i = 6; i < texels.size(); i += step) texels.data()[i] = 1; // what absent components are stored as
+}
+
+void TextureImage::texels_changed() {
+  repeat_edges();
+  blank = false;
+  for (DrawnSlice& slice : slices) slice.texels_newer = true;
 }
 
 void TextureImage::repeat_edges() {
@@ -68,7 +84,7 @@ void match_formats(TextureObject& object, const TextureImage& image) {
           store_texels(*image.format, converted->at(0, y, z), client, row.data(), other->width, false,
                        PixelTransfer::none());
         }
-      converted->repeat_edges();
+      converted->texels_changed();
       other = std::move(converted);
     }
 }

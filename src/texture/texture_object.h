@@ -1,7 +1,9 @@
 // Texture objects and images (GL 1.5, 3.8.1, 3.8.11, 3.8.12).
 #pragma once
 
+#include <atomic>
 #include <memory>
+#include <vector>
 
 #include "base/assert.h"
 #include "base/gl_types.h"
@@ -13,6 +15,14 @@
 
 namespace softgl {
 
+struct RenderPlane; // surface/render_plane.h
+
+/// A slice of an image that has been attached to a framebuffer object: what is drawn to.
+struct DrawnSlice {
+  std::shared_ptr<RenderPlane> plane; // null: was never attached
+  bool texels_newer = true;           // the plane has to be loaded from the texels
+};
+
 /// One image of a level (and face). Rows are padded: texel (width, y) repeats (0, y), row `height` repeats
 /// row 0, and 8 spare bytes follow, so that a 2x2 footprint is two 8-byte loads whatever the wrap mode.
 /// Immutable while anybody but its texture object holds it.
@@ -23,6 +33,9 @@ struct TextureImage {
   int border = 0; // of a proxy's image alone, whose sizes include it: others are kept without their border
   size_t row_bytes = 0, slice_bytes = 0;
   TexelMemory texels; // zeros where nothing was stored
+  std::vector<uint8_t> stencils;     // of GL_DEPTH_STENCIL, row by row without padding; else empty
+  bool blank = true;                 // nothing was
+  std::vector<DrawnSlice> slices;    // empty: none was ever attached
 
   bool empty() const { return width == 0 || height == 0 || depth == 0; }
   unsigned char* at(int x, int y, int z) {
@@ -31,7 +44,17 @@ struct TextureImage {
            size_t(x) * size_t(format->bytes());
   }
   const unsigned char* at(int x, int y, int z) const { return const_cast<TextureImage*>(this)->at(x, y, z); }
-  /// Makes column `width` and row `height` repeat the first ones; after every change of texels.
+  uint8_t* stencil_at(int x, int y, int z) {
+    return stencils.data() + (size_t(z) * size_t(height) + size_t(y)) * size_t(width) + size_t(x);
+  }
+  const uint8_t* stencil_at(int x, int y, int z) const {
+    return const_cast<TextureImage*>(this)->stencil_at(x, y, z);
+  }
+  /// Alpha 1 where the format has none, in an image that is not given any texels.
+  void fill_absent_alpha();
+  /// After every change of texels.
+  void texels_changed();
+  /// Makes column `width` and row `height` repeat the first ones.
   void repeat_edges();
 };
 
@@ -64,6 +87,7 @@ struct TextureObject {
   TextureTarget target;
   TextureParameters parameters;
   std::shared_ptr<TextureImage> image[6][kMaxTextureLevels]; // [face][level]; null = never specified
+  std::atomic<bool> drawn_to = false; // some planes of its images may be newer than the texels
 
   /// The image for a change: a copy of its own if somebody else holds it.
   TextureImage& writable(int face, int level);

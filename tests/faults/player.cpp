@@ -92,6 +92,8 @@ void Player::restore() {
   gl.EndList();
   gl.EndQuery(GL_SAMPLES_PASSED);
   gl.RenderMode(GL_RENDER);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  gl.BindRenderbuffer(GL_RENDERBUFFER, 0);
   GLint depth = 0, mode = 0;
   for (gl.GetIntegerv(GL_ATTRIB_STACK_DEPTH, &depth); depth > 0; --depth) gl.PopAttrib();
   for (gl.GetIntegerv(GL_CLIENT_ATTRIB_STACK_DEPTH, &depth); depth > 0; --depth) gl.PopClientAttrib();

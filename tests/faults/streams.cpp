@@ -8,7 +8,7 @@ namespace softgl::test {
 std::vector<Stream> all_streams() {
   std::vector<Stream> all;
   for (const auto* streams : {&vertex_streams(), &list_streams(), &array_streams(), &texture_streams(),
-                              &pixel_streams(), &state_streams(), &context_streams()})
+                              &framebuffer_streams(), &pixel_streams(), &state_streams(), &context_streams()})
     all.insert(all.end(), streams->begin(), streams->end());
   return all;
 }

@@ -18,6 +18,7 @@ const std::vector<Stream>& vertex_streams();
 const std::vector<Stream>& list_streams();
 const std::vector<Stream>& array_streams();
 const std::vector<Stream>& texture_streams();
+const std::vector<Stream>& framebuffer_streams();
 const std::vector<Stream>& pixel_streams();
 const std::vector<Stream>& state_streams();
 const std::vector<Stream>& context_streams();

@@ -51,6 +51,48 @@ struct CurrentContext {
 };
 } // namespace
 
+namespace {
+
+/// Renderbuffers for colors, depths and stencil values instead of the window.
+void bind_framebuffer_object(const Gl& gl, int width, int height) {
+  GLuint framebuffer = 0, renderbuffer[2] = {};
+  gl.GenFramebuffers(1, &framebuffer);
+  gl.GenRenderbuffers(2, renderbuffer);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  const GLenum format[2] = {GL_RGBA8, GL_DEPTH24_STENCIL8},
+               attachment[2] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_STENCIL_ATTACHMENT};
+  for (int i = 0; i < 2; i++) {
+    gl.BindRenderbuffer(GL_RENDERBUFFER, renderbuffer[i]);
+    gl.RenderbufferStorage(GL_RENDERBUFFER, format[i], width, height);
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment[i], GL_RENDERBUFFER, renderbuffer[i]);
+  }
+}
+
+/// The renderbuffers' pixels in place of the window's.
+void read_framebuffer_object(const Gl& gl, Picture& p) {
+  const size_t pixels = size_t(p.width) * size_t(p.height);
+  gl.PushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
+  gl.PushAttrib(GL_PIXEL_MODE_BIT);
+  for (GLenum pname :
+       {GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS})
+    gl.PixelStorei(pname, 0);
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  for (GLenum pname : {GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE, GL_ALPHA_SCALE, GL_DEPTH_SCALE})
+    gl.PixelTransferf(pname, 1);
+  for (GLenum pname : {GL_RED_BIAS, GL_GREEN_BIAS, GL_BLUE_BIAS, GL_ALPHA_BIAS, GL_DEPTH_BIAS, GL_MAP_COLOR,
+                       GL_MAP_STENCIL, GL_INDEX_SHIFT, GL_INDEX_OFFSET})
+    gl.PixelTransferf(pname, 0);
+  gl.ReadPixels(0, 0, p.width, p.height, GL_RGBA, GL_UNSIGNED_BYTE, p.color.data());
+  std::vector<uint32_t> raw(pixels);
+  gl.ReadPixels(0, 0, p.width, p.height, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, raw.data());
+  p.depth.resize(pixels), p.stencil.resize(pixels);
+  for (size_t i = 0; i < pixels; i++) p.depth[i] = raw[i] >> 8, p.stencil[i] = uint8_t(raw[i]);
+  gl.PopAttrib();
+  gl.PopClientAttrib();
+}
+
+} // namespace
+
 Picture draw(const Gl& gl, const Scene& scene, uint64_t seed) {
   Picture p;
   choose_size(scene, seed, p.width, p.height);
@@ -68,6 +110,7 @@ Picture draw(const Gl& gl, const Scene& scene, uint64_t seed) {
     name = (name ^ uint8_t(c)) * 0x100000001b3u;
   Random random(seed * 1000003u + name);
   Stage stage{gl, random, p.width, p.height};
+  if (scene.framebuffer_object) bind_framebuffer_object(gl, p.width, p.height);
   scene.draw(stage);
   for (int i = 0; i < 100; i++) {
     GLenum error = gl.GetError();
@@ -75,6 +118,10 @@ Picture draw(const Gl& gl, const Scene& scene, uint64_t seed) {
     p.errors.push_back(error);
   }
   gl.Finish();
+  if (scene.framebuffer_object) {
+    read_framebuffer_object(gl, p);
+    return p;
+  }
   for (size_t i = 0; i < p.floats.size(); i++)
     p.color[i] = p.floats[i] > 0 ? uint8_t(std::min(p.floats[i], 1.0f) * 255 + 0.5f) : 0;
   GLint w = 0, h = 0, bytes = 0;

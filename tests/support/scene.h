@@ -29,6 +29,7 @@ struct Scene {
   std::string numbers = {};  // draws the random numbers of this name; empty: of its own
   bool floats = false;       // drawn to a buffer of floats: what 8 bits would round away must be equal, too
   bool accumulation = false; // there is an accumulation buffer
+  bool framebuffer_object = false; // drawn to renderbuffers of the picture's size
 };
 
 /// All scenes with a name of their own, and all families, in alphabetical order: those that OSMesa can draw

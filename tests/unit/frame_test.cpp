@@ -74,7 +74,7 @@ TEST_CASE("tiles take memory of the planes when they are written to, not when th
       if (x >= 100 && x < 140 && y >= 70 && y < 80) red = 2;
       if (x >= 192 && x < 200 && y >= 128) red = 3;
       if (x >= 64 && x < 128 && y >= 64 && y < 128) red = 4;
-      const size_t i = pixel_index(s, x, y);
+      const size_t i = color_index(s, x, y);
       REQUIRE((color[i] == red && (s.depth_stencil[i] & 0xffffff) == red));
     }
 }

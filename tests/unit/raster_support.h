@@ -19,7 +19,7 @@ using namespace softgl;
 
 struct Canvas {
   std::vector<uint32_t> color, depth;
-  std::vector<TileState> tiles;
+  std::vector<TileWords> color_tiles, depth_tiles;
   Surface surface{};
   Canvas(int width, int height, ColorFormat format = ColorFormat::Rgba8) {
     surface.width = width, surface.height = height;
@@ -29,14 +29,18 @@ struct Canvas {
     const size_t pixels = size_t(surface.tiles_x) * size_t(surface.tiles_y) * kTilePixels;
     color.assign(pixels * size_t(bytes_per_pixel(format)) / 4, 0x20406080u);
     depth.assign(pixels, 0x00ffffffu);
-    tiles.resize(size_t(surface.tiles_x) * size_t(surface.tiles_y));
-    for (size_t i = 0; i < tiles.size(); ++i) tiles[i].place = uint32_t(i);
-    surface.tile = tiles.data();
+    surface.plane_width = width, surface.plane_height = height;
+    surface.color_columns = surface.depth_columns = surface.tiles_x;
+    color_tiles.resize(size_t(surface.tiles_x) * size_t(surface.tiles_y));
+    for (size_t i = 0; i < color_tiles.size(); ++i) color_tiles[i].place = uint32_t(i);
+    depth_tiles = color_tiles;
+    surface.color_tile = color_tiles.data();
+    surface.depth_tile = depth_tiles.data();
     surface.color = color.data();
     surface.depth_stencil = depth.data();
   }
-  uint32_t at(int x, int y) const { return color[pixel_index(surface, x, y)]; }
-  uint32_t depth_at(int x, int y) const { return depth[pixel_index(surface, x, y)]; }
+  uint32_t at(int x, int y) const { return color[color_index(surface, x, y)]; }
+  uint32_t depth_at(int x, int y) const { return depth[depth_index(surface, x, y)]; }
   bool operator==(const Canvas& o) const { return color == o.color && depth == o.depth; }
 };
 
@@ -87,7 +91,7 @@ inline void draw_triangles(const Canvas& canvas, const Draw& draw, const Vertice
       if (++batch.count == kAssemblyBatch) binner.triangles(draw.record, batch), batch.count = 0;
     }
     if (batch.count) binner.triangles(draw.record, batch);
-    for (const auto& t : lists.finish()) execute_tile(s, t.tile, t.first, *k.raster, *block);
+    for (const auto& t : lists.finish()) execute_tile(s, t.tile, t.first, *k.raster, *block, nullptr);
     arena.reset();
   }
 }

@@ -53,7 +53,7 @@ void reference_triangle(const Canvas& canvas, const RasterConstants& rc, const S
       bool covered = true;
       for (int i = 0; i < 3; ++i) covered = covered && ec[i] - 256 * ea[i] * px + 256 * eb[i] * py > 0;
       if (!covered) continue;
-      const size_t at = pixel_index(s, px, py);
+      const size_t at = color_index(s, px, py);
       const float z[3] = {p[0][2], p[1][2], p[2][2]}, w[3] = {p[0][3], p[1][3], p[2][3]};
       const float fz = value(z, p, float(px), float(py));
       const uint32_t depth = uint32_t(std::lrint((fz > 0 ? (fz < 1 ? fz : 1.0f) : 0.0f) * 16777215.0f));

@@ -127,6 +127,38 @@ SOFTGL_EXPORT void APIENTRY glBindBufferARB(GLenum target, GLuint buffer) try {
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glBindFramebuffer(GLenum target, GLuint framebuffer) try {
+  SOFTGL_TRACED(glBindFramebuffer, target, framebuffer);
+  Context& c = *current_context;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::BindFramebuffer(c, target, framebuffer);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glBindFramebufferEXT(GLenum target, GLuint framebuffer) try {
+  SOFTGL_TRACED(glBindFramebufferEXT, target, framebuffer);
+  Context& c = *current_context;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::BindFramebufferEXT(c, target, framebuffer);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glBindRenderbuffer(GLenum target, GLuint renderbuffer) try {
+  SOFTGL_TRACED(glBindRenderbuffer, target, renderbuffer);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::BindRenderbuffer(c, target, renderbuffer);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glBindRenderbufferEXT(GLenum target, GLuint renderbuffer) try {
+  SOFTGL_TRACED(glBindRenderbufferEXT, target, renderbuffer);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::BindRenderbufferEXT(c, target, renderbuffer);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glBindTexture(GLenum target, GLuint texture) try {
   SOFTGL_TRACED(glBindTexture, target, texture);
   Context& c = *current_context;
@@ -237,6 +269,14 @@ SOFTGL_EXPORT void APIENTRY glBlendFuncSeparateEXT(GLenum sfactorRGB, GLenum dfa
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glBlitFramebuffer(GLint srcX0, GLint srcY0, GLint srcX1, GLint srcY1, GLint dstX0, GLint dstY0, GLint dstX1, GLint dstY1, GLbitfield mask, GLenum filter) try {
+  SOFTGL_TRACED(glBlitFramebuffer, srcX0, srcY0, srcX1, srcY1, dstX0, dstY0, dstX1, dstY1, mask, filter);
+  Context& c = *current_context;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::BlitFramebuffer(c, srcX0, srcY0, srcX1, srcY1, dstX0, dstY0, dstX1, dstY1, mask, filter);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glBufferData(GLenum target, GLsizeiptr size, const void* data, GLenum usage) try {
   SOFTGL_TRACED(glBufferData, target, size, data, usage);
   Context& c = *current_context;
@@ -286,6 +326,24 @@ SOFTGL_EXPORT void APIENTRY glCallLists(GLsizei n, GLenum type, const void* list
   gl::CallLists(c, n, type, lists);
 } catch (...) {
   out_of_memory();
+}
+SOFTGL_EXPORT GLenum APIENTRY glCheckFramebufferStatus(GLenum target) try {
+  SOFTGL_TRACED(glCheckFramebufferStatus, target);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
+  return gl::CheckFramebufferStatus(c, target);
+} catch (...) {
+  out_of_memory();
+  return 0;
+}
+SOFTGL_EXPORT GLenum APIENTRY glCheckFramebufferStatusEXT(GLenum target) try {
+  SOFTGL_TRACED(glCheckFramebufferStatusEXT, target);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
+  return gl::CheckFramebufferStatus(c, target);
+} catch (...) {
+  out_of_memory();
+  return 0;
 }
 SOFTGL_EXPORT void APIENTRY glClear(GLbitfield mask) try {
   SOFTGL_TRACED(glClear, mask);
@@ -657,6 +715,24 @@ SOFTGL_EXPORT void APIENTRY glDeleteBuffersARB(GLsizei n, const GLuint* buffers)
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glDeleteFramebuffers(GLsizei n, const GLuint* framebuffers) try {
+  SOFTGL_TRACED(glDeleteFramebuffers, n, framebuffers);
+  Context& c = *current_context;
+  if ((!framebuffers && n > 0)) [[unlikely]] return ignore_call(c);
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::DeleteFramebuffers(c, n, framebuffers);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glDeleteFramebuffersEXT(GLsizei n, const GLuint* framebuffers) try {
+  SOFTGL_TRACED(glDeleteFramebuffersEXT, n, framebuffers);
+  Context& c = *current_context;
+  if ((!framebuffers && n > 0)) [[unlikely]] return ignore_call(c);
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::DeleteFramebuffers(c, n, framebuffers);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glDeleteLists(GLuint list, GLsizei range) try {
   SOFTGL_TRACED(glDeleteLists, list, range);
   Context& c = *current_context;
@@ -680,6 +756,24 @@ SOFTGL_EXPORT void APIENTRY glDeleteQueriesARB(GLsizei n, const GLuint* ids) try
   if ((!ids && n > 0)) [[unlikely]] return ignore_call(c);
   if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::DeleteQueries(c, n, ids);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glDeleteRenderbuffers(GLsizei n, const GLuint* renderbuffers) try {
+  SOFTGL_TRACED(glDeleteRenderbuffers, n, renderbuffers);
+  Context& c = *current_context;
+  if ((!renderbuffers && n > 0)) [[unlikely]] return ignore_call(c);
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::DeleteRenderbuffers(c, n, renderbuffers);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glDeleteRenderbuffersEXT(GLsizei n, const GLuint* renderbuffers) try {
+  SOFTGL_TRACED(glDeleteRenderbuffersEXT, n, renderbuffers);
+  Context& c = *current_context;
+  if ((!renderbuffers && n > 0)) [[unlikely]] return ignore_call(c);
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::DeleteRenderbuffers(c, n, renderbuffers);
 } catch (...) {
   out_of_memory();
 }
@@ -1090,6 +1184,86 @@ SOFTGL_EXPORT void APIENTRY glFogiv(GLenum pname, const GLint* params) try {
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glFramebufferRenderbuffer(GLenum target, GLenum attachment, GLenum renderbuffertarget, GLuint renderbuffer) try {
+  SOFTGL_TRACED(glFramebufferRenderbuffer, target, attachment, renderbuffertarget, renderbuffer);
+  Context& c = *current_context;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::FramebufferRenderbuffer(c, target, attachment, renderbuffertarget, renderbuffer);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glFramebufferRenderbufferEXT(GLenum target, GLenum attachment, GLenum renderbuffertarget, GLuint renderbuffer) try {
+  SOFTGL_TRACED(glFramebufferRenderbufferEXT, target, attachment, renderbuffertarget, renderbuffer);
+  Context& c = *current_context;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::FramebufferRenderbuffer(c, target, attachment, renderbuffertarget, renderbuffer);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glFramebufferTexture1D(GLenum target, GLenum attachment, GLenum textarget, GLuint texture, GLint level) try {
+  SOFTGL_TRACED(glFramebufferTexture1D, target, attachment, textarget, texture, level);
+  Context& c = *current_context;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::FramebufferTexture1D(c, target, attachment, textarget, texture, level);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glFramebufferTexture1DEXT(GLenum target, GLenum attachment, GLenum textarget, GLuint texture, GLint level) try {
+  SOFTGL_TRACED(glFramebufferTexture1DEXT, target, attachment, textarget, texture, level);
+  Context& c = *current_context;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::FramebufferTexture1D(c, target, attachment, textarget, texture, level);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glFramebufferTexture2D(GLenum target, GLenum attachment, GLenum textarget, GLuint texture, GLint level) try {
+  SOFTGL_TRACED(glFramebufferTexture2D, target, attachment, textarget, texture, level);
+  Context& c = *current_context;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::FramebufferTexture2D(c, target, attachment, textarget, texture, level);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glFramebufferTexture2DEXT(GLenum target, GLenum attachment, GLenum textarget, GLuint texture, GLint level) try {
+  SOFTGL_TRACED(glFramebufferTexture2DEXT, target, attachment, textarget, texture, level);
+  Context& c = *current_context;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::FramebufferTexture2D(c, target, attachment, textarget, texture, level);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glFramebufferTexture3D(GLenum target, GLenum attachment, GLenum textarget, GLuint texture, GLint level, GLint zoffset) try {
+  SOFTGL_TRACED(glFramebufferTexture3D, target, attachment, textarget, texture, level, zoffset);
+  Context& c = *current_context;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::FramebufferTexture3D(c, target, attachment, textarget, texture, level, zoffset);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glFramebufferTexture3DEXT(GLenum target, GLenum attachment, GLenum textarget, GLuint texture, GLint level, GLint zoffset) try {
+  SOFTGL_TRACED(glFramebufferTexture3DEXT, target, attachment, textarget, texture, level, zoffset);
+  Context& c = *current_context;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::FramebufferTexture3D(c, target, attachment, textarget, texture, level, zoffset);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glFramebufferTextureLayer(GLenum target, GLenum attachment, GLuint texture, GLint level, GLint layer) try {
+  SOFTGL_TRACED(glFramebufferTextureLayer, target, attachment, texture, level, layer);
+  Context& c = *current_context;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::FramebufferTextureLayer(c, target, attachment, texture, level, layer);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glFramebufferTextureLayerEXT(GLenum target, GLenum attachment, GLuint texture, GLint level, GLint layer) try {
+  SOFTGL_TRACED(glFramebufferTextureLayerEXT, target, attachment, texture, level, layer);
+  Context& c = *current_context;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::FramebufferTextureLayer(c, target, attachment, texture, level, layer);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glFrontFace(GLenum mode) try {
   SOFTGL_TRACED(glFrontFace, mode);
   Context& c = *current_context;
@@ -1130,6 +1304,24 @@ SOFTGL_EXPORT void APIENTRY glGenBuffersARB(GLsizei n, GLuint* buffers) try {
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glGenFramebuffers(GLsizei n, GLuint* framebuffers) try {
+  SOFTGL_TRACED(glGenFramebuffers, n, framebuffers);
+  Context& c = *current_context;
+  if ((!framebuffers && n > 0)) [[unlikely]] return ignore_call(c);
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::GenFramebuffers(c, n, framebuffers);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glGenFramebuffersEXT(GLsizei n, GLuint* framebuffers) try {
+  SOFTGL_TRACED(glGenFramebuffersEXT, n, framebuffers);
+  Context& c = *current_context;
+  if ((!framebuffers && n > 0)) [[unlikely]] return ignore_call(c);
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::GenFramebuffers(c, n, framebuffers);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT GLuint APIENTRY glGenLists(GLsizei range) try {
   SOFTGL_TRACED(glGenLists, range);
   Context& c = *current_context;
@@ -1157,12 +1349,46 @@ SOFTGL_EXPORT void APIENTRY glGenQueriesARB(GLsizei n, GLuint* ids) try {
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glGenRenderbuffers(GLsizei n, GLuint* renderbuffers) try {
+  SOFTGL_TRACED(glGenRenderbuffers, n, renderbuffers);
+  Context& c = *current_context;
+  if ((!renderbuffers && n > 0)) [[unlikely]] return ignore_call(c);
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::GenRenderbuffers(c, n, renderbuffers);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glGenRenderbuffersEXT(GLsizei n, GLuint* renderbuffers) try {
+  SOFTGL_TRACED(glGenRenderbuffersEXT, n, renderbuffers);
+  Context& c = *current_context;
+  if ((!renderbuffers && n > 0)) [[unlikely]] return ignore_call(c);
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::GenRenderbuffers(c, n, renderbuffers);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glGenTextures(GLsizei n, GLuint* textures) try {
   SOFTGL_TRACED(glGenTextures, n, textures);
   Context& c = *current_context;
   if ((!textures && n > 0)) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GenTextures(c, n, textures);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glGenerateMipmap(GLenum target) try {
+  SOFTGL_TRACED(glGenerateMipmap, target);
+  Context& c = *current_context;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::GenerateMipmap(c, target);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glGenerateMipmapEXT(GLenum target) try {
+  SOFTGL_TRACED(glGenerateMipmapEXT, target);
+  Context& c = *current_context;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::GenerateMipmap(c, target);
 } catch (...) {
   out_of_memory();
 }

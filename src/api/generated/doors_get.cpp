@@ -126,6 +126,24 @@ SOFTGL_EXPORT void APIENTRY glGetFloatv(GLenum pname, GLfloat* data) try {
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glGetFramebufferAttachmentParameteriv(GLenum target, GLenum attachment, GLenum pname, GLint* params) try {
+  SOFTGL_TRACED(glGetFramebufferAttachmentParameteriv, target, attachment, pname, params);
+  Context& c = *current_context;
+  if (!params) [[unlikely]] return ignore_call(c);
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::GetFramebufferAttachmentParameteriv(c, target, attachment, pname, params);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glGetFramebufferAttachmentParameterivEXT(GLenum target, GLenum attachment, GLenum pname, GLint* params) try {
+  SOFTGL_TRACED(glGetFramebufferAttachmentParameterivEXT, target, attachment, pname, params);
+  Context& c = *current_context;
+  if (!params) [[unlikely]] return ignore_call(c);
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::GetFramebufferAttachmentParameteriv(c, target, attachment, pname, params);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glGetIntegerv(GLenum pname, GLint* data) try {
   SOFTGL_TRACED(glGetIntegerv, pname, data);
   Context& c = *current_context;
@@ -306,6 +324,24 @@ SOFTGL_EXPORT void APIENTRY glGetQueryivARB(GLenum target, GLenum pname, GLint* 
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glGetRenderbufferParameteriv(GLenum target, GLenum pname, GLint* params) try {
+  SOFTGL_TRACED(glGetRenderbufferParameteriv, target, pname, params);
+  Context& c = *current_context;
+  if (!params) [[unlikely]] return ignore_call(c);
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::GetRenderbufferParameteriv(c, target, pname, params);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glGetRenderbufferParameterivEXT(GLenum target, GLenum pname, GLint* params) try {
+  SOFTGL_TRACED(glGetRenderbufferParameterivEXT, target, pname, params);
+  Context& c = *current_context;
+  if (!params) [[unlikely]] return ignore_call(c);
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::GetRenderbufferParameteriv(c, target, pname, params);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT const GLubyte* APIENTRY glGetString(GLenum name) try {
   SOFTGL_TRACED(glGetString, name);
   Context& c = *current_context;
@@ -431,6 +467,24 @@ SOFTGL_EXPORT GLboolean APIENTRY glIsEnabled(GLenum cap) try {
   out_of_memory();
   return 0;
 }
+SOFTGL_EXPORT GLboolean APIENTRY glIsFramebuffer(GLuint framebuffer) try {
+  SOFTGL_TRACED(glIsFramebuffer, framebuffer);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
+  return gl::IsFramebuffer(c, framebuffer);
+} catch (...) {
+  out_of_memory();
+  return 0;
+}
+SOFTGL_EXPORT GLboolean APIENTRY glIsFramebufferEXT(GLuint framebuffer) try {
+  SOFTGL_TRACED(glIsFramebufferEXT, framebuffer);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
+  return gl::IsFramebuffer(c, framebuffer);
+} catch (...) {
+  out_of_memory();
+  return 0;
+}
 SOFTGL_EXPORT GLboolean APIENTRY glIsList(GLuint list) try {
   SOFTGL_TRACED(glIsList, list);
   Context& c = *current_context;
@@ -454,6 +508,24 @@ SOFTGL_EXPORT GLboolean APIENTRY glIsQueryARB(GLuint id) try {
   Context& c = *current_context;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
   return gl::IsQuery(c, id);
+} catch (...) {
+  out_of_memory();
+  return 0;
+}
+SOFTGL_EXPORT GLboolean APIENTRY glIsRenderbuffer(GLuint renderbuffer) try {
+  SOFTGL_TRACED(glIsRenderbuffer, renderbuffer);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
+  return gl::IsRenderbuffer(c, renderbuffer);
+} catch (...) {
+  out_of_memory();
+  return 0;
+}
+SOFTGL_EXPORT GLboolean APIENTRY glIsRenderbufferEXT(GLuint renderbuffer) try {
+  SOFTGL_TRACED(glIsRenderbufferEXT, renderbuffer);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
+  return gl::IsRenderbuffer(c, renderbuffer);
 } catch (...) {
   out_of_memory();
   return 0;

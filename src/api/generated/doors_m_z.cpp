@@ -1077,6 +1077,38 @@ SOFTGL_EXPORT GLint APIENTRY glRenderMode(GLenum mode) try {
   out_of_memory();
   return 0;
 }
+SOFTGL_EXPORT void APIENTRY glRenderbufferStorage(GLenum target, GLenum internalformat, GLsizei width, GLsizei height) try {
+  SOFTGL_TRACED(glRenderbufferStorage, target, internalformat, width, height);
+  Context& c = *current_context;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::RenderbufferStorage(c, target, internalformat, width, height);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glRenderbufferStorageEXT(GLenum target, GLenum internalformat, GLsizei width, GLsizei height) try {
+  SOFTGL_TRACED(glRenderbufferStorageEXT, target, internalformat, width, height);
+  Context& c = *current_context;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::RenderbufferStorage(c, target, internalformat, width, height);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glRenderbufferStorageMultisample(GLenum target, GLsizei samples, GLenum internalformat, GLsizei width, GLsizei height) try {
+  SOFTGL_TRACED(glRenderbufferStorageMultisample, target, samples, internalformat, width, height);
+  Context& c = *current_context;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::RenderbufferStorageMultisample(c, target, samples, internalformat, width, height);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glRenderbufferStorageMultisampleEXT(GLenum target, GLsizei samples, GLenum internalformat, GLsizei width, GLsizei height) try {
+  SOFTGL_TRACED(glRenderbufferStorageMultisampleEXT, target, samples, internalformat, width, height);
+  Context& c = *current_context;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::RenderbufferStorageMultisample(c, target, samples, internalformat, width, height);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glRotated(GLdouble angle, GLdouble x, GLdouble y, GLdouble z) try {
   SOFTGL_TRACED(glRotated, angle, x, y, z);
   Context& c = *current_context;

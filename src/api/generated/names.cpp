@@ -16,6 +16,10 @@ DOOR(glBeginQuery);
 DOOR(glBeginQueryARB);
 DOOR(glBindBuffer);
 DOOR(glBindBufferARB);
+DOOR(glBindFramebuffer);
+DOOR(glBindFramebufferEXT);
+DOOR(glBindRenderbuffer);
+DOOR(glBindRenderbufferEXT);
 DOOR(glBindTexture);
 DOOR(glBindTextureEXT);
 DOOR(glBitmap);
@@ -26,12 +30,15 @@ DOOR(glBlendEquationEXT);
 DOOR(glBlendFunc);
 DOOR(glBlendFuncSeparate);
 DOOR(glBlendFuncSeparateEXT);
+DOOR(glBlitFramebuffer);
 DOOR(glBufferData);
 DOOR(glBufferDataARB);
 DOOR(glBufferSubData);
 DOOR(glBufferSubDataARB);
 DOOR(glCallList);
 DOOR(glCallLists);
+DOOR(glCheckFramebufferStatus);
+DOOR(glCheckFramebufferStatusEXT);
 DOOR(glClear);
 DOOR(glClearAccum);
 DOOR(glClearColor);
@@ -99,9 +106,13 @@ DOOR(glCopyTexSubImage3DEXT);
 DOOR(glCullFace);
 DOOR(glDeleteBuffers);
 DOOR(glDeleteBuffersARB);
+DOOR(glDeleteFramebuffers);
+DOOR(glDeleteFramebuffersEXT);
 DOOR(glDeleteLists);
 DOOR(glDeleteQueries);
 DOOR(glDeleteQueriesARB);
+DOOR(glDeleteRenderbuffers);
+DOOR(glDeleteRenderbuffersEXT);
 DOOR(glDeleteTextures);
 DOOR(glDepthFunc);
 DOOR(glDepthMask);
@@ -154,14 +165,30 @@ DOOR(glFogf);
 DOOR(glFogfv);
 DOOR(glFogi);
 DOOR(glFogiv);
+DOOR(glFramebufferRenderbuffer);
+DOOR(glFramebufferRenderbufferEXT);
+DOOR(glFramebufferTexture1D);
+DOOR(glFramebufferTexture1DEXT);
+DOOR(glFramebufferTexture2D);
+DOOR(glFramebufferTexture2DEXT);
+DOOR(glFramebufferTexture3D);
+DOOR(glFramebufferTexture3DEXT);
+DOOR(glFramebufferTextureLayer);
+DOOR(glFramebufferTextureLayerEXT);
 DOOR(glFrontFace);
 DOOR(glFrustum);
 DOOR(glGenBuffers);
 DOOR(glGenBuffersARB);
+DOOR(glGenFramebuffers);
+DOOR(glGenFramebuffersEXT);
 DOOR(glGenLists);
 DOOR(glGenQueries);
 DOOR(glGenQueriesARB);
+DOOR(glGenRenderbuffers);
+DOOR(glGenRenderbuffersEXT);
 DOOR(glGenTextures);
+DOOR(glGenerateMipmap);
+DOOR(glGenerateMipmapEXT);
 DOOR(glGetBooleanv);
 DOOR(glGetBufferParameteriv);
 DOOR(glGetBufferParameterivARB);
@@ -175,6 +202,8 @@ DOOR(glGetCompressedTexImageARB);
 DOOR(glGetDoublev);
 DOOR(glGetError);
 DOOR(glGetFloatv);
+DOOR(glGetFramebufferAttachmentParameteriv);
+DOOR(glGetFramebufferAttachmentParameterivEXT);
 DOOR(glGetIntegerv);
 DOOR(glGetLightfv);
 DOOR(glGetLightiv);
@@ -195,6 +224,8 @@ DOOR(glGetQueryObjectuiv);
 DOOR(glGetQueryObjectuivARB);
 DOOR(glGetQueryiv);
 DOOR(glGetQueryivARB);
+DOOR(glGetRenderbufferParameteriv);
+DOOR(glGetRenderbufferParameterivEXT);
 DOOR(glGetString);
 DOOR(glGetTexEnvfv);
 DOOR(glGetTexEnviv);
@@ -225,9 +256,13 @@ DOOR(glInterleavedArrays);
 DOOR(glIsBuffer);
 DOOR(glIsBufferARB);
 DOOR(glIsEnabled);
+DOOR(glIsFramebuffer);
+DOOR(glIsFramebufferEXT);
 DOOR(glIsList);
 DOOR(glIsQuery);
 DOOR(glIsQueryARB);
+DOOR(glIsRenderbuffer);
+DOOR(glIsRenderbufferEXT);
 DOOR(glIsTexture);
 DOOR(glLightModelf);
 DOOR(glLightModelfv);
@@ -418,6 +453,10 @@ DOOR(glRectiv);
 DOOR(glRects);
 DOOR(glRectsv);
 DOOR(glRenderMode);
+DOOR(glRenderbufferStorage);
+DOOR(glRenderbufferStorageEXT);
+DOOR(glRenderbufferStorageMultisample);
+DOOR(glRenderbufferStorageMultisampleEXT);
 DOOR(glRotated);
 DOOR(glRotatef);
 DOOR(glSampleCoverage);
@@ -599,6 +638,10 @@ const NamedDoor kNamedDoors[] = {
     {"glBeginQueryARB", door_glBeginQueryARB},
     {"glBindBuffer", door_glBindBuffer},
     {"glBindBufferARB", door_glBindBufferARB},
+    {"glBindFramebuffer", door_glBindFramebuffer},
+    {"glBindFramebufferEXT", door_glBindFramebufferEXT},
+    {"glBindRenderbuffer", door_glBindRenderbuffer},
+    {"glBindRenderbufferEXT", door_glBindRenderbufferEXT},
     {"glBindTexture", door_glBindTexture},
     {"glBindTextureEXT", door_glBindTextureEXT},
     {"glBitmap", door_glBitmap},
@@ -609,12 +652,15 @@ const NamedDoor kNamedDoors[] = {
     {"glBlendFunc", door_glBlendFunc},
     {"glBlendFuncSeparate", door_glBlendFuncSeparate},
     {"glBlendFuncSeparateEXT", door_glBlendFuncSeparateEXT},
+    {"glBlitFramebuffer", door_glBlitFramebuffer},
     {"glBufferData", door_glBufferData},
     {"glBufferDataARB", door_glBufferDataARB},
     {"glBufferSubData", door_glBufferSubData},
     {"glBufferSubDataARB", door_glBufferSubDataARB},
     {"glCallList", door_glCallList},
     {"glCallLists", door_glCallLists},
+    {"glCheckFramebufferStatus", door_glCheckFramebufferStatus},
+    {"glCheckFramebufferStatusEXT", door_glCheckFramebufferStatusEXT},
     {"glClear", door_glClear},
     {"glClearAccum", door_glClearAccum},
     {"glClearColor", door_glClearColor},
@@ -682,9 +728,13 @@ const NamedDoor kNamedDoors[] = {
     {"glCullFace", door_glCullFace},
     {"glDeleteBuffers", door_glDeleteBuffers},
     {"glDeleteBuffersARB", door_glDeleteBuffersARB},
+    {"glDeleteFramebuffers", door_glDeleteFramebuffers},
+    {"glDeleteFramebuffersEXT", door_glDeleteFramebuffersEXT},
     {"glDeleteLists", door_glDeleteLists},
     {"glDeleteQueries", door_glDeleteQueries},
     {"glDeleteQueriesARB", door_glDeleteQueriesARB},
+    {"glDeleteRenderbuffers", door_glDeleteRenderbuffers},
+    {"glDeleteRenderbuffersEXT", door_glDeleteRenderbuffersEXT},
     {"glDeleteTextures", door_glDeleteTextures},
     {"glDepthFunc", door_glDepthFunc},
     {"glDepthMask", door_glDepthMask},
@@ -737,14 +787,30 @@ const NamedDoor kNamedDoors[] = {
     {"glFogfv", door_glFogfv},
     {"glFogi", door_glFogi},
     {"glFogiv", door_glFogiv},
+    {"glFramebufferRenderbuffer", door_glFramebufferRenderbuffer},
+    {"glFramebufferRenderbufferEXT", door_glFramebufferRenderbufferEXT},
+    {"glFramebufferTexture1D", door_glFramebufferTexture1D},
+    {"glFramebufferTexture1DEXT", door_glFramebufferTexture1DEXT},
+    {"glFramebufferTexture2D", door_glFramebufferTexture2D},
+    {"glFramebufferTexture2DEXT", door_glFramebufferTexture2DEXT},
+    {"glFramebufferTexture3D", door_glFramebufferTexture3D},
+    {"glFramebufferTexture3DEXT", door_glFramebufferTexture3DEXT},
+    {"glFramebufferTextureLayer", door_glFramebufferTextureLayer},
+    {"glFramebufferTextureLayerEXT", door_glFramebufferTextureLayerEXT},
     {"glFrontFace", door_glFrontFace},
     {"glFrustum", door_glFrustum},
     {"glGenBuffers", door_glGenBuffers},
     {"glGenBuffersARB", door_glGenBuffersARB},
+    {"glGenFramebuffers", door_glGenFramebuffers},
+    {"glGenFramebuffersEXT", door_glGenFramebuffersEXT},
     {"glGenLists", door_glGenLists},
     {"glGenQueries", door_glGenQueries},
     {"glGenQueriesARB", door_glGenQueriesARB},
+    {"glGenRenderbuffers", door_glGenRenderbuffers},
+    {"glGenRenderbuffersEXT", door_glGenRenderbuffersEXT},
     {"glGenTextures", door_glGenTextures},
+    {"glGenerateMipmap", door_glGenerateMipmap},
+    {"glGenerateMipmapEXT", door_glGenerateMipmapEXT},
     {"glGetBooleanv", door_glGetBooleanv},
     {"glGetBufferParameteriv", door_glGetBufferParameteriv},
     {"glGetBufferParameterivARB", door_glGetBufferParameterivARB},
@@ -758,6 +824,8 @@ const NamedDoor kNamedDoors[] = {
     {"glGetDoublev", door_glGetDoublev},
     {"glGetError", door_glGetError},
     {"glGetFloatv", door_glGetFloatv},
+    {"glGetFramebufferAttachmentParameteriv", door_glGetFramebufferAttachmentParameteriv},
+    {"glGetFramebufferAttachmentParameterivEXT", door_glGetFramebufferAttachmentParameterivEXT},
     {"glGetIntegerv", door_glGetIntegerv},
     {"glGetLightfv", door_glGetLightfv},
     {"glGetLightiv", door_glGetLightiv},
@@ -778,6 +846,8 @@ const NamedDoor kNamedDoors[] = {
     {"glGetQueryObjectuivARB", door_glGetQueryObjectuivARB},
     {"glGetQueryiv", door_glGetQueryiv},
     {"glGetQueryivARB", door_glGetQueryivARB},
+    {"glGetRenderbufferParameteriv", door_glGetRenderbufferParameteriv},
+    {"glGetRenderbufferParameterivEXT", door_glGetRenderbufferParameterivEXT},
     {"glGetString", door_glGetString},
     {"glGetTexEnvfv", door_glGetTexEnvfv},
     {"glGetTexEnviv", door_glGetTexEnviv},
@@ -808,9 +878,13 @@ const NamedDoor kNamedDoors[] = {
     {"glIsBuffer", door_glIsBuffer},
     {"glIsBufferARB", door_glIsBufferARB},
     {"glIsEnabled", door_glIsEnabled},
+    {"glIsFramebuffer", door_glIsFramebuffer},
+    {"glIsFramebufferEXT", door_glIsFramebufferEXT},
     {"glIsList", door_glIsList},
     {"glIsQuery", door_glIsQuery},
     {"glIsQueryARB", door_glIsQueryARB},
+    {"glIsRenderbuffer", door_glIsRenderbuffer},
+    {"glIsRenderbufferEXT", door_glIsRenderbufferEXT},
     {"glIsTexture", door_glIsTexture},
     {"glLightModelf", door_glLightModelf},
     {"glLightModelfv", door_glLightModelfv},
@@ -1001,6 +1075,10 @@ const NamedDoor kNamedDoors[] = {
     {"glRects", door_glRects},
     {"glRectsv", door_glRectsv},
     {"glRenderMode", door_glRenderMode},
+    {"glRenderbufferStorage", door_glRenderbufferStorage},
+    {"glRenderbufferStorageEXT", door_glRenderbufferStorageEXT},
+    {"glRenderbufferStorageMultisample", door_glRenderbufferStorageMultisample},
+    {"glRenderbufferStorageMultisampleEXT", door_glRenderbufferStorageMultisampleEXT},
     {"glRotated", door_glRotated},
     {"glRotatef", door_glRotatef},
     {"glSampleCoverage", door_glSampleCoverage},

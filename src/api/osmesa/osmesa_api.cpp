@@ -10,6 +10,7 @@
 #include "commands/framebuffer/flush.h"
 #include "context/context.h"
 #include "context/current_context.h"
+#include "frame/surface_work.h"
 
 using namespace softgl;
 
@@ -252,6 +253,7 @@ SOFTGL_EXPORT GLboolean OSMesaGetDepthBuffer(OSMesaContext c, GLint* width, GLin
     try {
       if (f.depth_copy.empty()) {
         flush_rendering(*c);
+        write_tiles(f);
         copy_depth(f);
       }
       w = f.surface.width;

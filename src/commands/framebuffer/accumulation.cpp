@@ -9,6 +9,7 @@
 #include "commands/framebuffer/flush.h"
 #include "commands/generated/commands.h"
 #include "context/context.h"
+#include "snapshot/render_targets.h"
 #include "frame/surface_work.h"
 #include "snapshot/drawn_box.h"
 
@@ -40,7 +41,7 @@ bool find_operation(GLenum op, AccumulationOperation& operation) {
 
 bool prepare_accumulation_clear(Context& c) {
   Framebuffer& f = c.framebuffer;
-  if (f.accumulation_bits == 0) return false;
+  if (f.accumulation_bits == 0 || c.bindings.draw) return false;
   const Vec4& value = c.state.accumulation.clear;
   bool zero = true;
   for (int i = 0; i < 4; ++i) zero = zero && store_clear_value(value[i]) == 0;
@@ -62,7 +63,9 @@ void Accum(Context& c, GLenum op, GLfloat value) {
   Accumulation accumulation{};
   if (!find_operation(op, accumulation.operation)) return set_error(c, GL_INVALID_ENUM);
   Framebuffer& f = c.framebuffer;
-  if (f.accumulation_bits == 0) return set_error(c, GL_INVALID_OPERATION);
+  if (!draw_target_complete(c)) return set_error(c, GL_INVALID_FRAMEBUFFER_OPERATION);
+  if (f.accumulation_bits == 0 || c.bindings.draw || c.bindings.read) // only the window has one
+    return set_error(c, GL_INVALID_OPERATION);
   if (c.state.render_mode.mode != GL_RENDER) return;
   const ColorBufferState& color = c.state.color_buffer;
   const bool returns = accumulation.operation == AccumulationOperation::Return;

@@ -8,23 +8,29 @@
 #include "commands/generated/commands.h"
 #include "context/context.h"
 #include "snapshot/drawn_box.h"
+#include "snapshot/render_targets.h"
 
 namespace softgl {
 namespace {
 
 /// OSMesa 22.3.6: float to integer rounds to nearest even; where it clears by drawing a rectangle (a part of
 /// the surface or of its components), 5 and 6 bits are cut from the 8-bit value, as everything drawn is.
+/// Where it clears all, halves go up but in 8 bits.
 void store_color(ColorFormat format, const Vec4& color, bool drawn, float (&value)[4]) {
   for (int i = 0; i < 4; ++i) {
     switch (format) {
     case ColorFormat::Rgba8: value[i] = std::nearbyint(unit_range(color[i]) * 255.0f); break;
-    case ColorFormat::Rgba16: value[i] = std::nearbyint(unit_range(color[i]) * 65535.0f); break;
+    case ColorFormat::Rgba16: {
+      const float v = unit_range(color[i]) * 65535.0f;
+      value[i] = drawn ? std::nearbyint(v) : std::floor(v + 0.5f);
+      break;
+    }
     case ColorFormat::Rgb565: {
       const int byte = int(std::nearbyint(unit_range(color[i]) * 255.0f));
       if (drawn)
         value[i] = float(i == 1 ? byte >> 2 : byte >> 3);
       else
-        value[i] = std::nearbyint(unit_range(color[i]) * (i == 1 ? 63.0f : 31.0f));
+        value[i] = std::floor(unit_range(color[i]) * (i == 1 ? 63.0f : 31.0f) + 0.5f);
       break;
     }
     case ColorFormat::RgbaFloat: value[i] = color[i]; break;
@@ -49,9 +55,11 @@ void Clear(Context& c, GLbitfield mask) {
   if (mask &
       ~GLbitfield(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT))
     return set_error(c, GL_INVALID_VALUE);
+  if (!prepare_draw_target(c)) return set_error(c, GL_INVALID_FRAMEBUFFER_OPERATION);
   if (c.state.render_mode.mode != GL_RENDER) return;
-  c.framebuffer.unresolved = true; // OSMesa: also when nothing is cleared in the end
-  const Surface& surface = c.framebuffer.surface;
+  const RenderTarget& target = *c.draw;
+  if (!c.bindings.draw) c.framebuffer.unresolved = true; // OSMesa: also when nothing is cleared in the end
+  const Surface& surface = target.surface;
   const State& s = c.state;
   ClearRecord record{};
   const WindowBox box = drawn_box(s.scissor, surface);
@@ -61,23 +69,22 @@ void Clear(Context& c, GLbitfield mask) {
 
   const bool accumulation = (mask & GL_ACCUM_BUFFER_BIT) && prepare_accumulation_clear(c);
   const bool part = record.x0 > 0 || record.y0 > 0 || record.x1 < surface.width || record.y1 < surface.height;
-  if ((mask & GL_COLOR_BUFFER_BIT) && s.color_buffer.draw_buffer != GL_NONE) {
+  if ((mask & GL_COLOR_BUFFER_BIT) && draws_color(c)) {
     for (int i = 0; i < 4; ++i) {
-      record.color_mask[i] = s.color_buffer.mask[i] && (i < 3 || c.framebuffer.has_alpha);
+      record.color_mask[i] = s.color_buffer.mask[i] && (i < 3 || target.has_alpha);
       record.color = record.color || record.color_mask[i];
     }
     const bool all = record.color_mask[0] && record.color_mask[1] && record.color_mask[2];
     store_color(surface.color_format, s.color_buffer.clear_color, part || !all, record.color_value);
   }
-  if ((mask & GL_DEPTH_BUFFER_BIT) && c.framebuffer.depth_bits > 0 && s.depth.mask) {
+  if ((mask & GL_DEPTH_BUFFER_BIT) && target.depth_bits > 0 && s.depth.mask) {
     const GLuint stencil_mask = s.stencil.write_mask & 0xff;
-    const bool with_masked_stencil = (mask & GL_STENCIL_BUFFER_BIT) && c.framebuffer.stencil_bits > 0 &&
+    const bool with_masked_stencil = (mask & GL_STENCIL_BUFFER_BIT) && target.stencil_bits > 0 &&
                                      stencil_mask != 0 && stencil_mask != 0xff;
     record.depth = true;
     record.depth_value = store_depth(surface.depth_format, s.depth.clear, part || with_masked_stencil);
   }
-  if ((mask & GL_STENCIL_BUFFER_BIT) && c.framebuffer.stencil_bits > 0 &&
-      (s.stencil.write_mask & 0xff) != 0) {
+  if ((mask & GL_STENCIL_BUFFER_BIT) && target.stencil_bits > 0 && (s.stencil.write_mask & 0xff) != 0) {
     record.stencil = true;
     record.stencil_value = uint32_t(s.stencil.clear) & 0xff;
     record.stencil_write_mask = s.stencil.write_mask & 0xff;
@@ -93,7 +100,7 @@ void Clear(Context& c, GLbitfield mask) {
 void ClearColor(Context& c, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
   const Vec4 color{red, green, blue, alpha};
   // A floating-point surface keeps what it is given, as OSMesa's does.
-  const bool fixed_point = c.framebuffer.surface.color_format != ColorFormat::RgbaFloat;
+  const bool fixed_point = c.draw->surface.color_format != ColorFormat::RgbaFloat;
   c.state.color_buffer.clear_color = fixed_point ? glm::clamp(color, 0.0f, 1.0f) : color;
 }
 

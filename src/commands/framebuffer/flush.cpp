@@ -12,6 +12,7 @@
 #include "frame/parallel.h"
 #include "frame/surface_work.h"
 #include "snapshot/flush.h"
+#include "snapshot/render_targets.h"
 
 namespace softgl {
 
@@ -22,19 +23,29 @@ void flush_rendering(Context& c) {
   flush_frame(c);
 }
 
+void draw_what_waits(Context& c) {
+  const ExecuteScope scope(c);
+  if (c.guard & kRunPending) close_run(c);
+  const VerticesAside aside(c);
+  if (!c.frame.empty()) execute_frame(c);
+}
+
+bool flush_for_reading(Context& c) {
+  flush_rendering(c);
+  return prepare_read_target(c);
+}
+
 void finish_and_resolve(Context& c) {
   const ExecuteScope scope(c);
   if (c.guard & kRunPending) close_run(c);
   const VerticesAside aside(c); // a context may leave its thread between Begin and End
   Framebuffer& f = c.framebuffer;
   const Resolver resolver(f.surface, f.client);
-  if (!c.frame.empty() && takes(FastPath::EarlyCopies)) {
+  if (!c.frame.empty() && c.draw == &f && takes(FastPath::EarlyCopies)) {
     execute_frame(c, &resolver);
   } else {
-    if (!c.frame.empty())
-      flush_frame(c);
-    else if (!f.unresolved)
-      return;
+    if (!c.frame.empty()) flush_frame(c);
+    if (!f.unresolved) return;
     resolve(f.surface, f.client);
   }
   f.unresolved = false;

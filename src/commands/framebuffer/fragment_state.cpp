@@ -1,7 +1,9 @@
 // Fog (GL 1.5, 3.10), per-fragment operations (4.1), and the masks and buffers of the framebuffer
 // (4.2, 4.3.2).
+#include "commands/framebuffer/flush.h"
 #include "commands/generated/commands.h"
 #include "context/context.h"
+#include "snapshot/render_targets.h"
 
 namespace softgl::gl {
 namespace {
@@ -59,8 +61,18 @@ BufferName classify_buffer(GLenum buffer) {
   case GL_AUX1:
   case GL_AUX2:
   case GL_AUX3: return BufferName::Absent;
-  default: return BufferName::Unknown;
+  default:
+    return buffer >= GL_COLOR_ATTACHMENT0 && buffer <= GL_COLOR_ATTACHMENT31 ? BufferName::Absent
+                                                                             : BufferName::Unknown;
   }
+}
+
+/// The draw or read buffer of a framebuffer object (GL_ARB_framebuffer_object, 4.2.1, 4.3.2): GL_NO_ERROR, or
+/// why it cannot be that.
+GLenum check_attachment(GLenum buffer) {
+  if (buffer == GL_NONE || buffer - GL_COLOR_ATTACHMENT0 < GLenum(kMaxColorAttachments)) return GL_NO_ERROR;
+  const bool known = buffer == GL_FRONT_AND_BACK || classify_buffer(buffer) != BufferName::Unknown;
+  return known ? GL_INVALID_OPERATION : GL_INVALID_ENUM;
 }
 
 } // namespace
@@ -162,6 +174,13 @@ void LogicOp(Context& c, GLenum opcode) {
 }
 
 void DrawBuffer(Context& c, GLenum buffer) {
+  if (c.bindings.draw) {
+    if (const GLenum error = check_attachment(buffer)) return set_error(c, error);
+    if (c.bindings.draw->draw_buffer == buffer) return;
+    draw_what_waits(c);
+    c.bindings.draw->draw_buffer = buffer;
+    return framebuffers_changed(c);
+  }
   if (buffer != GL_NONE && buffer != GL_FRONT_AND_BACK) {
     const BufferName name = classify_buffer(buffer);
     if (name == BufferName::Unknown) return set_error(c, GL_INVALID_ENUM);
@@ -171,6 +190,12 @@ void DrawBuffer(Context& c, GLenum buffer) {
 }
 
 void ReadBuffer(Context& c, GLenum buffer) {
+  if (c.bindings.read) {
+    if (const GLenum error = check_attachment(buffer)) return set_error(c, error);
+    draw_what_waits(c); // the draw framebuffer may be the same object, and then its completeness changes
+    c.bindings.read->read_buffer = buffer;
+    return framebuffers_changed(c);
+  }
   const BufferName name = classify_buffer(buffer);
   if (name == BufferName::Unknown) return set_error(c, GL_INVALID_ENUM);
   if (name == BufferName::Absent) return set_error(c, GL_INVALID_OPERATION);

@@ -210,5 +210,27 @@ void PushAttrib(Context& c, GLbitfield mask);
 void PopAttrib(Context& c);
 void PushClientAttrib(Context& c, GLbitfield mask);
 void PopClientAttrib(Context& c);
+GLboolean IsRenderbuffer(Context& c, GLuint renderbuffer);
+void BindRenderbuffer(Context& c, GLenum target, GLuint renderbuffer);
+void BindRenderbufferEXT(Context& c, GLenum target, GLuint renderbuffer);
+void DeleteRenderbuffers(Context& c, GLsizei n, const GLuint* renderbuffers);
+void GenRenderbuffers(Context& c, GLsizei n, GLuint* renderbuffers);
+void RenderbufferStorage(Context& c, GLenum target, GLenum internalformat, GLsizei width, GLsizei height);
+void RenderbufferStorageMultisample(Context& c, GLenum target, GLsizei samples, GLenum internalformat, GLsizei width, GLsizei height);
+void GetRenderbufferParameteriv(Context& c, GLenum target, GLenum pname, GLint* params);
+GLboolean IsFramebuffer(Context& c, GLuint framebuffer);
+void BindFramebuffer(Context& c, GLenum target, GLuint framebuffer);
+void BindFramebufferEXT(Context& c, GLenum target, GLuint framebuffer);
+void DeleteFramebuffers(Context& c, GLsizei n, const GLuint* framebuffers);
+void GenFramebuffers(Context& c, GLsizei n, GLuint* framebuffers);
+GLenum CheckFramebufferStatus(Context& c, GLenum target);
+void FramebufferTexture1D(Context& c, GLenum target, GLenum attachment, GLenum textarget, GLuint texture, GLint level);
+void FramebufferTexture2D(Context& c, GLenum target, GLenum attachment, GLenum textarget, GLuint texture, GLint level);
+void FramebufferTexture3D(Context& c, GLenum target, GLenum attachment, GLenum textarget, GLuint texture, GLint level, GLint zoffset);
+void FramebufferTextureLayer(Context& c, GLenum target, GLenum attachment, GLuint texture, GLint level, GLint layer);
+void FramebufferRenderbuffer(Context& c, GLenum target, GLenum attachment, GLenum renderbuffertarget, GLuint renderbuffer);
+void GetFramebufferAttachmentParameteriv(Context& c, GLenum target, GLenum attachment, GLenum pname, GLint* params);
+void BlitFramebuffer(Context& c, GLint srcX0, GLint srcY0, GLint srcX1, GLint srcY1, GLint dstX0, GLint dstY0, GLint dstX1, GLint dstY1, GLbitfield mask, GLenum filter);
+void GenerateMipmap(Context& c, GLenum target);
 
 } // namespace softgl::gl

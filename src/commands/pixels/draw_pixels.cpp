@@ -2,6 +2,7 @@
 // window.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <vector>
 
 #include "commands/framebuffer/flush.h"
@@ -10,6 +11,7 @@
 #include "context/pixel_transfer.h"
 #include "shaders/fragment/pixel_image.h"
 #include "snapshot/feedback.h"
+#include "snapshot/render_targets.h"
 #include "snapshot/submit.h"
 #include "surface/read_surface.h"
 #include "texture/pixel_formats.h"
@@ -63,7 +65,7 @@ struct Placement {
 
   Placement(const Surface& surface, float x, float y, int width, int height, float zoom_x, float zoom_y)
       : columns(place(x, width, zoom_x, surface.width, false)),
-        rows(place(y, height, zoom_y, surface.height, true)) {
+        rows(place(y, height, zoom_y, surface.height, !surface.y_up)) {
     for (int32_t& e : rows.element) e *= width_in_view();
   }
   bool visible() const { return columns.pixels > 0 && rows.pixels > 0; }
@@ -87,7 +89,7 @@ struct Placement {
 Placement place_at_raster_position(Context& c, int width, int height) {
   const RasterPosition& p = c.state.raster_position;
   auto pixel = [](float v) { return std::round(v); };
-  return Placement(c.framebuffer.surface, pixel(p.window.x), pixel(p.window.y), width, height,
+  return Placement(c.draw->surface, pixel(p.window.x), pixel(p.window.y), width, height,
                    c.state.pixel_mode.zoom_x, c.state.pixel_mode.zoom_y);
 }
 
@@ -145,7 +147,8 @@ void submit_stencils(Context& c, const Placement& p, const std::vector<uint8_t>&
     if (!used[v]) continue;
     auto* bit = c.frame.arena().allocate_array<uint8_t>(value.size());
     for (size_t i = 0; i < value.size(); ++i) bit[i] = value[i] == v;
-    submit_stencil(c, p.image(PixelElement::Bit, bit, c.frame.arena()), uint8_t(v), p.box());
+    submit_stencil(c, p.image(PixelElement::Bit, bit, c.frame.arena()), uint8_t(v), p.box(),
+                   c.state.stencil.write_mask);
   }
 }
 
@@ -180,7 +183,7 @@ void draw_depths(Context& c, const Placement& p, const ClientImage& image) {
   submit_image(c, p, PixelElement::Depth, fill_rows<uint32_t>(c, p, [&](int row, uint32_t* element) {
                  unpack_depth(image.format, image.at(p.columns.first, row), p.width_in_view(), image.swap,
                               depth.data());
-                 store_depths(c.framebuffer.surface, transfer, depth.data(), depth.size(), element);
+                 store_depths(c.draw->surface, transfer, depth.data(), depth.size(), element);
                }));
 }
 
@@ -196,41 +199,78 @@ void draw_stencils(Context& c, const Placement& p, const ClientImage& image) {
   submit_stencils(c, p, value);
 }
 
+/// GL_DEPTH_STENCIL: both go to their buffers whatever the tests are, under the masks (4.3.1).
+void submit_depths_and_stencils(Context& c, const Placement& p, const std::vector<float>& depth,
+                                const std::vector<uint8_t>& stencil) {
+  const PixelTransfer transfer = pixel_transfer(c);
+  if (c.state.depth.mask) {
+    auto* element = c.frame.arena().allocate_array<uint32_t>(depth.size());
+    store_depths(c.draw->surface, transfer, depth.data(), depth.size(), element);
+    submit_copy(c, p.image(PixelElement::Depth, element, c.frame.arena()), p.box());
+  }
+  std::vector<uint8_t> value(stencil.size());
+  std::transform(stencil.begin(), stencil.end(), value.begin(),
+                 [&](uint8_t v) { return uint8_t(transfer.stencil(v)); });
+  submit_stencils(c, p, value);
+}
+
+void draw_depths_and_stencils(Context& c, const Placement& p, const ClientImage& image) {
+  std::vector<float> depth(p.elements());
+  std::vector<uint8_t> stencil(p.elements());
+  const size_t count = size_t(p.width_in_view());
+  for (int r = 0; r < p.height_in_view(); ++r)
+    for (size_t i = 0; i < count; ++i) {
+      uint32_t v;
+      std::memcpy(&v, image.at(p.columns.first + int(i), p.rows.first + r), 4);
+      if (image.swap) v = __builtin_bswap32(v);
+      depth[size_t(r) * count + i] = unorm_to_float(v >> 8, 24);
+      stencil[size_t(r) * count + i] = uint8_t(v);
+    }
+  submit_depths_and_stencils(c, p, depth, stencil);
+}
+
 /// Copies what is in view of an image whose lower left pixel is x, y of the surface. The frame is empty.
 void copy_pixels(Context& c, const Placement& p, GLint x, GLint y, GLenum type) {
   const PixelTransfer transfer = pixel_transfer(c);
   const auto bounded = [](int64_t v) { return int(std::clamp<int64_t>(v, -(1 << 30), 1 << 30)); };
   const int count = p.width_in_view(), left = bounded(int64_t(x) + p.columns.first),
             bottom = bounded(int64_t(y) + p.rows.first);
+  if (type == GL_DEPTH_STENCIL) {
+    std::vector<float> depth(p.elements());
+    std::vector<uint8_t> stencil(p.elements());
+    read_depth_float(c.read->surface, left, bottom, count, p.height_in_view(), depth.data());
+    read_stencil(c.read->surface, left, bottom, count, p.height_in_view(), stencil.data());
+    return submit_depths_and_stencils(c, p, depth, stencil);
+  }
   if (type == GL_STENCIL) {
     std::vector<uint8_t> value(p.elements());
-    read_stencil(c.framebuffer.surface, left, bottom, count, p.height_in_view(), value.data());
+    read_stencil(c.read->surface, left, bottom, count, p.height_in_view(), value.data());
     for (uint8_t& v : value) v = uint8_t(transfer.stencil(v));
     return submit_stencils(c, p, value);
   }
   if (type == GL_DEPTH) {
     std::vector<float> depth(p.elements());
-    read_depth_float(c.framebuffer.surface, left, bottom, count, p.height_in_view(), depth.data());
+    read_depth_float(c.read->surface, left, bottom, count, p.height_in_view(), depth.data());
     auto* element = c.frame.arena().allocate_array<uint32_t>(depth.size());
-    store_depths(c.framebuffer.surface, transfer, depth.data(), depth.size(), element);
+    store_depths(c.draw->surface, transfer, depth.data(), depth.size(), element);
     return submit_image(c, p, PixelElement::Depth, element);
   }
-  if (c.framebuffer.surface.color_format == ColorFormat::Rgba8 && !transfer.changes_color()) {
+  if (c.read->surface.color_format == ColorFormat::Rgba8 && !transfer.changes_color()) {
     auto* element = c.frame.arena().allocate_array<uint32_t>(p.elements());
-    read_rgba8(c.framebuffer.surface, left, bottom, count, p.height_in_view(),
-               reinterpret_cast<ByteRow>(element));
+    read_rgba8(c.read->surface, left, bottom, count, p.height_in_view(), reinterpret_cast<ByteRow>(element));
     return submit_image(c, p, PixelElement::Bytes, element);
   }
   auto* element = c.frame.arena().allocate_array<PixelFloats>(p.elements());
-  read_rgba_float(c.framebuffer.surface, left, bottom, count, p.height_in_view(),
+  read_rgba_float(c.read->surface, left, bottom, count, p.height_in_view(),
                   reinterpret_cast<FloatRow>(element));
   if (transfer.changes_color()) transfer.color(reinterpret_cast<FloatRow>(element), int(p.elements()));
   submit_image(c, p, PixelElement::Floats, element);
 }
 
-bool has_buffer(const Context& c, GLenum format) {
-  if (format == GL_DEPTH_COMPONENT || format == GL_DEPTH) return c.framebuffer.depth_bits > 0;
-  if (format == GL_STENCIL_INDEX || format == GL_STENCIL) return c.framebuffer.stencil_bits > 0;
+bool has_buffer(const RenderTarget& target, GLenum format) {
+  if (format == GL_DEPTH_COMPONENT || format == GL_DEPTH) return target.depth_bits > 0;
+  if (format == GL_STENCIL_INDEX || format == GL_STENCIL) return target.stencil_bits > 0;
+  if (format == GL_DEPTH_STENCIL) return target.depth_bits > 0 && target.stencil_bits > 0;
   return true;
 }
 
@@ -241,7 +281,8 @@ namespace gl {
 void DrawPixels(Context& c, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels) {
   if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
   if (const GLenum error = check_pixel_format(format, type)) return set_error(c, error);
-  if (!has_buffer(c, format)) return set_error(c, GL_INVALID_OPERATION);
+  if (!ready_to_draw(c)) return;
+  if (!has_buffer(*c.draw, format)) return set_error(c, GL_INVALID_OPERATION);
   if (!c.state.raster_position.valid) return;
   if (c.state.render_mode.mode != GL_RENDER) return feed_back_pixels(c, GL_DRAW_PIXEL_TOKEN);
   if (width == 0 || height == 0 || !pixels) return;
@@ -251,20 +292,27 @@ void DrawPixels(Context& c, GLsizei width, GLsizei height, GLenum format, GLenum
   switch (format) {
   case GL_COLOR_INDEX: return draw_color_indexes(c, p, image);
   case GL_DEPTH_COMPONENT: return draw_depths(c, p, image);
+  case GL_DEPTH_STENCIL: return draw_depths_and_stencils(c, p, image);
   case GL_STENCIL_INDEX: return draw_stencils(c, p, image);
   default: return draw_colors(c, p, image);
   }
 }
 
 void CopyPixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type) {
-  if (type != GL_COLOR && type != GL_DEPTH && type != GL_STENCIL) return set_error(c, GL_INVALID_ENUM);
+  if (type != GL_COLOR && type != GL_DEPTH && type != GL_STENCIL && type != GL_DEPTH_STENCIL)
+    return set_error(c, GL_INVALID_ENUM);
   if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
-  if (!has_buffer(c, type) || (type == GL_COLOR && c.state.pixel_mode.read_buffer == GL_NONE))
+  if (c.bindings.draw || c.bindings.read) {
+    if (!ready_to_draw(c)) return;
+    if (!flush_for_reading(c)) return set_error(c, GL_INVALID_FRAMEBUFFER_OPERATION);
+  }
+  if (!has_buffer(*c.draw, type) || !has_buffer(*c.read, type) ||
+      (type == GL_COLOR && read_buffer(c) == GL_NONE))
     return set_error(c, GL_INVALID_OPERATION);
   if (!c.state.raster_position.valid) return;
   if (c.state.render_mode.mode != GL_RENDER) return feed_back_pixels(c, GL_COPY_PIXEL_TOKEN);
   if (width == 0 || height == 0) return;
-  flush_rendering(c); // before anything lies in the frame's arena
+  flush_for_reading(c); // before anything lies in the frame's arena
   if (const Placement p = place_at_raster_position(c, width, height); p.visible())
     copy_pixels(c, p, x, y, type);
 }
@@ -272,6 +320,7 @@ void CopyPixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLe
 void Bitmap(Context& c, GLsizei width, GLsizei height, GLfloat xorig, GLfloat yorig, GLfloat xmove,
             GLfloat ymove, const GLubyte* bitmap) {
   if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
+  if (!ready_to_draw(c)) return;
   RasterPosition& position = c.state.raster_position;
   if (!position.valid) return;
   if (c.state.render_mode.mode != GL_RENDER)
@@ -280,8 +329,8 @@ void Bitmap(Context& c, GLsizei width, GLsizei height, GLfloat xorig, GLfloat yo
     // Positions that are whole numbers but for a rounding error stay what they are, as in OSMesa.
     auto pixel = [](float v) { return std::floor(v + 0.0001f); };
     const ClientImage image(c, bitmap, width, height, GL_COLOR_INDEX, GL_BITMAP);
-    const Placement p(c.framebuffer.surface, pixel(position.window.x - xorig),
-                      pixel(position.window.y - yorig), width, height, 1, 1);
+    const Placement p(c.draw->surface, pixel(position.window.x - xorig), pixel(position.window.y - yorig),
+                      width, height, 1, 1);
     if (p.visible()) {
       std::vector<uint32_t> index(size_t(p.width_in_view()));
       const auto* bit = fill_rows<uint8_t>(c, p, [&](int row, uint8_t* element) {

@@ -9,6 +9,7 @@
 #include "geometry/geometry.h"
 #include "shaders/fragment/fragment_key.h"
 #include "snapshot/feedback.h"
+#include "snapshot/render_targets.h"
 #include "snapshot/vertex_snapshot.h"
 
 namespace softgl {
@@ -88,6 +89,7 @@ void shade_attributes(Context& c, const Vec4& object, RasterPosition& position) 
 namespace gl {
 
 void RasterPos(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
+  if (!draw_target_complete(c)) return set_error(c, GL_INVALID_FRAMEBUFFER_OPERATION);
   const State& s = c.state;
   RasterPosition& position = c.state.raster_position;
   const Vec4 object(x, y, z, w), eye = transformed(c.matrices.modelview.top(), object);
@@ -108,6 +110,7 @@ void RasterPos(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
 }
 
 void WindowPos(Context& c, GLfloat x, GLfloat y, GLfloat z) {
+  if (!draw_target_complete(c)) return set_error(c, GL_INVALID_FRAMEBUFFER_OPERATION);
   const State& s = c.state;
   RasterPosition& position = c.state.raster_position;
   position.window = Vec4(

@@ -36,7 +36,7 @@ struct Target {
 bool needs_floats(const Context& c, const PixelFormat& f) {
   if (pixel_transfer(c).changes_color() || f.luminance) return true;
   if (f.channel == PixelChannel::Packed && f.bits[0] > 8) return true;
-  switch (c.framebuffer.surface.color_format) {
+  switch (c.read->surface.color_format) {
   case ColorFormat::Rgba8:
   case ColorFormat::Rgba16: return false;
   case ColorFormat::Rgb565:
@@ -62,9 +62,9 @@ void transfer(const Context& c, float (*rgba)[4], int count, bool clamp, bool lu
 /// The rows first .. end - 1 of the target. Scratch memory is the caller's: 16 bytes per pixel each.
 void read_color_rows(const Context& c, const Target& t, int first, int end, unsigned char* row,
                      unsigned char* converted) {
-  const Surface& s = c.framebuffer.surface;
-  const auto surface_row = [&](int r, void* to) {
-    copy_color_row(s, t.x, s.height - 1 - (t.bottom + r), t.count, to);
+  const Surface& s = c.read->surface;
+  const auto copy_row = [&](int r, void* to) {
+    copy_color_row(s, t.x, surface_row(s, t.bottom + r), t.count, to);
   };
   if (needs_floats(c, t.format)) {
     auto* rgba = reinterpret_cast<float(*)[4]>(converted);
@@ -72,23 +72,23 @@ void read_color_rows(const Context& c, const Target& t, int first, int end, unsi
     // the result is signed or float, except where luminance is summed.
     const bool clamp = s.color_format == ColorFormat::RgbaFloat || t.format.luminance;
     for (int r = first; r < end; ++r) {
-      surface_row(r, row);
+      copy_row(r, row);
       color_row_to_floats(s.color_format, row, t.count, rgba);
       transfer(c, rgba, t.count, clamp, t.format.luminance);
       pack_pixels(t.format, rgba, t.count, t.swap, t.pixels(r));
     }
   } else if (s.color_format == ColorFormat::Rgba16) {
     for (int r = first; r < end; ++r) {
-      surface_row(r, row);
+      copy_row(r, row);
       pack_pixels(t.format, reinterpret_cast<const uint16_t(*)[4]>(row), t.count, t.swap, t.pixels(r));
     }
   } else if (s.color_format == ColorFormat::Rgba8 && t.format.format == GL_RGBA &&
              t.format.channel == PixelChannel::UnsignedByte && takes(FastPath::CopiedRows)) {
-    for (int r = first; r < end; ++r) surface_row(r, t.pixels(r));
+    for (int r = first; r < end; ++r) copy_row(r, t.pixels(r));
   } else {
     auto* rgba = reinterpret_cast<uint8_t(*)[4]>(converted);
     for (int r = first; r < end; ++r) {
-      surface_row(r, row);
+      copy_row(r, row);
       color_row_to_bytes(s.color_format, row, t.count, rgba);
       pack_pixels(t.format, rgba, t.count, t.swap, t.pixels(r));
     }
@@ -114,13 +114,13 @@ void read_colors(const Context& c, const Target& t) {
 }
 
 void read_depths(const Context& c, const Target& t) {
-  const Surface& s = c.framebuffer.surface;
+  const Surface& s = c.read->surface;
   const PixelTransfer operations = pixel_transfer(c);
   const bool scale = operations.changes_depth();
   std::vector<uint32_t> row(static_cast<size_t>(t.count));
   std::vector<float> depth(static_cast<size_t>(t.count));
   for (int r = t.first_row; r < t.first_row + t.rows; ++r) {
-    copy_depth_stencil_row(s, t.x, s.height - 1 - (t.bottom + r), t.count, row.data());
+    copy_depth_stencil_row(s, t.x, surface_row(s, t.bottom + r), t.count, row.data());
     if (t.format.channel == PixelChannel::UnsignedInt && !scale && !t.swap) {
       // OSMesa: the bits are repeated, which a float could not hold.
       unsigned char* out = t.pixels(r);
@@ -141,17 +141,35 @@ void read_depths(const Context& c, const Target& t) {
   }
 }
 
+/// GL_DEPTH_STENCIL: words of both.
+void read_depths_and_stencils(const Context& c, const Target& t) {
+  const PixelTransfer operations = pixel_transfer(c);
+  std::vector<uint32_t> row(static_cast<size_t>(t.count));
+  for (int r = t.first_row; r < t.first_row + t.rows; ++r) {
+    copy_depth_stencil_row(c.read->surface, t.x, surface_row(c.read->surface, t.bottom + r), t.count,
+                           row.data());
+    unsigned char* out = t.pixels(r);
+    for (int i = 0; i < t.count; ++i, out += 4) {
+      uint32_t z = row[size_t(i)] & 0xffffff;
+      if (operations.changes_depth()) z = float_to_unorm(operations.depth(unorm_to_float(z, 24)), 24);
+      uint32_t v = z << 8 | (operations.stencil(row[size_t(i)] >> 24) & 255);
+      if (t.swap) v = __builtin_bswap32(v);
+      std::memcpy(out, &v, 4);
+    }
+  }
+}
+
 template <class T> void store(unsigned char* to, T v, bool swap) {
   std::memcpy(to, &v, sizeof v);
   if (swap) std::reverse(to, to + sizeof v);
 }
 
 void read_stencils(const Context& c, const Target& t) {
-  const Surface& s = c.framebuffer.surface;
+  const Surface& s = c.read->surface;
   const PixelTransfer operations = pixel_transfer(c);
   std::vector<uint32_t> row(static_cast<size_t>(t.count));
   for (int r = t.first_row; r < t.first_row + t.rows; ++r) {
-    copy_depth_stencil_row(s, t.x, s.height - 1 - (t.bottom + r), t.count, row.data());
+    copy_depth_stencil_row(s, t.x, surface_row(s, t.bottom + r), t.count, row.data());
     unsigned char* out = t.pixels(r);
     for (int i = 0; i < t.count; ++i, out += t.format.bytes) {
       const uint32_t v = operations.stencil(row[size_t(i)] >> 24);
@@ -182,24 +200,32 @@ GLenum check(const Context& c, GLsizei width, GLsizei height, GLenum format, GLe
   if (width < 0 || height < 0) return GL_INVALID_VALUE;
   // A buffer that is missing comes before a type that does not fit, as in OSMesa.
   if (format == GL_COLOR_INDEX) return GL_INVALID_OPERATION; // there are no color index buffers
-  if (format == GL_DEPTH_COMPONENT && c.framebuffer.depth_bits == 0) return GL_INVALID_OPERATION;
-  if (format == GL_STENCIL_INDEX && c.framebuffer.stencil_bits == 0) return GL_INVALID_OPERATION;
+  if (format == GL_DEPTH_COMPONENT && c.read->depth_bits == 0) return GL_INVALID_OPERATION;
+  if (format == GL_STENCIL_INDEX && c.read->stencil_bits == 0) return GL_INVALID_OPERATION;
   if (const GLenum error = check_pixel_format(format, type)) return error;
-  const bool color = format != GL_DEPTH_COMPONENT && format != GL_STENCIL_INDEX;
-  return color && c.state.pixel_mode.read_buffer == GL_NONE ? GL_INVALID_OPERATION : GL_NO_ERROR;
+  if (format == GL_DEPTH_STENCIL && (c.read->depth_bits == 0 || c.read->stencil_bits == 0))
+    return GL_INVALID_OPERATION;
+  const bool color = format != GL_DEPTH_COMPONENT && format != GL_STENCIL_INDEX && format != GL_DEPTH_STENCIL;
+  return color && read_buffer(c) == GL_NONE ? GL_INVALID_OPERATION : GL_NO_ERROR;
 }
 
 } // namespace
 
 void gl::ReadPixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type,
                     void* pixels) {
+  if (c.bindings.read && !flush_for_reading(c)) {
+    const GLenum error =
+        width < 0 || height < 0 ? GLenum(GL_INVALID_VALUE) : check_pixel_format(format, type);
+    return set_error(c, error ? error : GLenum(GL_INVALID_FRAMEBUFFER_OPERATION));
+  }
   if (const GLenum error = check(c, width, height, format, type)) return set_error(c, error);
   if (width == 0 || height == 0 || !pixels) return;
-  flush_rendering(c);
-  c.framebuffer.unresolved = true; // OSMesa: a read, too, makes the next glFlush write the caller's buffer
+  flush_for_reading(c);
+  if (!c.bindings.read)
+    c.framebuffer.unresolved = true; // OSMesa: a read, too, makes the next glFlush write the caller's buffer
   ++c.framebuffer.counts.reads;
 
-  const Surface& s = c.framebuffer.surface;
+  const Surface& s = c.read->surface;
   const int64_t left = std::max<int64_t>(x, 0), right = std::min<int64_t>(int64_t(x) + width, s.width);
   const int64_t bottom = std::max<int64_t>(y, 0), top = std::min<int64_t>(int64_t(y) + height, s.height);
   if (left >= right || bottom >= top) return;
@@ -215,6 +241,7 @@ void gl::ReadPixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height,
   t.skipped = int(left - x);
   t.swap = c.client.pixel_store.pack.swap_bytes;
   if (format == GL_DEPTH_COMPONENT) return read_depths(c, t);
+  if (format == GL_DEPTH_STENCIL) return read_depths_and_stencils(c, t);
   if (format == GL_STENCIL_INDEX) return read_stencils(c, t);
   read_colors(c, t);
 }

@@ -34,7 +34,7 @@ struct Values {
 // Colors of fragment operations are kept as given, and read back clamped unless the color buffer is of
 // floats.
 Vec4 fragment_color(const Context& c, const Vec4& color) {
-  if (c.framebuffer.surface.color_format == ColorFormat::RgbaFloat) return color;
+  if (c.draw->surface.color_format == ColorFormat::RgbaFloat) return color;
   Vec4 clamped;
   for (int i = 0; i < 4; ++i) clamped[i] = color[i] > 0.0f ? (color[i] > 1.0f ? 1.0f : color[i]) : 0.0f;
   return clamped;
@@ -44,15 +44,27 @@ struct FramebufferBits {
   int red, green, blue, alpha, depth, stencil, accumulation;
 };
 FramebufferBits framebuffer_bits(const Context& c) {
-  const Framebuffer& f = c.framebuffer;
-  int red = 8, green = 8;
-  switch (f.surface.color_format) {
-  case ColorFormat::Rgba8: break;
-  case ColorFormat::Rgba16: red = green = 16; break;
-  case ColorFormat::RgbaFloat: red = green = 32; break;
-  case ColorFormat::Rgb565: red = 5, green = 6; break;
+  const FramebufferObject* f = c.bindings.draw.get();
+  if (!f) {
+    const Framebuffer& w = c.framebuffer;
+    return {bits_of_color(w, 0), bits_of_color(w, 1), bits_of_color(w, 2), bits_of_color(w, 3),
+            w.depth_bits,        w.stencil_bits,      w.accumulation_bits};
   }
-  return {red, green, red, f.has_alpha ? red : 0, f.depth_bits, f.stencil_bits, f.accumulation_bits};
+  FramebufferBits bits{};
+  if (!f->complete()) return bits;
+  if (const Attachment* a = f->color_of(f->draw_buffer)) {
+    const RenderFormat format = a->format();
+    bits.red = format.bits[0], bits.green = format.bits[1];
+    bits.blue = format.bits[2], bits.alpha = format.bits[3];
+  }
+  if (!f->depth.empty()) bits.depth = f->depth.format().depth_bits;
+  if (!f->stencil.empty()) bits.stencil = f->stencil.format().stencil_bits;
+  return bits;
+}
+
+/// The name of a bound object, 0 for none.
+template <class Object> GLuint name_of(const std::shared_ptr<Object>& object) {
+  return object ? object->name : 0;
 }
 
 GLint stencil_reference(const Context& c) {

@@ -26,28 +26,34 @@ uint32_t transferred_depth(const PixelTransfer& transfer, uint32_t z, int from_b
 /// The depths of a rectangle, bottom row first, in the bits of `format`; 0 outside the surface.
 void copy_depths(Context& c, int x, int y, int width, int height, const TexelFormat& format,
                  TextureImage& image, int to_x, int to_y, int to_z) {
-  flush_rendering(c);
-  const Surface& surface = c.framebuffer.surface;
+  const Surface& surface = c.read->surface;
   const int from_bits = surface.depth_format == DepthFormat::Z16 ? 16 : 24, to_bits = format.bits[0];
   for (int j = 0; j < height; ++j)
     for (int i = 0; i < width; ++i) {
       uint32_t word = 0;
-      const int sx = x + i, sy = surface.height - 1 - (y + j);
+      const int sx = x + i, sy = y + j;
       if (sx >= 0 && sy >= 0 && sx < surface.width && sy < surface.height)
-        copy_depth_stencil_row(surface, sx, sy, 1, &word);
+        copy_depth_stencil_row(surface, sx, surface_row(surface, sy), 1, &word);
       const uint32_t z = from_bits == 24 ? word & 0xffffffu : word & 0xffffu;
       *reinterpret_cast<uint32_t*>(image.at(to_x + i, to_y + j, to_z)) =
           transferred_depth(pixel_transfer(c), z, from_bits, to_bits);
+      if (!image.stencils.empty())
+        *image.stencil_at(to_x + i, to_y + j, to_z) = uint8_t(pixel_transfer(c).stencil(word >> 24));
     }
+}
+
+/// True where the format needs depths, or stencil values, that what is read does not have.
+bool lacks_depth(const Context& c, const TexelFormat& format) {
+  return (format.layout == TexelLayout::Depth && c.read->depth_bits == 0) ||
+         (format.base == GL_DEPTH_STENCIL && c.read->stencil_bits == 0);
 }
 
 void copy_colors(Context& c, int x, int y, int width, int height, TextureImage& image, int to_x, int to_y,
                  int to_z) {
-  flush_rendering(c);
   const PixelTransfer transfer = pixel_transfer(c);
-  if (c.framebuffer.surface.color_format == ColorFormat::Rgba8) {
+  if (c.read->surface.color_format == ColorFormat::Rgba8) {
     std::vector<uint8_t> pixels(size_t(width) * size_t(height) * 4);
-    read_rgba8(c.framebuffer.surface, x, y, width, height, reinterpret_cast<uint8_t(*)[4]>(pixels.data()));
+    read_rgba8(c.read->surface, x, y, width, height, reinterpret_cast<uint8_t(*)[4]>(pixels.data()));
     if (image.format->layout == TexelLayout::Rgba8 && !transfer.changes_color())
       for (size_t i = 0; i < pixels.size(); ++i)
         pixels[i] = reduced_byte(pixels[i], image.format->bits[i & 3]);
@@ -57,7 +63,7 @@ void copy_colors(Context& c, int x, int y, int width, int height, TextureImage& 
                    pixels.data() + size_t(j) * size_t(width) * 4, width, false, transfer);
   } else {
     std::vector<float> pixels(size_t(width) * size_t(height) * 4);
-    read_rgba_float(c.framebuffer.surface, x, y, width, height, reinterpret_cast<float(*)[4]>(pixels.data()));
+    read_rgba_float(c.read->surface, x, y, width, height, reinterpret_cast<float(*)[4]>(pixels.data()));
     const PixelFormat f = describe_pixel_format(GL_RGBA, GL_FLOAT);
     for (int j = 0; j < height; ++j)
       store_texels(*image.format, image.at(to_x, to_y + j, to_z), f,
@@ -72,7 +78,7 @@ void copy_rectangle(Context& c, int x, int y, int width, int height, TextureImag
     copy_depths(c, x, y, width, height, *image.format, image, to_x, to_y, to_z);
   else
     copy_colors(c, x, y, width, height, image, to_x, to_y, to_z);
-  image.repeat_edges();
+  image.texels_changed();
 }
 
 void copy_image(Context& c, int dimensions, GLenum target, GLint level, GLenum internal_format, GLint x,
@@ -82,14 +88,14 @@ void copy_image(Context& c, int dimensions, GLenum target, GLint level, GLenum i
   if (level < 0 || level >= max_texture_levels(t.target) || border < 0 || border > 1 || width < 0 ||
       height < 0)
     return set_error(c, GL_INVALID_VALUE);
+  if (!flush_for_reading(c)) return set_error(c, GL_INVALID_FRAMEBUFFER_OPERATION);
   // The numbers 1 to 4 are no formats here (3.8.2).
   const TexelFormat* chosen =
       internal_format <= 4 ? nullptr : choose_texel_format(GLint(internal_format), 0, 0, false);
   if (!chosen) return set_error(c, GL_INVALID_ENUM);
   const auto object = target_object(c, t);
   const TexelFormat* texel = &level_format(*object, t.face, level, GLint(internal_format), *chosen);
-  if (texel->base == GL_DEPTH_COMPONENT &&
-      (c.framebuffer.surface.depth_format == DepthFormat::None || t.target == kTextureCube))
+  if (lacks_depth(c, *texel) || (texel->layout == TexelLayout::Depth && t.target == kTextureCube))
     return set_error(c, GL_INVALID_OPERATION);
   if (GLenum error = check_image_size(t, level, width, height, 1, border); error != GL_NO_ERROR)
     return set_error(c, error);
@@ -98,7 +104,7 @@ void copy_image(Context& c, int dimensions, GLenum target, GLint level, GLenum i
                           dimensions > 1 ? height - 2 * border : 1, 1);
   copy_rectangle(c, x + border, dimensions > 1 ? y + border : y, image->width, image->height, *image, 0, 0,
                  0);
-  mark_images(c);
+  mark_images(c, *object);
   match_formats(*object, *image);
   object->image[t.face][level] = std::move(image);
   regenerate_mipmaps(*object, t.face, level);
@@ -110,21 +116,21 @@ void copy_sub_image(Context& c, int dimensions, GLenum target, GLint level, GLin
   if (!t.valid() || t.proxy) return set_error(c, GL_INVALID_ENUM);
   if (level < 0 || level >= max_texture_levels(t.target) || width < 0 || height < 0)
     return set_error(c, GL_INVALID_VALUE);
+  // A frame that still samples the image is done then, so no copy has to be made of it.
+  if (!flush_for_reading(c)) return set_error(c, GL_INVALID_FRAMEBUFFER_OPERATION);
   const auto object = target_object(c, t);
   const TextureImage* image = object->image[t.face][level].get();
   if (!image) return set_error(c, GL_INVALID_OPERATION);
   if (!box_inside(*image, to_x, to_y, to_z, width, height, 1)) return set_error(c, GL_INVALID_VALUE);
-  if (image->format->layout == TexelLayout::Depth && c.framebuffer.surface.depth_format == DepthFormat::None)
-    return set_error(c, GL_INVALID_OPERATION);
+  if (lacks_depth(c, *image->format)) return set_error(c, GL_INVALID_OPERATION);
   // Texels that would come from outside the window are undefined (3.8.2); as in OSMesa they stay what they
   // are.
-  const Surface& surface = c.framebuffer.surface;
+  const Surface& surface = c.read->surface;
   const int right = int(std::min(int64_t(x) + width, int64_t(surface.width))),
             top = int(std::min(int64_t(y) + height, int64_t(surface.height)));
   const int left = std::max(x, 0), bottom = std::max(y, 0);
   if (left >= right || bottom >= top) return;
-  flush_rendering(c); // a frame that still samples the image is done, so no copy has to be made of it
-  mark_images(c);
+  mark_images(c, *object);
   copy_rectangle(c, left, bottom, right - left, top - bottom, object->writable(t.face, level),
                  to_x + left - x, to_y + bottom - y, to_z);
   regenerate_mipmaps(*object, t.face, level);

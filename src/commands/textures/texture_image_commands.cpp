@@ -4,6 +4,7 @@
 #include "commands/textures/texture_images.h"
 #include "context/context.h"
 #include "context/pixel_transfer.h"
+#include "snapshot/render_targets.h"
 #include "texture/pixel_formats.h"
 
 namespace softgl {
@@ -25,7 +26,10 @@ GLenum check_image_size(const ImageTarget& t, GLint level, GLsizei width, GLsize
   return GL_NO_ERROR;
 }
 
-void mark_images(Context& c) { c.dirty |= kDirtyTextureObjects; }
+void mark_images(Context& c, const TextureObject& object) {
+  c.dirty |= kDirtyTextureObjects;
+  if (is_attached(c, object)) framebuffers_changed(c);
+}
 
 void regenerate_mipmaps(TextureObject& object, int face, int level) {
   if (object.parameters.generate_mipmap && level == object.parameters.base_level)
@@ -41,7 +45,7 @@ void store_box(Context& c, TextureImage& image, int x, int y, int z, int width, 
   const PixelTransfer transfer = pixel_transfer(c);
   const TexelRows rows(
       *image.format, format, store.swap_bytes, transfer,
-      format.format == GL_COLOR_INDEX ? 0 : uint64_t(width) * uint64_t(height) * uint64_t(depth));
+      format.format == GL_COLOR_INDEX || format.format == GL_DEPTH_STENCIL ? 0 : uint64_t(width) * uint64_t(height) * uint64_t(depth));
   for (int k = 0; k < depth; ++k)
     for (int j = 0; j < height; ++j) {
       void* const texels = image.at(x, y + j, z + k);
@@ -49,10 +53,13 @@ void store_box(Context& c, TextureImage& image, int x, int y, int z, int width, 
       if (format.format == GL_COLOR_INDEX)
         store_color_indexes(*image.format, texels, format, row, layout.bit_offset, width, store.swap_bytes,
                             store.lsb_first, transfer);
+      else if (format.format == GL_DEPTH_STENCIL)
+        store_depth_stencil(static_cast<uint32_t*>(texels), image.stencil_at(x, y + j, z + k), row, width,
+                            store.swap_bytes, transfer);
       else
         rows.store(texels, row, width);
     }
-  image.repeat_edges();
+  image.texels_changed();
 }
 
 GLenum check_format(GLint internal_format, GLenum format, GLenum type) {
@@ -60,7 +67,7 @@ GLenum check_format(GLint internal_format, GLenum format, GLenum type) {
   if (format == GL_STENCIL_INDEX) return GL_INVALID_ENUM;
   const GLenum base = base_internal_format(internal_format);
   if (base == 0) return GL_INVALID_VALUE;
-  if ((base == GL_DEPTH_COMPONENT) != (format == GL_DEPTH_COMPONENT)) return GL_INVALID_OPERATION;
+  if (!same_kind(base, format)) return GL_INVALID_OPERATION;
   return GL_NO_ERROR;
 }
 
@@ -78,7 +85,7 @@ void specify_image(Context& c, int dimensions, GLenum target, GLint level, GLint
   const TexelFormat& texel = level_format(
       *object, t.face, level, internal_format,
       *choose_texel_format(internal_format, format, type, c.client.pixel_store.unpack.swap_bytes));
-  if (texel.base == GL_DEPTH_COMPONENT && t.target != kTexture1D && t.target != kTexture2D &&
+  if (texel.layout == TexelLayout::Depth && t.target != kTexture1D && t.target != kTexture2D &&
       t.target != kTextureRectangle)
     return set_error(c, GL_INVALID_OPERATION);
   const GLenum size_error = check_image_size(t, level, width, height, depth, border);
@@ -99,7 +106,7 @@ void specify_image(Context& c, int dimensions, GLenum target, GLint level, GLint
   const int b = border;
   auto image = make_image(texel, internal_format, width - 2 * b, dimensions > 1 ? height - 2 * b : 1,
                           dimensions > 2 ? depth - 2 * b : 1);
-  mark_images(c);
+  mark_images(c, *object);
   match_formats(*object, *image);
   if (pixels && !image->empty()) {
     // The border is dropped, as OSMesa drops it: only the pixels inside are read.
@@ -110,6 +117,8 @@ void specify_image(Context& c, int dimensions, GLenum target, GLint level, GLint
     if (dimensions > 1) p += size_t(b) * layout.row_stride;
     if (dimensions > 2) p += size_t(b) * layout.image_stride;
     store_box(c, *image, 0, 0, 0, image->width, image->height, image->depth, f, layout, p);
+  } else {
+    image->fill_absent_alpha();
   }
   object->image[t.face][level] = std::move(image);
   regenerate_mipmaps(*object, t.face, level);
@@ -128,18 +137,24 @@ void change_image(Context& c, int dimensions, GLenum target, GLint level, GLint 
   if (!image) return set_error(c, GL_INVALID_OPERATION);
   if (!box_inside(*image, x, y, z, width, height, depth)) return set_error(c, GL_INVALID_VALUE);
   if (format == GL_STENCIL_INDEX) return set_error(c, GL_INVALID_ENUM);
-  if ((image->format->base == GL_DEPTH_COMPONENT) != (format == GL_DEPTH_COMPONENT))
-    return set_error(c, GL_INVALID_OPERATION);
+  if (!same_kind(image->format->base, format)) return set_error(c, GL_INVALID_OPERATION);
   if (!pixels || width == 0 || height == 0 || depth == 0) return;
   const PixelFormat f = describe_pixel_format(format, type);
   const ImageLayout layout = layout_image(c.client.pixel_store.unpack, dimensions, width, height, f);
-  mark_images(c);
+  mark_images(c, *object);
   store_box(c, object->writable(t.face, level), x, y, z, width, height, depth, f, layout,
             static_cast<const unsigned char*>(pixels) + layout.offset);
   regenerate_mipmaps(*object, t.face, level);
 }
 
 } // namespace
+
+bool same_kind(GLenum base, GLenum format) {
+  const auto kind = [](GLenum f) {
+    return f == GL_DEPTH_COMPONENT || f == GL_DEPTH_STENCIL ? f : GLenum(GL_RGBA);
+  };
+  return kind(base) == kind(format);
+}
 
 bool box_inside(const TextureImage& image, GLint x, GLint y, GLint z, GLsizei width, GLsizei height,
                 GLsizei depth) {
@@ -184,18 +199,25 @@ void GetTexImage(Context& c, GLenum target, GLint level, GLenum format, GLenum t
   const auto object = target_object(c, t);
   const TextureImage* image = object->image[t.face][level].get();
   if (!image || image->empty() || !pixels) return;
-  if ((image->format->base == GL_DEPTH_COMPONENT) != (format == GL_DEPTH_COMPONENT))
+  // Depths alone can be had of both.
+  if (!same_kind(image->format->base, format) &&
+      !(image->format->base == GL_DEPTH_STENCIL && format == GL_DEPTH_COMPONENT))
     return set_error(c, GL_INVALID_OPERATION);
   const PixelFormat f = describe_pixel_format(format, type);
   const int dimensions = t.target == kTexture1D ? 1 : t.target == kTexture3D ? 3 : 2;
   const ImageLayout layout =
       layout_image(c.client.pixel_store.pack, dimensions, image->width, image->height, f);
   auto p = static_cast<unsigned char*>(pixels) + layout.offset;
+  const bool swap = c.client.pixel_store.pack.swap_bytes;
   for (int z = 0; z < image->depth; ++z)
-    for (int y = 0; y < image->height; ++y)
-      load_texels(*image->format, image->at(0, y, z), f,
-                  p + size_t(z) * layout.image_stride + size_t(y) * layout.row_stride, image->width,
-                  c.client.pixel_store.pack.swap_bytes);
+    for (int y = 0; y < image->height; ++y) {
+      unsigned char* row = p + size_t(z) * layout.image_stride + size_t(y) * layout.row_stride;
+      if (format == GL_DEPTH_STENCIL)
+        load_depth_stencil(reinterpret_cast<const uint32_t*>(image->at(0, y, z)), image->stencil_at(0, y, z),
+                           row, image->width, swap);
+      else
+        load_texels(*image->format, image->at(0, y, z), f, row, image->width, swap);
+    }
 }
 
 // Compressed images: no compressed format is advertised (GL_NUM_COMPRESSED_TEXTURE_FORMATS is 0), so none is

@@ -8,10 +8,13 @@ namespace softgl {
 /// GL_NO_ERROR or GL_INVALID_VALUE (3.8.1). Sizes include the border.
 GLenum check_image_size(const ImageTarget& target, GLint level, GLsizei width, GLsizei height, GLsizei depth,
                         GLint border);
+/// Whether client pixels of `format` and texels of a base format go together: colors, depths, or both of
+/// GL_DEPTH_STENCIL (3.8.1).
+bool same_kind(GLenum base, GLenum format);
 bool box_inside(const TextureImage& image, GLint x, GLint y, GLint z, GLsizei width, GLsizei height,
                 GLsizei depth);
 /// Marks the state. Called before the first image changes: where memory ends, some of them have changed.
-void mark_images(Context& c);
+void mark_images(Context& c, const TextureObject& object);
 /// After a change: regenerates mipmaps if that is asked for (3.8.8). Throws std::bad_alloc.
 void regenerate_mipmaps(TextureObject& object, int face, int level);
 

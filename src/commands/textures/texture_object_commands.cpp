@@ -1,7 +1,9 @@
 // Naming and binding of texture objects (GL 1.5, 3.8.12).
+#include "commands/framebuffer/flush.h"
 #include "commands/generated/commands.h"
 #include "commands/textures/texture_targets.h"
 #include "context/context.h"
+#include "snapshot/render_targets.h"
 
 namespace softgl::gl {
 
@@ -16,6 +18,10 @@ void DeleteTextures(Context& c, GLsizei n, const GLuint* textures) {
   if (!textures) return;
   for (GLsizei i = 0; i < n; ++i) {
     if (textures[i] == 0) continue;
+    if (const auto object = c.shared->textures.find(textures[i]); object && is_attached(c, *object)) {
+      draw_what_waits(c);
+      detach_from_bound(c, *object);
+    }
     c.shared->textures.erase(textures[i]);
     for (auto& unit : c.state.texture.unit)
       for (GLuint& bound : unit.bound)

@@ -154,7 +154,8 @@ bool get_level_parameter(Context& c, GLenum target, GLint level, GLenum pname, G
     value = bits(base == GL_LUMINANCE || base == GL_LUMINANCE_ALPHA, 0);
     return true;
   case GL_TEXTURE_INTENSITY_SIZE: value = bits(base == GL_INTENSITY, 0); return true;
-  case GL_TEXTURE_DEPTH_SIZE: value = bits(base == GL_DEPTH_COMPONENT, 0); return true;
+  case GL_TEXTURE_DEPTH_SIZE: value = bits(f && f->layout == TexelLayout::Depth, 0); return true;
+  case GL_TEXTURE_STENCIL_SIZE: value = base == GL_DEPTH_STENCIL ? 8 : 0; return true;
   case GL_TEXTURE_COMPRESSED: value = 0; return true;
   case GL_TEXTURE_SHARED_SIZE: value = 0; return true; // of later versions: no format shares an exponent
   case GL_TEXTURE_COMPRESSED_IMAGE_SIZE:

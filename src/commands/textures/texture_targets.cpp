@@ -2,6 +2,7 @@
 #include "context/texture_bindings.h"
 
 #include "context/context.h"
+#include "snapshot/render_targets.h"
 
 namespace softgl {
 
@@ -46,8 +47,10 @@ ImageTarget any_image_target(GLenum target) {
 }
 
 std::shared_ptr<TextureObject> target_object(Context& c, const ImageTarget& target) {
-  return target.proxy ? proxy_texture(c, target.target)
-                      : bound_texture(c, c.state.texture.active_unit, target.target);
+  if (target.proxy) return proxy_texture(c, target.target);
+  auto object = bound_texture(c, c.state.texture.active_unit, target.target);
+  settle_texture(c, *object);
+  return object;
 }
 
 int max_texture_size(TextureTarget target) {

@@ -22,6 +22,7 @@ ImageTarget image_target(GLenum target, int dimensions);
 /// Any image, for level queries and GetTexImage.
 ImageTarget any_image_target(GLenum target);
 
+/// Its texels are up to date.
 std::shared_ptr<TextureObject> target_object(Context& c, const ImageTarget& target);
 /// The largest width, height or depth of level 0.
 int max_texture_size(TextureTarget target);

@@ -10,6 +10,7 @@
 #include "commands/vertices/list_compilation.h"
 #include "commands/vertices/vertex_chunk.h"
 #include "context/context.h"
+#include "snapshot/render_targets.h"
 
 namespace softgl {
 namespace {
@@ -146,6 +147,7 @@ void gl::Begin(Context& c, GLenum mode) {
   if (c.guard & kNoContext) return;
   if (mode > GL_POLYGON) return raise_error(c, GL_INVALID_ENUM);
   if (b.mode != kNoPrimitive) return raise_error(c, GL_INVALID_OPERATION);
+  if (!b.compiling && !draw_target_complete(c)) return set_error(c, GL_INVALID_FRAMEBUFFER_OPERATION);
   // Vertices whose Begin is in no known list, or those of array draws.
   if (b.limit || b.array_run == ArrayRun::Hidden) close_compiled_run(c);
   b.dropping = b.compiling && c.lists.failed;

@@ -128,7 +128,7 @@ void tiles(benchmark::State& state) {
     state.PauseTiming();
     std::fill_n(surface.depth_stencil, pixels, 0xffffffu);
     state.ResumeTiming();
-    for (const auto& t : touched) execute_tile(surface, t.tile, t.first, *kernels().raster, *block);
+    for (const auto& t : touched) execute_tile(surface, t.tile, t.first, *kernels().raster, *block, nullptr);
   }
   count_work(state, "triangle", scene.steps);
   print_hash(state, hash_of(surface.color, pixels * 4, hash_of(surface.depth_stencil, pixels * 4)));

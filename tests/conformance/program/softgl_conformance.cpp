@@ -31,6 +31,7 @@ const char kUsage[] =
     "  --minimize        cut each failing scene down to the calls that matter and print them\n"
     "  --trace           print the calls of each scene\n"
     "  --floats          draw all scenes to buffers of floats\n"
+    "  --framebuffer-object  draw all scenes to renderbuffers\n"
     "  --sheet FILE      write the pictures of one library as one PNG\n"
     "  --stop N          stop a family after N failures (5)\n"
     "  --expect-isa I    fail unless softgl computes with this instruction set (SOFTGL_ISA)\n";
@@ -39,7 +40,7 @@ struct Options {
   std::vector<std::string> families;
   uint64_t seed = 0, count = 100;
   std::string library = "compare", sheet;
-  bool hash = false, minimize = false, trace = false, floats = false;
+  bool hash = false, minimize = false, trace = false, floats = false, framebuffer_object = false;
   int stop = 5;
 };
 
@@ -97,7 +98,10 @@ int run(const Options& o) {
       scenes.push_back(*scene);
     }
   }
-  for (Scene& scene : scenes) scene.floats |= o.floats;
+  for (Scene& scene : scenes) {
+    scene.floats |= o.floats;
+    scene.framebuffer_object |= o.framebuffer_object;
+  }
   const bool alone = o.library != "compare";
   const Gl& gl = o.library == "osmesa" ? osmesa_library() : softgl_library();
   const Gl shaders =
@@ -191,6 +195,8 @@ int main(int argc, char** argv) {
       o.trace = true;
     else if (option == "--floats")
       o.floats = true;
+    else if (option == "--framebuffer-object")
+      o.framebuffer_object = true;
     else if (!value)
       return usage();
     else if (option == "--family")

@@ -1,0 +1,210 @@
+// BlitFramebuffer (GL_ARB_framebuffer_object, 4.3.3).
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "commands/framebuffer/flush.h"
+#include "commands/generated/commands.h"
+#include "context/context.h"
+#include "shaders/fragment/pixel_image.h"
+#include "snapshot/render_targets.h"
+#include "snapshot/submit.h"
+#include "surface/read_surface.h"
+
+namespace softgl {
+namespace {
+
+/// One axis of a blit: for each pixel from `first` on, in the rows or columns of the drawn surface, which
+/// pixel of the read one it shows, or which two and how much of the second (1/256).
+struct BlitAxis {
+  int32_t first = 0;
+  std::vector<int32_t> low, high;
+  std::vector<int32_t> weight;
+  int32_t source_first = 0, source_end = 0; // of the pixels that are read
+  int32_t count() const { return int32_t(low.size()); }
+};
+
+/// Where an end of a rectangle lies on a surface whose pixels are numbered up or down.
+double on_surface(double v, int size, bool down) { return down ? size - v : v; }
+
+/// Rectangle ends from0, from1 of the read surface to to0, to1 of the drawn one. Pixels from outside the read
+/// surface are not drawn; where two are mixed they are those at its edge.
+BlitAxis make_axis(int from0, int from1, int from_size, bool from_down, int to0, int to1, int to_size,
+                   bool to_down, bool linear) {
+  BlitAxis axis;
+  const double a = on_surface(to0, to_size, to_down), b = on_surface(to1, to_size, to_down);
+  const double s = on_surface(from0, from_size, from_down), t = on_surface(from1, from_size, from_down);
+  if (a == b || s == t) return axis;
+  const int begin = std::max(int(std::min(a, b)), 0), end = int(std::min(std::max(a, b), double(to_size)));
+  const double step = (t - s) / (b - a);
+  axis.source_first = from_size;
+  for (int i = begin; i < end; ++i) {
+    const double at = s + (i + 0.5 - a) * step;
+    if (at < 0 || at >= from_size) {
+      if (axis.low.empty()) continue;
+      break;
+    }
+    if (axis.low.empty()) axis.first = i;
+    int low = int(at), high = low, weight = 0;
+    if (linear) {
+      const int fixed = int(std::lrint(at * 256)) - 128;
+      low = std::clamp(fixed >> 8, 0, from_size - 1);
+      high = fixed < 0 ? low : std::min(low + 1, from_size - 1);
+      weight = fixed & 255;
+    }
+    axis.low.push_back(low);
+    axis.high.push_back(high);
+    axis.weight.push_back(weight);
+    axis.source_first = std::min(axis.source_first, low);
+    axis.source_end = std::max(axis.source_end, high + 1);
+  }
+  return axis;
+}
+
+struct Blit {
+  BlitAxis columns, rows;
+  bool linear;
+  bool visible() const { return columns.count() > 0 && rows.count() > 0; }
+  int source_width() const { return columns.source_end - columns.source_first; }
+  int source_height() const { return rows.source_end - rows.source_first; }
+  size_t pixels() const { return size_t(columns.count()) * size_t(rows.count()); }
+  size_t source_pixels() const { return size_t(source_width()) * size_t(source_height()); }
+  WindowBox box() const {
+    return {columns.first, rows.first, columns.first + columns.count(), rows.first + rows.count()};
+  }
+  /// Elements are the read pixels, row by row, or, where they are mixed, the drawn ones.
+  const PixelImage& image(PixelElement kind, const void* element, Arena& arena) const {
+    auto* column = arena.allocate_array<int32_t>(size_t(columns.count()));
+    auto* row = arena.allocate_array<int32_t>(size_t(rows.count()));
+    for (int i = 0; i < columns.count(); ++i)
+      column[i] = linear ? i : columns.low[size_t(i)] - columns.source_first;
+    for (int i = 0; i < rows.count(); ++i)
+      row[i] = linear ? i * columns.count() : (rows.low[size_t(i)] - rows.source_first) * source_width();
+    return *arena.make<PixelImage>(kind, element, columns.first, rows.first, columns.count(), rows.count(),
+                                   column, row);
+  }
+};
+
+int mix(int weight, int a, int b) { return a + ((weight * (b - a) + 128) >> 8); }
+float mix(int weight, float a, float b) { return float(weight) * (1.0f / 256.0f) * (b - a) + a; }
+
+/// Bilinear mixtures of groups of four components: across first, then along (as OSMesa 22.3.6 filters
+/// textures).
+template <class T, class Number> void mix_pixels(const Blit& blit, const T (*from)[4], T (*to)[4]) {
+  const auto width = size_t(blit.source_width());
+  for (int y = 0; y < blit.rows.count(); ++y) {
+    const auto j = size_t(y);
+    const T(*low)[4] = from + size_t(blit.rows.low[j] - blit.rows.source_first) * width;
+    const T(*high)[4] = from + size_t(blit.rows.high[j] - blit.rows.source_first) * width;
+    for (int x = 0; x < blit.columns.count(); ++x, ++to) {
+      const auto i = size_t(x);
+      const int left = blit.columns.low[i] - blit.columns.source_first,
+                right = blit.columns.high[i] - blit.columns.source_first;
+      for (int k = 0; k < 4; ++k) {
+        const int w = blit.columns.weight[i];
+        (*to)[k] = T(mix(blit.rows.weight[j], mix(w, Number(low[left][k]), Number(low[right][k])),
+                         mix(w, Number(high[left][k]), Number(high[right][k]))));
+      }
+    }
+  }
+}
+
+void blit_colors(Context& c, const Blit& blit) {
+  const Surface& s = c.read->surface;
+  Arena& arena = c.frame.arena();
+  std::vector<unsigned char> row(size_t(blit.source_width()) * 16);
+  const auto read = [&](auto* pixels, auto convert) {
+    for (int y = 0; y < blit.source_height(); ++y) {
+      copy_color_row(s, blit.columns.source_first, blit.rows.source_first + y, blit.source_width(),
+                     row.data());
+      convert(s.color_format, row.data(), blit.source_width(),
+              pixels + size_t(y) * size_t(blit.source_width()));
+    }
+  };
+  if (s.color_format == ColorFormat::Rgba8) {
+    auto* pixels = reinterpret_cast<uint8_t(*)[4]>(arena.allocate_array<uint32_t>(blit.source_pixels()));
+    read(pixels, color_row_to_bytes);
+    if (blit.linear) {
+      auto* mixed = reinterpret_cast<uint8_t(*)[4]>(arena.allocate_array<uint32_t>(blit.pixels()));
+      mix_pixels<uint8_t, int>(blit, pixels, mixed);
+      pixels = mixed;
+    }
+    return submit_copy(c, blit.image(PixelElement::Bytes, pixels, arena), blit.box());
+  }
+  auto* pixels = reinterpret_cast<float(*)[4]>(arena.allocate_array<PixelFloats>(blit.source_pixels()));
+  read(pixels, color_row_to_floats);
+  if (blit.linear) {
+    auto* mixed = reinterpret_cast<float(*)[4]>(arena.allocate_array<PixelFloats>(blit.pixels()));
+    mix_pixels<float, float>(blit, pixels, mixed);
+    pixels = mixed;
+  }
+  submit_copy(c, blit.image(PixelElement::Floats, pixels, arena), blit.box());
+}
+
+/// The words of depths and stencil values that are read.
+uint32_t* read_words(Context& c, const Blit& blit) {
+  auto* words = c.frame.arena().allocate_array<uint32_t>(blit.source_pixels());
+  for (int y = 0; y < blit.source_height(); ++y)
+    copy_depth_stencil_row(c.read->surface, blit.columns.source_first, blit.rows.source_first + y,
+                           blit.source_width(), words + size_t(y) * size_t(blit.source_width()));
+  return words;
+}
+
+void blit_depths(Context& c, const Blit& blit) {
+  uint32_t* words = read_words(c, blit);
+  const uint32_t mask = largest_depth(c.read->surface.depth_format);
+  for (size_t i = 0; i < blit.source_pixels(); ++i) words[i] &= mask;
+  submit_copy(c, blit.image(PixelElement::Depth, words, c.frame.arena()), blit.box());
+}
+
+void blit_stencils(Context& c, const Blit& blit) {
+  const uint32_t* words = read_words(c, blit);
+  bool used[256] = {};
+  for (size_t i = 0; i < blit.source_pixels(); ++i) used[words[i] >> 24] = true;
+  for (uint32_t v = 0; v < 256; ++v) {
+    if (!used[v]) continue;
+    auto* bit = c.frame.arena().allocate_array<uint8_t>(blit.source_pixels());
+    for (size_t i = 0; i < blit.source_pixels(); ++i) bit[i] = words[i] >> 24 == v;
+    submit_stencil(c, blit.image(PixelElement::Bit, bit, c.frame.arena()), uint8_t(v), blit.box(), 0xff);
+  }
+}
+
+} // namespace
+
+void gl::BlitFramebuffer(Context& c, GLint srcX0, GLint srcY0, GLint srcX1, GLint srcY1, GLint dstX0,
+                         GLint dstY0, GLint dstX1, GLint dstY1, GLbitfield mask, GLenum filter) {
+  if (mask & ~GLbitfield(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT))
+    return set_error(c, GL_INVALID_VALUE);
+  if (filter != GL_NEAREST && filter != GL_LINEAR) return set_error(c, GL_INVALID_ENUM);
+  if ((mask & (GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT)) && filter != GL_NEAREST)
+    return set_error(c, GL_INVALID_OPERATION);
+  if (!flush_for_reading(c) || !prepare_draw_target(c)) return set_error(c, GL_INVALID_FRAMEBUFFER_OPERATION);
+  const RenderTarget &from = *c.read, &to = *c.draw;
+  // What is not in both is not copied.
+  const bool color = (mask & GL_COLOR_BUFFER_BIT) && from.surface.color && to.surface.color &&
+                     read_buffer(c) != GL_NONE && draws_color(c);
+  const bool depth = (mask & GL_DEPTH_BUFFER_BIT) && from.depth_bits && to.depth_bits;
+  const bool stencil = (mask & GL_STENCIL_BUFFER_BIT) && from.stencil_bits && to.stencil_bits;
+  if (depth && from.depth_bits != to.depth_bits) return set_error(c, GL_INVALID_OPERATION);
+  if (color && is_float(from.surface) != is_float(to.surface)) return set_error(c, GL_INVALID_OPERATION);
+  if (!color && !depth && !stencil) return;
+  // Ends so far away are not met by any surface, and their differences fit an integer.
+  constexpr GLint kFar = 1 << 28;
+  for (GLint* v : {&srcX0, &srcY0, &srcX1, &srcY1, &dstX0, &dstY0, &dstX1, &dstY1})
+    *v = std::clamp(*v, -kFar, kFar);
+  const bool same_size = std::abs(srcX1 - srcX0) == std::abs(dstX1 - dstX0) &&
+                         std::abs(srcY1 - srcY0) == std::abs(dstY1 - dstY0);
+  const Surface &s = from.surface, &t = to.surface;
+  Blit blit;
+  blit.linear = filter == GL_LINEAR && !same_size;
+  blit.columns = make_axis(srcX0, srcX1, s.width, false, dstX0, dstX1, t.width, false, blit.linear);
+  blit.rows = make_axis(srcY0, srcY1, s.height, !s.y_up, dstY0, dstY1, t.height, !t.y_up, blit.linear);
+  if (!blit.visible()) return;
+  if (!c.bindings.draw) c.framebuffer.unresolved = true;
+  if (color) blit_colors(c, blit);
+  if (depth) blit_depths(c, blit);
+  if (stencil) blit_stencils(c, blit);
+}
+
+} // namespace softgl

@@ -1,0 +1,61 @@
+// Planes that are drawn to apart from the window: of a renderbuffer, or of a slice of a texture's image
+// (GL_ARB_framebuffer_object, 4.4.2).
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "base/gl_types.h"
+#include "shaders/common/surface.h"
+
+namespace softgl {
+
+struct RenderTarget; // framebuffer.h
+struct TexelFormat;
+
+/// How an image is stored while it is drawn to, and which of it counts.
+struct RenderFormat {
+  enum class Kind : uint8_t { None, Color, DepthStencil } kind = Kind::None; // None: it cannot be drawn to
+  ColorFormat color = ColorFormat::Rgba8;
+  DepthFormat depth = DepthFormat::None;
+  uint8_t bits[4] = {}; // red, green, blue, alpha
+  uint8_t depth_bits = 0, stencil_bits = 0;
+
+  bool is_color() const { return kind == Kind::Color; }
+  bool has_alpha() const { return bits[3] != 0; }
+  /// Blits of depths and stencil values ask for equal formats.
+  bool operator==(const RenderFormat&) const = default;
+};
+
+/// The format of a renderbuffer; Kind::None where `internal_format` is not color-, depth- or
+/// stencil-renderable. Fewer bits than a plane keeps are stored as if more had been asked for (4.4.2.1).
+RenderFormat renderbuffer_format(GLenum internal_format);
+/// The format in which images of texels are drawn to; Kind::None where they cannot be.
+RenderFormat render_format(const TexelFormat& texels);
+
+/// Memory of one plane. Its tiles have fixed places.
+struct RenderPlane {
+  RenderFormat format;
+  int width = 0, height = 0, tiles_x = 0, tiles_y = 0;
+  void* memory = nullptr;
+  size_t bytes = 0;
+  std::vector<TileWords> tile;
+
+  /// Zeros; alpha 1 where there is none. Throws std::bad_alloc.
+  RenderPlane(const RenderFormat& format, int width, int height);
+  ~RenderPlane();
+  RenderPlane(const RenderPlane&) = delete;
+  RenderPlane& operator=(const RenderPlane&) = delete;
+
+  uint32_t tiles() const { return uint32_t(tiles_x) * uint32_t(tiles_y); }
+  /// The plane's pixels from those of tile `i` on.
+  unsigned char* pixels(uint32_t i) const;
+  int pixel_bytes() const { return format.is_color() ? bytes_per_pixel(format.color) : 4; }
+};
+
+/// A surface of width x height pixels, which lie in both planes; each may be null. Its rows go up. `depth`
+/// and `stencil`: those values of the plane count.
+void assemble(GLuint name, int width, int height, RenderPlane* color, RenderPlane* depth_stencil, bool depth,
+              bool stencil, RenderTarget& target);
+
+} // namespace softgl

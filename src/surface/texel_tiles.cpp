@@ -1,0 +1,112 @@
+#include "surface/texel_tiles.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "texture/pixel_formats.h"
+#include "texture/texture_object.h"
+
+namespace softgl {
+namespace {
+
+constexpr int kRun = 8; // pixels of a block's row
+
+/// Calls visit(x, y, first of up to 8 neighbors in the tile, how many) for all pixels of the tile.
+template <class Visit> void for_each_run(const RenderPlane& p, uint32_t tile, Visit&& visit) {
+  const int x0 = int(tile) % p.tiles_x * kTileSize, y0 = int(tile) / p.tiles_x * kTileSize;
+  const int columns = std::min(kTileSize, p.width - x0), rows = std::min(kTileSize, p.height - y0);
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; x += kRun)
+      visit(x0 + x, y0 + y, size_t(pixel_in_tile(x, y)), std::min(kRun, columns - x));
+}
+
+uint16_t to_565(const unsigned char* texel) {
+  return uint16_t((texel[0] & 0xf8) << 8 | (texel[1] & 0xfc) << 3 | texel[2] >> 3);
+}
+void from_565(uint32_t v, unsigned char* texel) {
+  texel[0] = uint8_t(convert_unorm(v >> 11 & 31, 5, 8));
+  texel[1] = uint8_t(convert_unorm(v >> 5 & 63, 6, 8));
+  texel[2] = uint8_t(convert_unorm(v & 31, 5, 8));
+  texel[3] = 255;
+}
+
+/// Depths of 32 bits are drawn to with 24.
+uint32_t drawn_depth(uint32_t texel, int bits) { return bits == 32 ? texel >> 8 : texel; }
+uint32_t stored_depth(uint32_t word, int bits) {
+  const uint32_t z = bits == 16 ? word & 0xffff : word & 0xffffff;
+  return bits == 32 ? z << 8 | z >> 16 : z;
+}
+
+} // namespace
+
+void load_tile(RenderPlane& p, const TextureImage& image, int z, uint32_t tile) {
+  unsigned char* pixels = p.pixels(tile);
+  TileWords& words = p.tile[tile];
+  const size_t texel_bytes = size_t(image.format->bytes());
+  const bool wide = p.format.color == ColorFormat::Rgba16, alpha = p.format.has_alpha();
+  const uint32_t waiting = words.waits ? words.word & 0xff000000u : 0;
+  for_each_run(p, tile, [&](int x, int y, size_t at, int count) {
+    const unsigned char* texels = image.at(x, y, z);
+    for (int i = 0; i < count; ++i, texels += texel_bytes) {
+      const size_t pixel = at + size_t(i);
+      if (!p.format.is_color()) {
+        auto* word = reinterpret_cast<uint32_t*>(pixels) + pixel;
+        uint32_t texel;
+        std::memcpy(&texel, texels, 4);
+        const uint32_t stencil = image.stencils.empty() ? words.waits ? waiting : *word & 0xff000000u
+                                                        : uint32_t(*image.stencil_at(x + i, y, z)) << 24;
+        *word = drawn_depth(texel, image.format->bits[0]) | stencil;
+      } else if (p.format.color == ColorFormat::Rgb565) {
+        const uint16_t v = to_565(texels);
+        std::memcpy(pixels + 2 * pixel, &v, 2);
+      } else if (wide) {
+        std::memcpy(pixels + 8 * pixel, texels, 8);
+        if (!alpha) reinterpret_cast<uint16_t*>(pixels)[4 * pixel + 3] = 0xffff;
+      } else {
+        std::memcpy(pixels + 4 * pixel, texels, 4);
+        if (!alpha) pixels[4 * pixel + 3] = 255;
+      }
+    }
+  });
+  words.waits = words.changed = false;
+  words.known = 0;
+}
+
+void store_tile(RenderPlane& p, TextureImage& image, int z, uint32_t tile) {
+  TileWords& words = p.tile[tile];
+  if (!words.changed) return;
+  words.changed = false;
+  uint32_t same[kRun];
+  std::fill_n(same, kRun, words.word);
+  const unsigned char* pixels = p.pixels(tile);
+  const size_t texel_bytes = size_t(image.format->bytes());
+  const bool bytes = p.format.is_color() && p.format.color == ColorFormat::Rgba8;
+  for_each_run(p, tile, [&](int x, int y, size_t at, int count) {
+    unsigned char* texels = image.at(x, y, z);
+    const unsigned char* from =
+        words.waits ? reinterpret_cast<const unsigned char*>(same) : pixels + at * size_t(p.pixel_bytes());
+    if (bytes) {
+      std::memcpy(texels, from, 4 * size_t(count));
+      return;
+    }
+    for (int i = 0; i < count; ++i, texels += texel_bytes) {
+      if (!p.format.is_color()) {
+        uint32_t word;
+        std::memcpy(&word, from + 4 * i, 4);
+        if (!image.stencils.empty()) *image.stencil_at(x + i, y, z) = uint8_t(word >> 24);
+        word = stored_depth(word, image.format->bits[0]);
+        std::memcpy(texels, &word, 4);
+      } else if (p.format.color == ColorFormat::Rgb565) {
+        uint16_t v;
+        std::memcpy(&v, from + 2 * i, 2);
+        from_565(v, texels);
+      } else {
+        std::memcpy(texels, from + 8 * i, 8);
+        const uint16_t one = 1; // what an absent component is stored as
+        if (!p.format.has_alpha()) std::memcpy(texels + 6, &one, 2);
+      }
+    }
+  });
+}
+
+} // namespace softgl
