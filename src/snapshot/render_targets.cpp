@@ -149,9 +149,4 @@ void store_drawn_texels(TextureObject& object) {
   }
 }
 
-void settle_texture(Context& c, TextureObject& object) {
-  if (!c.frame.empty() && c.bindings.draw && is_attached(c, object)) flush_frame(c);
-  store_drawn_texels(object);
-}
-
 } // namespace softgl

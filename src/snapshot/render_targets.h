@@ -24,10 +24,8 @@ bool prepare_read_target(Context& c);
 /// Whether it is complete; changes nothing.
 bool draw_target_complete(const Context& c);
 
-/// Before the texels of the object's images are read or changed: draws to them that wait are done, and what
-/// was drawn is stored in the texels. Throws std::bad_alloc.
-void settle_texture(Context& c, TextureObject& object);
-/// The same where no draws wait.
+/// Before the texels of the object's images are read or changed: what was drawn to them is stored in the
+/// texels. No draws to them may wait. Throws std::bad_alloc.
 void store_drawn_texels(TextureObject& object);
 
 /// True where an image of the object is attached to the bound draw or read framebuffer.

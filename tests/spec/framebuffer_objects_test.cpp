@@ -176,6 +176,8 @@ TEST_CASE("Draw and read buffers name color attachments that exist", "[spec][fra
   gl.ReadBuffer(GL_NONE);
   pixel(gl, 1, 1);
   CHECK(gl.GetError() == GL_INVALID_OPERATION);
+  gl.CopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 0, 0, 4, 4, 0);
+  CHECK(gl.GetError() == GL_INVALID_OPERATION);
   for (GLenum absent : {GL_FRONT, GL_BACK, GL_AUX0, GL_COLOR_ATTACHMENT8}) {
     gl.DrawBuffer(absent);
     CHECK(gl.GetError() == GL_INVALID_OPERATION);

@@ -64,6 +64,9 @@ TEST_CASE("Texels and drawn pixels are one image", "[spec][framebuffers]") {
   gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &kBlue);
   CHECK((pixel(gl, 0, 0) == kBlue && pixel(gl, 1, 0) == kRed && pixel(gl, 7, 7) == kGreen));
   rectangle(gl, 0, 0, 1, 1);
+  GLint width = 0;
+  gl.GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width); // while the vertices wait
+  CHECK(width == 8);
   CHECK((texel(gl, 0, 0) == kBlue && texel(gl, 7, 7) == kRed));
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
   gl.Viewport(0, 0, 8, 8);

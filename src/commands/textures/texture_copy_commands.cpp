@@ -42,9 +42,10 @@ void copy_depths(Context& c, int x, int y, int width, int height, const TexelFor
     }
 }
 
-/// True where the format needs depths, or stencil values, that what is read does not have.
-bool lacks_depth(const Context& c, const TexelFormat& format) {
-  return (format.layout == TexelLayout::Depth && c.read->depth_bits == 0) ||
+/// True where the format needs colors, depths or stencil values that what is read does not have.
+bool lacks_buffer(const Context& c, const TexelFormat& format) {
+  return (format.layout != TexelLayout::Depth && !c.read->surface.color) ||
+         (format.layout == TexelLayout::Depth && c.read->depth_bits == 0) ||
          (format.base == GL_DEPTH_STENCIL && c.read->stencil_bits == 0);
 }
 
@@ -95,7 +96,7 @@ void copy_image(Context& c, int dimensions, GLenum target, GLint level, GLenum i
   if (!chosen) return set_error(c, GL_INVALID_ENUM);
   const auto object = target_object(c, t);
   const TexelFormat* texel = &level_format(*object, t.face, level, GLint(internal_format), *chosen);
-  if (lacks_depth(c, *texel) || (texel->layout == TexelLayout::Depth && t.target == kTextureCube))
+  if (lacks_buffer(c, *texel) || (texel->layout == TexelLayout::Depth && t.target == kTextureCube))
     return set_error(c, GL_INVALID_OPERATION);
   if (GLenum error = check_image_size(t, level, width, height, 1, border); error != GL_NO_ERROR)
     return set_error(c, error);
@@ -122,7 +123,7 @@ void copy_sub_image(Context& c, int dimensions, GLenum target, GLint level, GLin
   const TextureImage* image = object->image[t.face][level].get();
   if (!image) return set_error(c, GL_INVALID_OPERATION);
   if (!box_inside(*image, to_x, to_y, to_z, width, height, 1)) return set_error(c, GL_INVALID_VALUE);
-  if (lacks_depth(c, *image->format)) return set_error(c, GL_INVALID_OPERATION);
+  if (lacks_buffer(c, *image->format)) return set_error(c, GL_INVALID_OPERATION);
   // Texels that would come from outside the window are undefined (3.8.2); as in OSMesa they stay what they
   // are.
   const Surface& surface = c.read->surface;

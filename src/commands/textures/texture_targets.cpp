@@ -1,6 +1,7 @@
 #include "commands/textures/texture_targets.h"
 #include "context/texture_bindings.h"
 
+#include "commands/framebuffer/flush.h"
 #include "context/context.h"
 #include "snapshot/render_targets.h"
 
@@ -49,7 +50,8 @@ ImageTarget any_image_target(GLenum target) {
 std::shared_ptr<TextureObject> target_object(Context& c, const ImageTarget& target) {
   if (target.proxy) return proxy_texture(c, target.target);
   auto object = bound_texture(c, c.state.texture.active_unit, target.target);
-  settle_texture(c, *object);
+  if (is_attached(c, *object)) draw_what_waits(c);
+  store_drawn_texels(*object);
   return object;
 }
 
