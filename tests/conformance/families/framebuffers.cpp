@@ -345,6 +345,7 @@ void use(Stage& s, const Target& t) {
     gl.GenTextures(1, &copy.texture);
     gl.BindTexture(GL_TEXTURE_2D, copy.texture);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     gl.CopyTexImage2D(GL_TEXTURE_2D, 0, r.pick({GL_RGBA8, GL_RGB8}), 0, 0, t.width, t.height, 0);
     gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
     gl.Viewport(0, 0, s.width, s.height);
