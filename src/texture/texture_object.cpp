@@ -36,7 +36,8 @@ void TextureImage::fill_absent_alpha() {
   if (format->layout == TexelLayout::Rgba8)
     for (size_t i = 3; i < texels.size(); i += step) texels.data()[i] = 255;
   else
-    for (size_t i = 6; i < texels.size(); i += step) texels.data()[i] = 1; // what absent components are stored as
+    for (size_t i = 6; i < texels.size(); i += step)
+      texels.data()[i] = 1; // what absent components are stored as
 }
 
 void TextureImage::texels_changed() {

@@ -32,10 +32,10 @@ struct TextureImage {
   int width = 0, height = 0, depth = 0;
   int border = 0; // of a proxy's image alone, whose sizes include it: others are kept without their border
   size_t row_bytes = 0, slice_bytes = 0;
-  TexelMemory texels; // zeros where nothing was stored
-  std::vector<uint8_t> stencils;     // of GL_DEPTH_STENCIL, row by row without padding; else empty
-  bool blank = true;                 // nothing was
-  std::vector<DrawnSlice> slices;    // empty: none was ever attached
+  TexelMemory texels;             // zeros where nothing was stored
+  std::vector<uint8_t> stencils;  // of GL_DEPTH_STENCIL, row by row without padding; else empty
+  bool blank = true;              // nothing was
+  std::vector<DrawnSlice> slices; // empty: none was ever attached
 
   bool empty() const { return width == 0 || height == 0 || depth == 0; }
   unsigned char* at(int x, int y, int z) {

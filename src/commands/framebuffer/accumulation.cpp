@@ -9,9 +9,9 @@
 #include "commands/framebuffer/flush.h"
 #include "commands/generated/commands.h"
 #include "context/context.h"
-#include "snapshot/render_targets.h"
 #include "frame/surface_work.h"
 #include "snapshot/drawn_box.h"
+#include "snapshot/render_targets.h"
 
 namespace softgl {
 namespace {

@@ -43,9 +43,10 @@ void store_box(Context& c, TextureImage& image, int x, int y, int z, int width, 
                const PixelFormat& format, const ImageLayout& layout, const unsigned char* pixels) {
   const PixelStore& store = c.client.pixel_store.unpack;
   const PixelTransfer transfer = pixel_transfer(c);
-  const TexelRows rows(
-      *image.format, format, store.swap_bytes, transfer,
-      format.format == GL_COLOR_INDEX || format.format == GL_DEPTH_STENCIL ? 0 : uint64_t(width) * uint64_t(height) * uint64_t(depth));
+  const TexelRows rows(*image.format, format, store.swap_bytes, transfer,
+                       format.format == GL_COLOR_INDEX || format.format == GL_DEPTH_STENCIL
+                           ? 0
+                           : uint64_t(width) * uint64_t(height) * uint64_t(depth));
   for (int k = 0; k < depth; ++k)
     for (int j = 0; j < height; ++j) {
       void* const texels = image.at(x, y + j, z + k);
