@@ -381,6 +381,7 @@ StateCommand stack_command(Random& r) {
   case 0: {
     GLbitfield mask = r.chance(30) ? GLbitfield(r.bits()) : 1u << r.integer(0, 19);
     if (r.chance(10)) mask = GL_MULTISAMPLE_BIT;
+    if (mask & GL_ENABLE_BIT) mask |= GL_LIGHTING_BIT; // "GL_ENABLE_BIT saves which lights are on"
     // An inner level saves everything: OSMesa forgets what was changed inside of it and not saved by it, so
     // that the outer PopAttrib leaves it changed. "an outer PopAttrib restores what was changed inside an
     // inner one".

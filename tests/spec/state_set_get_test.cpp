@@ -206,6 +206,20 @@ TEST_CASE("an outer PopAttrib restores what was changed inside an inner one", "[
   REQUIRE(integer(gl, GL_LINE_WIDTH) == 1);
 }
 
+TEST_CASE("GL_ENABLE_BIT saves which lights are on", "[spec][state]") {
+  for (const Gl* gl : {&softgl_library(), &osmesa_library()}) {
+    INFO(gl->name);
+    CurrentContext context(*gl);
+    gl->Enable(GL_LIGHT3);
+    gl->PushAttrib(GL_ENABLE_BIT);
+    gl->Enable(GL_LIGHT1);
+    gl->Disable(GL_LIGHT3);
+    gl->PopAttrib();
+    const bool restored = !gl->IsEnabled(GL_LIGHT1) && gl->IsEnabled(GL_LIGHT3);
+    CHECK(restored == (gl == &softgl_library()));
+  }
+}
+
 TEST_CASE("matrix commands follow the texture unit that PopAttrib makes active", "[spec][state]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);

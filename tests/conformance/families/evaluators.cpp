@@ -128,7 +128,10 @@ void plain_vertex(Stage& s, bool texture) {
   const Float3 normal = s.random.direction();
   s.gl.Color4fv(color.data());
   s.gl.Normal3fv(normal.data());
-  if (texture) s.gl.TexCoord2f(s.random.real(-1, 2), s.random.real(-1, 2));
+  if (texture) {
+    const float t = s.random.real(-1, 2);
+    s.gl.TexCoord2f(s.random.real(-1, 2), t);
+  }
   const Float3 at{s.random.real(-0.9f, 0.9f), s.random.real(-0.9f, 0.9f), s.random.real(-0.9f, 0.9f)};
   s.gl.Vertex3fv(at.data());
 }

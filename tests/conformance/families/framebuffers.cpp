@@ -162,7 +162,9 @@ void random_stencil(Stage& s) {
   const Gl& gl = s.gl;
   Random& r = s.random;
   gl.Enable(GL_STENCIL_TEST);
-  gl.StencilFunc(random_compare(s), r.integer(0, 255), GLuint(r.pick({255, 15, 240})));
+  const auto mask = GLuint(r.pick({255, 15, 240}));
+  const GLint reference = r.integer(0, 255);
+  gl.StencilFunc(random_compare(s), reference, mask);
   const auto operation = [&] {
     return GLenum(r.pick({GL_KEEP, GL_ZERO, GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT}));
   };
@@ -175,17 +177,20 @@ void random_stencil(Stage& s) {
 void draw_rectangles(Stage& s, const Target& t) {
   const Gl& gl = s.gl;
   Random& r = s.random;
-  gl.WindowPos2i(r.integer(0, t.width - 1), r.integer(0, t.height - 1));
+  const GLint at_y = r.integer(0, t.height - 1), at_x = r.integer(0, t.width - 1);
+  gl.WindowPos2i(at_x, at_y);
   std::vector<uint8_t> pixels(40 * 40 * 4);
   for (uint8_t& p : pixels) p = uint8_t(r.bits() >> 24);
   const int w = r.integer(1, 20), h = r.integer(1, 20);
   switch (r.integer(0, 2)) {
   case 0: gl.Bitmap(w, h, 0, 0, 3, 2, pixels.data()); break;
-  case 1:
-    gl.PixelZoom(r.pick({1.0f, -1.0f, 2.0f}), r.pick({1.0f, -1.0f, 3.0f}));
+  case 1: {
+    const float zoom_y = r.pick({1.0f, -1.0f, 3.0f});
+    gl.PixelZoom(r.pick({1.0f, -1.0f, 2.0f}), zoom_y);
     gl.DrawPixels(w, h, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     gl.PixelZoom(1, 1);
     break;
+  }
   default: {
     const int x = r.integer(0, t.width / 2), y = r.integer(0, t.height / 2);
     gl.CopyPixels(x, y, std::min(w, t.width - x), std::min(h, t.height - y), GL_COLOR);
@@ -201,7 +206,8 @@ void random_lines_and_points(Stage& s) {
   gl.PointSize(r.pick({1.0f, 2.0f, 3.0f, 8.0f}));
   if (r.chance(20)) {
     gl.Enable(GL_LINE_STIPPLE);
-    gl.LineStipple(r.integer(1, 3), GLushort(r.bits()));
+    const auto pattern = GLushort(r.bits());
+    gl.LineStipple(r.integer(1, 3), pattern);
   }
   PrimitiveOptions options;
   options.mode = GLenum(r.pick({GL_LINES, GL_LINE_STRIP, GL_POINTS}));
@@ -215,9 +221,11 @@ void draw_into(Stage& s, const Target& t) {
   Random& r = s.random;
   gl.BindFramebuffer(GL_FRAMEBUFFER, t.framebuffer);
   gl.Viewport(0, 0, t.width, t.height);
-  if (r.chance(15))
-    gl.Viewport(r.integer(-10, 20), r.integer(-10, 20), r.integer(1, 2 * t.width),
-                r.integer(1, 2 * t.height));
+  if (r.chance(15)) {
+    const int height = r.integer(1, 2 * t.height), width = r.integer(1, 2 * t.width);
+    const int y = r.integer(-10, 20), x = r.integer(-10, 20);
+    gl.Viewport(x, y, width, height);
+  }
   if (r.chance(70)) {
     const Float4 c = r.color();
     gl.ClearColor(c[0], c[1], c[2], c[3]);
@@ -284,13 +292,15 @@ void show_pixels(Stage& s, const Target& t) {
                         : depth   ? GL_DEPTH_COMPONENT
                         : stencil ? GL_STENCIL_INDEX
                                   : GL_RGBA;
-  gl.ReadPixels(r.integer(0, 5), r.integer(0, 5), width, height, format,
+  const int y = r.integer(0, 5), x = r.integer(0, 5);
+  gl.ReadPixels(x, y, width, height, format,
                 both    ? GL_UNSIGNED_INT_24_8
                 : depth ? GL_UNSIGNED_INT
                         : GL_UNSIGNED_BYTE,
                 pixels.data());
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
-  gl.WindowPos2i(r.integer(0, s.width - 1), r.integer(0, s.height - 1));
+  const int to_y = r.integer(0, s.height - 1), to_x = r.integer(0, s.width - 1);
+  gl.WindowPos2i(to_x, to_y);
   if (stencil)
     gl.DrawPixels(width, height, GL_LUMINANCE, GL_UNSIGNED_BYTE, pixels.data());
   else

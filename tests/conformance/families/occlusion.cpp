@@ -70,7 +70,8 @@ void random_stencil(Stage& s) {
   if (!s.random.chance(25)) return gl.Disable(GL_STENCIL_TEST);
   gl.Enable(GL_STENCIL_TEST);
   const GLint reference = s.random.integer(0, 3);
-  gl.StencilFunc(random_compare(s), reference, s.random.pick({0xffu, 3u}));
+  const GLuint mask = s.random.pick({0xffu, 3u});
+  gl.StencilFunc(random_compare(s), reference, mask);
   const GLenum fail = s.random.pick({GL_KEEP, GL_INCR, GL_REPLACE}),
                depth_fail = s.random.pick({GL_KEEP, GL_DECR_WRAP}),
                pass = s.random.pick({GL_KEEP, GL_INCR, GL_INVERT, GL_ZERO});
