@@ -1,4 +1,4 @@
-// The unit of fragment work: up to 64 fragments of one draw, structure of arrays.
+// What the fragment kernels work on: up to 64 fragments of one draw, structure of arrays.
 #pragma once
 
 #include "shaders/common/lighting.h"

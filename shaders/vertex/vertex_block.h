@@ -1,4 +1,4 @@
-// The unit of vertex work: up to 64 vertices of one draw, structure of arrays.
+// What the vertex kernels work on: up to 64 vertices of one draw, structure of arrays.
 #pragma once
 
 #include "shaders/common/lighting.h"

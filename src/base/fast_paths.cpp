@@ -29,7 +29,7 @@ constexpr const char* kNames[] = {
     "waiting_clears",
     // A clear drops a tile's earlier work of the frame that it hides; else that is drawn.
     "hiding_clears",
-    // Vertices are shaded with the unit of work that reads them; else all before.
+    // Vertices are shaded with the portion of the frame that reads them; else all before.
     "ordered_vertices",
     // Long frames are cut into rounds; else the lists of all their draws are made first.
     "rounds",

@@ -9,6 +9,7 @@
 #include "base/float_environment.h"
 #include "base/thread_pool.h"
 #include "frame/frame_trace.h"
+#include "frame/frame_workers.h"
 #include "frame/tile_worker.h"
 #include "geometry/geometry.h"
 #include "raster/raster_draws.h"
@@ -21,10 +22,10 @@ namespace {
 
 // Work is cut by these constants only, never by the number of threads, so that bins and bits do not depend on
 // it.
-constexpr uint32_t kUnitSteps = 2048;  // assembly steps (or vertices) of a unit
-constexpr uint32_t kShadeChunk = 2048; // vertices shaded at a time; a multiple of 64
+constexpr uint32_t kPortionSteps = 2048; // assembly steps (or vertices) of a portion
+constexpr uint32_t kShadeChunk = 2048;   // vertices shaded at a time; a multiple of 64
 constexpr uint32_t kSmallDraw =
-    1024; // draws of up to so many steps and vertices are shaded inside their unit
+    1024; // draws of up to so many steps and vertices are shaded inside their portion
 // Steps whose bins are in memory at the same time. The first frames have little memory, which takes longer to
 // come than the waits for each other at the end of a round; later ones have it.
 constexpr uint32_t kFirstRoundSteps = 1u << 14, kRoundSteps = 1u << 19;
@@ -44,7 +45,7 @@ struct ShadeChunk {
 };
 
 /// What one worker does at a time: pieces, or a clear.
-struct Unit {
+struct Portion {
   uint32_t first_piece = 0, piece_count = 0;
   const ClearRecord* clear = nullptr;
   // Of a clear: before it in this frame stencil values may have been written, and fragments are counted.
@@ -66,50 +67,6 @@ bool reads_in_order(const DrawRecord& draw) {
 
 } // namespace
 
-struct Frame::Workers {
-  /// Zeros at first, which the blocks rely on: fresh pages are, and nothing is written here before a worker
-  /// needs it, for the thread that brings them in is another one.
-  struct Scratch {
-    BinnerScratch binner;
-    FragmentBlock block;
-    uint32_t no_colors[kTilePixels]; // of surfaces without a color plane
-  };
-  struct Worker {
-    Scratch* scratch;
-    Arena arena;      // begins in what is left of the worker's memory
-    Arena vertices{}; // of pieces
-    TileLists lists{};
-    explicit Worker(Pages memory) : scratch(new (memory.memory) Scratch) {
-      static_assert(std::is_trivially_default_constructible_v<Scratch>);
-      if (memory.bytes > sizeof(Scratch)) arena.begin_with({scratch + 1, memory.bytes - sizeof(Scratch)});
-    }
-    Worker(const Worker&) = delete;
-  };
-  std::unique_ptr<Worker> worker[kMaxWorkers];
-  std::vector<Pages> memory; // theirs
-  Worker& operator[](int i) { return *worker[i]; }
-
-  Workers() = default;
-  Workers(const Workers&) = delete;
-  ~Workers() {
-    for (const Pages& m : memory) unmap_pages(m.memory, m.bytes);
-  }
-
-  /// Makes workers up to `count`, the new ones with so much memory each, all of it in one piece.
-  void make(int count, size_t bytes) {
-    int first = 0;
-    while (first < count && worker[first]) ++first;
-    if (first == count) return;
-    memory.reserve(memory.size() + 1);
-    const Pages all = {map_pages(size_t(count - first) * bytes), size_t(count - first) * bytes};
-    if (!all.memory) throw std::bad_alloc();
-    memory.push_back(all);
-    auto* next = static_cast<unsigned char*>(all.memory);
-    for (int i = first; i < count; ++i, next += bytes)
-      worker[i] = std::make_unique<Worker>(Pages{next, bytes});
-  }
-};
-
 /// One flush.
 class FrameWork {
 public:
@@ -121,11 +78,11 @@ public:
   int run() {
     for (const Frame::Item& item : frame_.items_) {
       if (item.clear) {
-        close_unit();
-        units_.push_back({});
-        units_.back().clear = item.clear;
-        units_.back().stencil_drawn = stencil_drawn_;
-        units_.back().samples_counted = samples_counted_;
+        close_portion();
+        portions_.push_back({});
+        portions_.back().clear = item.clear;
+        portions_.back().stencil_drawn = stencil_drawn_;
+        portions_.back().samples_counted = samples_counted_;
         stencil_drawn_ = stencil_drawn_ || item.clear->stencil;
         open_steps_ = 0;
       } else {
@@ -137,13 +94,13 @@ public:
   }
 
 private:
-  void close_unit() {
-    if (pieces_.size() > unit_start_) {
-      units_.push_back({});
-      units_.back().first_piece = static_cast<uint32_t>(unit_start_);
-      units_.back().piece_count = static_cast<uint32_t>(pieces_.size() - unit_start_);
+  void close_portion() {
+    if (pieces_.size() > portion_start_) {
+      portions_.push_back({});
+      portions_.back().first_piece = static_cast<uint32_t>(portion_start_);
+      portions_.back().piece_count = static_cast<uint32_t>(pieces_.size() - portion_start_);
     }
-    unit_start_ = pieces_.size();
+    portion_start_ = pieces_.size();
     open_steps_ = 0;
   }
 
@@ -161,19 +118,19 @@ private:
       count_steps(static_cast<uint32_t>(std::max<uint64_t>(steps, call.vertex_count)));
       return;
     }
-    close_unit();
+    close_portion();
     const bool in_order = reads_in_order(draw) && takes(FastPath::OrderedVertices);
     const ShadedVertices* vertices = in_order ? nullptr : shade_before(draw);
     for (uint32_t i = 0; i < call.primitive_count; ++i) {
       const uint32_t count = assembly_steps(call.primitives[i]);
       for (uint32_t first = 0; first < count;) {
-        const uint32_t part = std::min(kUnitSteps - open_steps_, count - first);
+        const uint32_t part = std::min(kPortionSteps - open_steps_, count - first);
         pieces_.push_back({&draw, raster, vertices, i, first, part});
         first += part;
         count_steps(part);
       }
     }
-    close_unit();
+    close_portion();
   }
 
   /// Plans the shading of all vertices of a draw before its primitives are assembled.
@@ -190,14 +147,14 @@ private:
   void count_steps(uint32_t steps) {
     open_steps_ += steps;
     round_steps_ += steps;
-    if (open_steps_ >= kUnitSteps) close_unit();
+    if (open_steps_ >= kPortionSteps) close_portion();
     if (round_steps_ >= frame_.most_round_steps_ && takes(FastPath::Rounds)) finish_round();
   }
 
   /// Does everything planned so far and forgets it.
   void finish_round(const TileReader* reader = nullptr) {
-    close_unit();
-    if (units_.empty() && !reader) return;
+    close_portion();
+    if (portions_.empty() && !reader) return;
     ++rounds_;
     ThreadPool& pool = ThreadPool::instance();
     for (int i = 0; i < pool.workers(); ++i) {
@@ -208,7 +165,8 @@ private:
       const ShadeChunk& c = shade_[i];
       shade_vertices(*c.draw, c.first, c.count, *c.vertices);
     });
-    pool.run(units_.size(), [this](size_t i, int worker) { bin(units_[i], (*frame_.workers_)[worker]); });
+    pool.run(portions_.size(),
+             [this](size_t i, int worker) { bin(portions_[i], (*frame_.workers_)[worker]); });
     join();
     auto execute = [this](uint32_t tile, int worker) {
       if (!head_[tile]) return;
@@ -227,10 +185,10 @@ private:
       pool.run(busy_.size(), [&](size_t i, int worker) { execute(busy_[i], worker); });
     }
     shade_.clear();
-    units_.clear();
+    portions_.clear();
     pieces_.clear();
     busy_.clear();
-    unit_start_ = 0;
+    portion_start_ = 0;
     round_steps_ = open_steps_ = 0;
   }
 
@@ -248,12 +206,12 @@ private:
     return vertices;
   }
 
-  void bin(Unit& unit, Frame::Workers::Worker& worker) {
-    if (unit.clear) return;
+  void bin(Portion& portion, Frame::Workers::Worker& worker) {
+    if (portion.clear) return;
     worker.lists.begin(tiles_, worker.arena);
     TileBinner binner(surface_, worker.lists, worker.arena, worker.scratch->binner);
-    for (uint32_t i = 0; i < unit.piece_count; ++i) {
-      const Piece& piece = pieces_[unit.first_piece + i];
+    for (uint32_t i = 0; i < portion.piece_count; ++i) {
+      const Piece& piece = pieces_[portion.first_piece + i];
       binner.set_draw(piece.raster, !piece.vertices);
       if (piece.draw->rectangle) {
         binner.rectangle(*piece.draw->rectangle);
@@ -275,22 +233,22 @@ private:
     const auto& touched = worker.lists.finish();
     auto* copy = worker.arena.allocate_array<TileLists::Touched>(touched.size());
     std::copy(touched.begin(), touched.end(), copy);
-    unit.touched = copy;
-    unit.touched_count = static_cast<uint32_t>(touched.size());
+    portion.touched = copy;
+    portion.touched_count = static_cast<uint32_t>(touched.size());
   }
 
-  /// Links the units' lists of each tile in the order of the units.
+  /// Links the portions' lists of each tile in the order of the portions.
   void join() {
     [[maybe_unused]] uint32_t piece = 0;
-    for (const Unit& unit : units_) {
-      SOFTGL_ASSERT(unit.clear || unit.first_piece == piece);
-      piece += unit.piece_count;
-      if (unit.clear) {
-        join_clear(unit);
+    for (const Portion& portion : portions_) {
+      SOFTGL_ASSERT(portion.clear || portion.first_piece == piece);
+      piece += portion.piece_count;
+      if (portion.clear) {
+        join_clear(portion);
         continue;
       }
-      for (uint32_t i = 0; i < unit.touched_count; ++i)
-        link(unit.touched[i].tile, unit.touched[i].first, unit.touched[i].last);
+      for (uint32_t i = 0; i < portion.touched_count; ++i)
+        link(portion.touched[i].tile, portion.touched[i].first, portion.touched[i].last);
     }
   }
 
@@ -303,8 +261,8 @@ private:
     tail_[tile] = last;
   }
 
-  void join_clear(const Unit& unit) {
-    const ClearRecord& c = *unit.clear;
+  void join_clear(const Portion& portion) {
+    const ClearRecord& c = *portion.clear;
     if (c.x0 >= c.x1 || c.y0 >= c.y1) return;
     SOFTGL_ASSERT(c.x0 >= 0 && c.y0 >= 0 && c.x1 <= surface_.width && c.y1 <= surface_.height);
     for (int32_t ty = c.y0 >> 6; ty <= (c.y1 - 1) >> 6; ++ty)
@@ -318,7 +276,8 @@ private:
         segment->capacity = 0;
         segment->count = 0;
         segment->clear = &c;
-        if (head_[tile] && !unit.samples_counted && clear_hides_all(c, surface_, tile, unit.stencil_drawn)) {
+        if (head_[tile] && !portion.samples_counted &&
+            clear_hides_all(c, surface_, tile, portion.stencil_drawn)) {
           head_[tile] = tail_[tile] = chunk; // earlier work of the tile cannot be seen
           continue;
         }
@@ -334,8 +293,8 @@ private:
   std::vector<uint32_t> busy_; // tiles with work
   std::vector<ShadeChunk> shade_;
   std::vector<Piece> pieces_;
-  std::vector<Unit> units_;
-  size_t unit_start_ = 0;
+  std::vector<Portion> portions_;
+  size_t portion_start_ = 0;
   uint32_t open_steps_ = 0, round_steps_ = 0;
   bool stencil_drawn_ = false, samples_counted_ = false;
   int rounds_ = 0;

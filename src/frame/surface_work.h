@@ -7,7 +7,7 @@
 
 namespace softgl {
 
-/// Tells the planes what waits to be written to them (TileWords); the resolver alone reads a surface without.
+/// Writes the words that wait (TileWords) to the planes. All readers of a surface need it but the resolver.
 void write_tiles(RenderTarget& target);
 
 /// All of the plane from the texels of a slice, and the texels from what has changed of the plane.

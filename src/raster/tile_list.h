@@ -47,7 +47,7 @@ struct TileSegment {
 };
 static_assert(sizeof(TileSegment) == 16);
 
-/// The lists that one unit of work makes, for the tiles that it touches.
+/// The lists that one portion of a frame makes, for the tiles that it touches.
 class TileLists {
 public:
   struct List {
