@@ -205,6 +205,9 @@ TEST_CASE("Compressed images of formats that are not there are refused", "[spec]
       BAD(INVALID_ENUM, CompressedTexSubImage1D(GL_TEXTURE_1D, 0, 0, 4, GL_COMPRESSED_RGB, 8, bytes)),
       BAD(INVALID_ENUM, CompressedTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 4, 4, GL_COMPRESSED_RGB, 8, bytes)),
       BAD(INVALID_OPERATION, GetCompressedTexImage(GL_TEXTURE_2D, 0, const_cast<GLubyte*>(bytes))),
+      BAD(INVALID_VALUE, GetCompressedTexImage(GL_TEXTURE_2D, -1, const_cast<GLubyte*>(bytes))),
+      BAD(INVALID_VALUE, GetCompressedTexImage(GL_TEXTURE_2D, 99, const_cast<GLubyte*>(bytes))),
+      BAD(INVALID_ENUM, GetCompressedTexImage(GL_PROXY_TEXTURE_2D, 0, const_cast<GLubyte*>(bytes))),
       BAD(INVALID_ENUM, GetCompressedTexImage(GL_TEXTURE_CUBE_MAP, 0, const_cast<GLubyte*>(bytes))),
       // The last one is INVALID_OPERATION in OSMesa (reference/DEVIATIONS.md).
       BAD(INVALID_ENUM, CompressedTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, 4, 4, 1, GL_COMPRESSED_RGB, 8, bytes)),

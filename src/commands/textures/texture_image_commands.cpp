@@ -244,8 +244,11 @@ void CompressedTexSubImage3D(Context& c, GLenum, GLint, GLint, GLint, GLint, GLs
                              GLenum, GLsizei, const void*) {
   set_error(c, GL_INVALID_ENUM);
 }
-void GetCompressedTexImage(Context& c, GLenum target, GLint, void*) {
-  set_error(c, any_image_target(target).valid() ? GL_INVALID_OPERATION : GL_INVALID_ENUM);
+void GetCompressedTexImage(Context& c, GLenum target, GLint level, void*) {
+  const ImageTarget t = any_image_target(target);
+  if (!t.valid() || t.proxy) return set_error(c, GL_INVALID_ENUM);
+  if (level < 0 || level >= max_texture_levels(t.target)) return set_error(c, GL_INVALID_VALUE);
+  set_error(c, GL_INVALID_OPERATION); // no image is compressed
 }
 
 } // namespace gl
