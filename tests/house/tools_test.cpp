@@ -80,6 +80,40 @@ TEST_CASE("the generated files are what generate.py writes", "[house]") {
   CHECK(refusal.text == "generated files under src are stale: api/generated/names.cpp\n");
 }
 
+TEST_CASE("every command has a test, and the document that says which is fresh", "[house]") {
+  if (!has_program("python3") || !std::filesystem::exists(kRegistry)) {
+    WARN("SKIPPED: this needs python3 and " << kRegistry);
+    return;
+  }
+  const Answer answer = run("python3 src/api/generate/coverage.py --check");
+  INFO(answer.text);
+  CHECK(answer.code == 0);
+
+  // A copy whose document was edited by hand is refused, and one whose tests lack a command, as well.
+  const std::string copy = fresh_folder("coverage");
+  REQUIRE(run("cp --parents -r src/api/generate src/context/state_table.inc reference/COVERAGE.md tests '" +
+              copy + "'")
+              .code == 0);
+  const std::string check = "python3 '" + copy + "/src/api/generate/coverage.py' --check";
+  CHECK(run(check).code == 0);
+  const std::string stale = "reference/COVERAGE.md is stale: run src/api/generate/coverage.py\n";
+  std::ofstream(copy + "/reference/COVERAGE.md", std::ios::app) << "by hand\n";
+  const Answer refusal = run(check);
+  CHECK(refusal.code == 1);
+  CHECK(refusal.text == stale);
+
+  const std::string tests = copy + "/tests/spec/occlusion_queries_test.cpp";
+  std::ofstream(tests) << "// gl.Rectsv(a, b)\n"
+                          "const char* text = \"gl.Rectsv(a, b)\";\n";
+  std::filesystem::remove(copy + "/tests/spec/command_forms_test.cpp");
+  const Answer lacking = run(check);
+  CHECK(lacking.code == 1);
+  CHECK_THAT(lacking.text, Catch::Contains("no test touches glRectsv\n") && Catch::EndsWith(stale));
+  std::ofstream(tests) << "#define FORMS(letter) gl.Rect##letter##v(a, a + 2)\nvoid f() { FORMS(s); }\n";
+  CHECK_THAT(run(check).text,
+             !Catch::Contains("glRectsv\n") && Catch::Contains("no test touches glRectdv\n"));
+}
+
 TEST_CASE("clang-format changes no source", "[house]") {
   if (!has_program("clang-format-14")) {
     WARN("SKIPPED: this needs clang-format-14");

@@ -316,12 +316,10 @@ def playback_case(row):
     return "".join(lines)
 
 
-def generate(registry):
-    root, commands, core, enums = read_registry(registry)
-    rows = read_overlay(commands)
+def exports(commands, core, rows):
+    """What the library exports, sorted by name: (name, target, row), where the target is the command that the name leads to and
+    the row its row in overlay.tsv, None for the attribute families; (name, None, None) for a name that only exists."""
     symbols = open(os.path.join(HERE, "symbols.txt")).read().split()
-    gl_symbols = [s[2:] for s in symbols if s.startswith("gl")]
-
     door_of = {}
     for row in rows:
         for door in row.doors:
@@ -332,24 +330,33 @@ def generate(registry):
     if missing:
         sys.exit("overlay.tsv lacks " + ", ".join(missing))
 
-    attribute_doors, command_doors, stubs, names = [], [], [], []
     core_set = set(core)
     unseen = set(core)
-    for export in sorted(gl_symbols, key=lambda n: n.encode()):
+    found = []
+    for export in sorted((s[2:] for s in symbols if s.startswith("gl")), key=lambda n: n.encode()):
         unseen.discard(export)
         target = export if export in door_of else resolve(export, commands)
-        if target in core_set and FAMILY.match(target):
-            attribute_doors.append(attribute_door(commands[target], export))
-            names.append((export, None, commands[target]))
-        elif target in door_of:
-            row = door_of[target]
-            # The alias keeps its own parameter names, the canonical command matches by position or by name.
-            command_doors.append((row, plain_door(row, target, commands[target], export)))
-            names.append((export, row, commands[target]))
-        else:
-            stubs.append(export)
+        known = target in door_of or (target in core_set and FAMILY.match(target))
+        found.append((export, target, door_of.get(target)) if known else (export, None, None))
     if unseen:
         sys.exit("symbols.txt lacks " + ", ".join(sorted(unseen)))
+    return found
+
+
+def generate(registry):
+    root, commands, core, enums = read_registry(registry)
+    rows = read_overlay(commands)
+    attribute_doors, command_doors, stubs, names = [], [], [], []
+    for export, target, row in exports(commands, core, rows):
+        if target is None:
+            stubs.append(export)
+            continue
+        if row is None:
+            attribute_doors.append(attribute_door(commands[target], export))
+        else:
+            # The alias keeps its own parameter names, the canonical command matches by position or by name.
+            command_doors.append((row, plain_door(row, target, commands[target], export)))
+        names.append((export, row, commands[target]))
 
     files = {}
     text = BANNER + "// The canonical commands: what the doors of the C API call, once per idea.\n#pragma once\n\n" \
