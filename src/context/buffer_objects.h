@@ -32,7 +32,9 @@ struct BufferObject {
   std::shared_ptr<BufferStorage> storage; // null: size 0
   GLenum usage = GL_STATIC_DRAW, access = GL_READ_WRITE;
   bool mapped = false;
-  uint64_t version = 0; // counts changes of the contents
+  GLbitfield access_flags = 0;         // how it is mapped: GL_MAP_READ_BIT ... (GL_ARB_map_buffer_range)
+  size_t map_offset = 0, map_size = 0; // which bytes
+  uint64_t version = 0;                // counts changes of the contents
 
   /// Ranges that were asked for since the last change: drawing the same indices again need not look at them.
   struct CachedRange {

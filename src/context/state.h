@@ -218,9 +218,19 @@ struct AccumulationState {
   Vec4 clear{0, 0, 0, 0};
 };
 
-/// GL_CLIENT_PIXEL_STORE_BIT (table 6.22).
+struct BufferObject; // context/buffer_objects.h
+
+/// A buffer object bound to a target, and its name. A deleted one lives as long as it is bound.
+struct BufferBinding {
+  GLuint name = 0;
+  std::shared_ptr<BufferObject> object; // null for name 0
+};
+
+/// GL_CLIENT_PIXEL_STORE_BIT (table 6.22, and GL_ARB_pixel_buffer_object). Where a buffer is bound, the
+/// pointers of pixel commands are offsets into it.
 struct PixelStoreState {
   PixelStore pack, unpack;
+  BufferBinding pack_buffer, unpack_buffer;
 };
 
 /// GL_EVAL_BIT (table 6.26). The maps themselves are in evaluator_maps.h.
@@ -259,8 +269,6 @@ struct RenderModeState {
   bool hit = false;                          // since the name stack changed last
   float least_depth = 1, greatest_depth = 0; // of that hit
 };
-
-struct BufferObject; // vertex/buffer_objects.h
 
 /// One vertex array (GL_CLIENT_VERTEX_ARRAY_BIT, tables 6.6, 6.7). `pointer` is an offset when `buffer` is
 /// not 0.
@@ -311,10 +319,11 @@ struct State {
   RenderModeState render_mode;
 };
 
-/// All client attribute groups: what PushClientAttrib can save.
+/// The client's state. PushClientAttrib can save its attribute groups, the first two.
 struct ClientState {
   PixelStoreState pixel_store;
   VertexArrayState vertex_array;
+  BufferBinding copy_read, copy_write; // GL_ARB_copy_buffer
 };
 
 /// Dirty bits: one per group of State or kind of object. A command sets the bits of the groups that it

@@ -204,7 +204,7 @@ def default_return(returns):
 
 
 # Pointers that may be null: an offset into a buffer, an image without contents, or errors have to be found first.
-NULL_IS_FINE = re.compile(r"^CallLists$|Pointer$|PointerEXT$|^Draw|BufferData$|^Compressed|Tex(Sub)?Image|^(Bitmap|DrawPixels|ReadPixels)")
+NULL_IS_FINE = re.compile(r"^CallLists$|Pointer$|PointerEXT$|^Draw|BufferData$|^Compressed|Tex(Sub)?Image|^(Bitmap|DrawPixels|ReadPixels)|PixelMap|PolygonStipple")
 
 
 def null_check(row, command):
@@ -287,6 +287,9 @@ def compiler(row):
         kept[pointers[0][1]] = f"keep_values(c, {pointers[0][1]}, count_of(kCountOf_{row.convert[6:]}, pname))"
     elif row.payload.startswith("by:"):
         lines.append(f"  const {row.name}Arguments kept_call = {row.payload[3:]}(c{arguments});\n")
+    elif row.payload.startswith("pixels:"):
+        kind, name = pointers[0]
+        kept[name] = f"keep_pixels(c, {name}, payload_size({row.payload[7:]}))"
     elif row.payload != "-":
         for (kind, name), size in zip(pointers, row.payload.split(";")):
             element = kind.replace("const ", "").replace("*", "").strip()
@@ -310,7 +313,7 @@ def playback_case(row):
     lines = [f"    case Opcode::{row.name}: {{\n"]
     if row.parameters:
         lines.append(f"      const auto& r = *static_cast<const {row.name}Arguments*>(arguments);\n")
-    if row.payload.startswith("image:"):
+    if row.payload.startswith(("image:", "pixels:")):
         lines.append("      const TightUnpacking tight(c);\n")
     lines.append(f"      return gl::{row.name}(c{arguments});\n    }}\n")
     return "".join(lines)

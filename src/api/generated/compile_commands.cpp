@@ -367,7 +367,7 @@ void compile_PixelTransfer(Context& c, GLenum pname, GLfloat param) {
   }
 }
 void compile_PixelMapfv(Context& c, GLenum map, GLsizei mapsize, const GLfloat* values) {
-  const PixelMapfvArguments kept_call{map, mapsize, static_cast<const GLfloat*>(keep_bytes(c, values, payload_size(pixel_map_bytes(mapsize,4))))};
+  const PixelMapfvArguments kept_call{map, mapsize, keep_pixels(c, values, payload_size(pixel_map_bytes(mapsize,4)))};
   new (record(c, uint16_t(Opcode::PixelMapfv), sizeof kept_call)) PixelMapfvArguments(kept_call);
   if (execute_too(c)) {
     const ExecuteScope scope(c);
@@ -375,7 +375,7 @@ void compile_PixelMapfv(Context& c, GLenum map, GLsizei mapsize, const GLfloat* 
   }
 }
 void compile_PixelMapuiv(Context& c, GLenum map, GLsizei mapsize, const GLuint* values) {
-  const PixelMapuivArguments kept_call{map, mapsize, static_cast<const GLuint*>(keep_bytes(c, values, payload_size(pixel_map_bytes(mapsize,4))))};
+  const PixelMapuivArguments kept_call{map, mapsize, keep_pixels(c, values, payload_size(pixel_map_bytes(mapsize,4)))};
   new (record(c, uint16_t(Opcode::PixelMapuiv), sizeof kept_call)) PixelMapuivArguments(kept_call);
   if (execute_too(c)) {
     const ExecuteScope scope(c);
@@ -383,7 +383,7 @@ void compile_PixelMapuiv(Context& c, GLenum map, GLsizei mapsize, const GLuint* 
   }
 }
 void compile_PixelMapusv(Context& c, GLenum map, GLsizei mapsize, const GLushort* values) {
-  const PixelMapusvArguments kept_call{map, mapsize, static_cast<const GLushort*>(keep_bytes(c, values, payload_size(pixel_map_bytes(mapsize,2))))};
+  const PixelMapusvArguments kept_call{map, mapsize, keep_pixels(c, values, payload_size(pixel_map_bytes(mapsize,2)))};
   new (record(c, uint16_t(Opcode::PixelMapusv), sizeof kept_call)) PixelMapusvArguments(kept_call);
   if (execute_too(c)) {
     const ExecuteScope scope(c);
@@ -530,7 +530,7 @@ void compile_CopyTexSubImage3D(Context& c, GLenum target, GLint level, GLint xof
   }
 }
 void compile_CompressedTexImage1D(Context& c, GLenum target, GLint level, GLenum internalformat, GLsizei width, GLint border, GLsizei imageSize, const void* data) {
-  const CompressedTexImage1DArguments kept_call{target, level, internalformat, width, border, imageSize, static_cast<const void*>(keep_bytes(c, data, payload_size(imageSize)))};
+  const CompressedTexImage1DArguments kept_call{target, level, internalformat, width, border, imageSize, keep_pixels(c, data, payload_size(imageSize))};
   new (record(c, uint16_t(Opcode::CompressedTexImage1D), sizeof kept_call)) CompressedTexImage1DArguments(kept_call);
   if (execute_too(c)) {
     const ExecuteScope scope(c);
@@ -538,7 +538,7 @@ void compile_CompressedTexImage1D(Context& c, GLenum target, GLint level, GLenum
   }
 }
 void compile_CompressedTexImage2D(Context& c, GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const void* data) {
-  const CompressedTexImage2DArguments kept_call{target, level, internalformat, width, height, border, imageSize, static_cast<const void*>(keep_bytes(c, data, payload_size(imageSize)))};
+  const CompressedTexImage2DArguments kept_call{target, level, internalformat, width, height, border, imageSize, keep_pixels(c, data, payload_size(imageSize))};
   new (record(c, uint16_t(Opcode::CompressedTexImage2D), sizeof kept_call)) CompressedTexImage2DArguments(kept_call);
   if (execute_too(c)) {
     const ExecuteScope scope(c);
@@ -546,7 +546,7 @@ void compile_CompressedTexImage2D(Context& c, GLenum target, GLint level, GLenum
   }
 }
 void compile_CompressedTexImage3D(Context& c, GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLsizei imageSize, const void* data) {
-  const CompressedTexImage3DArguments kept_call{target, level, internalformat, width, height, depth, border, imageSize, static_cast<const void*>(keep_bytes(c, data, payload_size(imageSize)))};
+  const CompressedTexImage3DArguments kept_call{target, level, internalformat, width, height, depth, border, imageSize, keep_pixels(c, data, payload_size(imageSize))};
   new (record(c, uint16_t(Opcode::CompressedTexImage3D), sizeof kept_call)) CompressedTexImage3DArguments(kept_call);
   if (execute_too(c)) {
     const ExecuteScope scope(c);
@@ -554,7 +554,7 @@ void compile_CompressedTexImage3D(Context& c, GLenum target, GLint level, GLenum
   }
 }
 void compile_CompressedTexSubImage1D(Context& c, GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLsizei imageSize, const void* data) {
-  const CompressedTexSubImage1DArguments kept_call{target, level, xoffset, width, format, imageSize, static_cast<const void*>(keep_bytes(c, data, payload_size(imageSize)))};
+  const CompressedTexSubImage1DArguments kept_call{target, level, xoffset, width, format, imageSize, keep_pixels(c, data, payload_size(imageSize))};
   new (record(c, uint16_t(Opcode::CompressedTexSubImage1D), sizeof kept_call)) CompressedTexSubImage1DArguments(kept_call);
   if (execute_too(c)) {
     const ExecuteScope scope(c);
@@ -562,7 +562,7 @@ void compile_CompressedTexSubImage1D(Context& c, GLenum target, GLint level, GLi
   }
 }
 void compile_CompressedTexSubImage2D(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLsizei imageSize, const void* data) {
-  const CompressedTexSubImage2DArguments kept_call{target, level, xoffset, yoffset, width, height, format, imageSize, static_cast<const void*>(keep_bytes(c, data, payload_size(imageSize)))};
+  const CompressedTexSubImage2DArguments kept_call{target, level, xoffset, yoffset, width, height, format, imageSize, keep_pixels(c, data, payload_size(imageSize))};
   new (record(c, uint16_t(Opcode::CompressedTexSubImage2D), sizeof kept_call)) CompressedTexSubImage2DArguments(kept_call);
   if (execute_too(c)) {
     const ExecuteScope scope(c);
@@ -570,7 +570,7 @@ void compile_CompressedTexSubImage2D(Context& c, GLenum target, GLint level, GLi
   }
 }
 void compile_CompressedTexSubImage3D(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLsizei imageSize, const void* data) {
-  const CompressedTexSubImage3DArguments kept_call{target, level, xoffset, yoffset, zoffset, width, height, depth, format, imageSize, static_cast<const void*>(keep_bytes(c, data, payload_size(imageSize)))};
+  const CompressedTexSubImage3DArguments kept_call{target, level, xoffset, yoffset, zoffset, width, height, depth, format, imageSize, keep_pixels(c, data, payload_size(imageSize))};
   new (record(c, uint16_t(Opcode::CompressedTexSubImage3D), sizeof kept_call)) CompressedTexSubImage3DArguments(kept_call);
   if (execute_too(c)) {
     const ExecuteScope scope(c);

@@ -609,6 +609,14 @@ SOFTGL_EXPORT void APIENTRY glCompressedTexSubImage3DARB(GLenum target, GLint le
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glCopyBufferSubData(GLenum readTarget, GLenum writeTarget, GLintptr readOffset, GLintptr writeOffset, GLsizeiptr size) try {
+  SOFTGL_TRACED(glCopyBufferSubData, readTarget, writeTarget, readOffset, writeOffset, size);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::CopyBufferSubData(c, readTarget, writeTarget, readOffset, writeOffset, size);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glCopyPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum type) try {
   SOFTGL_TRACED(glCopyPixels, x, y, width, height, type);
   Context& c = *current_context;
@@ -1111,6 +1119,14 @@ SOFTGL_EXPORT void APIENTRY glFlush() try {
   Context& c = *current_context;
   if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::Flush(c);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glFlushMappedBufferRange(GLenum target, GLintptr offset, GLsizeiptr length) try {
+  SOFTGL_TRACED(glFlushMappedBufferRange, target, offset, length);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::FlushMappedBufferRange(c, target, offset, length);
 } catch (...) {
   out_of_memory();
 }

@@ -219,7 +219,6 @@ SOFTGL_EXPORT void APIENTRY glGetMaterialiv(GLenum face, GLenum pname, GLint* pa
 SOFTGL_EXPORT void APIENTRY glGetPixelMapfv(GLenum map, GLfloat* values) try {
   SOFTGL_TRACED(glGetPixelMapfv, map, values);
   Context& c = *current_context;
-  if (!values) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetPixelMapfv(c, map, values);
 } catch (...) {
@@ -228,7 +227,6 @@ SOFTGL_EXPORT void APIENTRY glGetPixelMapfv(GLenum map, GLfloat* values) try {
 SOFTGL_EXPORT void APIENTRY glGetPixelMapuiv(GLenum map, GLuint* values) try {
   SOFTGL_TRACED(glGetPixelMapuiv, map, values);
   Context& c = *current_context;
-  if (!values) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetPixelMapuiv(c, map, values);
 } catch (...) {
@@ -237,7 +235,6 @@ SOFTGL_EXPORT void APIENTRY glGetPixelMapuiv(GLenum map, GLuint* values) try {
 SOFTGL_EXPORT void APIENTRY glGetPixelMapusv(GLenum map, GLushort* values) try {
   SOFTGL_TRACED(glGetPixelMapusv, map, values);
   Context& c = *current_context;
-  if (!values) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetPixelMapusv(c, map, values);
 } catch (...) {
@@ -264,7 +261,6 @@ SOFTGL_EXPORT void APIENTRY glGetPointervEXT(GLenum pname, void** params) try {
 SOFTGL_EXPORT void APIENTRY glGetPolygonStipple(GLubyte* mask) try {
   SOFTGL_TRACED(glGetPolygonStipple, mask);
   Context& c = *current_context;
-  if (!mask) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GetPolygonStipple(c, mask);
 } catch (...) {

@@ -77,6 +77,15 @@ SOFTGL_EXPORT void* APIENTRY glMapBufferARB(GLenum target, GLenum access) try {
   out_of_memory();
   return nullptr;
 }
+SOFTGL_EXPORT void* APIENTRY glMapBufferRange(GLenum target, GLintptr offset, GLsizeiptr length, GLbitfield access) try {
+  SOFTGL_TRACED(glMapBufferRange, target, offset, length, access);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return nullptr;
+  return gl::MapBufferRange(c, target, offset, length, access);
+} catch (...) {
+  out_of_memory();
+  return nullptr;
+}
 SOFTGL_EXPORT void APIENTRY glMapGrid1d(GLint un, GLdouble u1, GLdouble u2) try {
   SOFTGL_TRACED(glMapGrid1d, un, u1, u2);
   Context& c = *current_context;
@@ -342,7 +351,6 @@ SOFTGL_EXPORT void APIENTRY glPassThrough(GLfloat token) try {
 SOFTGL_EXPORT void APIENTRY glPixelMapfv(GLenum map, GLsizei mapsize, const GLfloat* values) try {
   SOFTGL_TRACED(glPixelMapfv, map, mapsize, values);
   Context& c = *current_context;
-  if ((!values && mapsize > 0)) [[unlikely]] return ignore_call(c);
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PixelMapfv(c, map, mapsize, values);
     if (!may_execute(c)) return;
@@ -354,7 +362,6 @@ SOFTGL_EXPORT void APIENTRY glPixelMapfv(GLenum map, GLsizei mapsize, const GLfl
 SOFTGL_EXPORT void APIENTRY glPixelMapuiv(GLenum map, GLsizei mapsize, const GLuint* values) try {
   SOFTGL_TRACED(glPixelMapuiv, map, mapsize, values);
   Context& c = *current_context;
-  if ((!values && mapsize > 0)) [[unlikely]] return ignore_call(c);
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PixelMapuiv(c, map, mapsize, values);
     if (!may_execute(c)) return;
@@ -366,7 +373,6 @@ SOFTGL_EXPORT void APIENTRY glPixelMapuiv(GLenum map, GLsizei mapsize, const GLu
 SOFTGL_EXPORT void APIENTRY glPixelMapusv(GLenum map, GLsizei mapsize, const GLushort* values) try {
   SOFTGL_TRACED(glPixelMapusv, map, mapsize, values);
   Context& c = *current_context;
-  if ((!values && mapsize > 0)) [[unlikely]] return ignore_call(c);
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PixelMapusv(c, map, mapsize, values);
     if (!may_execute(c)) return;
@@ -566,7 +572,6 @@ SOFTGL_EXPORT void APIENTRY glPolygonOffset(GLfloat factor, GLfloat units) try {
 SOFTGL_EXPORT void APIENTRY glPolygonStipple(const GLubyte* mask) try {
   SOFTGL_TRACED(glPolygonStipple, mask);
   Context& c = *current_context;
-  if (!mask) [[unlikely]] return ignore_call(c);
   if (c.guard) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_PolygonStipple(c, mask);
     if (!may_execute(c)) return;

@@ -96,6 +96,7 @@ DOOR(glCompressedTexSubImage2D);
 DOOR(glCompressedTexSubImage2DARB);
 DOOR(glCompressedTexSubImage3D);
 DOOR(glCompressedTexSubImage3DARB);
+DOOR(glCopyBufferSubData);
 DOOR(glCopyPixels);
 DOOR(glCopyTexImage1D);
 DOOR(glCopyTexImage2D);
@@ -151,6 +152,7 @@ DOOR(glEvalPoint2);
 DOOR(glFeedbackBuffer);
 DOOR(glFinish);
 DOOR(glFlush);
+DOOR(glFlushMappedBufferRange);
 DOOR(glFogCoordPointer);
 DOOR(glFogCoordPointerEXT);
 DOOR(glFogCoordd);
@@ -290,6 +292,7 @@ DOOR(glMap2d);
 DOOR(glMap2f);
 DOOR(glMapBuffer);
 DOOR(glMapBufferARB);
+DOOR(glMapBufferRange);
 DOOR(glMapGrid1d);
 DOOR(glMapGrid1f);
 DOOR(glMapGrid2d);
@@ -718,6 +721,7 @@ const NamedDoor kNamedDoors[] = {
     {"glCompressedTexSubImage2DARB", door_glCompressedTexSubImage2DARB},
     {"glCompressedTexSubImage3D", door_glCompressedTexSubImage3D},
     {"glCompressedTexSubImage3DARB", door_glCompressedTexSubImage3DARB},
+    {"glCopyBufferSubData", door_glCopyBufferSubData},
     {"glCopyPixels", door_glCopyPixels},
     {"glCopyTexImage1D", door_glCopyTexImage1D},
     {"glCopyTexImage2D", door_glCopyTexImage2D},
@@ -773,6 +777,7 @@ const NamedDoor kNamedDoors[] = {
     {"glFeedbackBuffer", door_glFeedbackBuffer},
     {"glFinish", door_glFinish},
     {"glFlush", door_glFlush},
+    {"glFlushMappedBufferRange", door_glFlushMappedBufferRange},
     {"glFogCoordPointer", door_glFogCoordPointer},
     {"glFogCoordPointerEXT", door_glFogCoordPointerEXT},
     {"glFogCoordd", door_glFogCoordd},
@@ -912,6 +917,7 @@ const NamedDoor kNamedDoors[] = {
     {"glMap2f", door_glMap2f},
     {"glMapBuffer", door_glMapBuffer},
     {"glMapBufferARB", door_glMapBufferARB},
+    {"glMapBufferRange", door_glMapBufferRange},
     {"glMapGrid1d", door_glMapGrid1d},
     {"glMapGrid1f", door_glMapGrid1f},
     {"glMapGrid2d", door_glMapGrid2d},

@@ -56,6 +56,9 @@ void BufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, 
 void GetBufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, void* data);
 void* MapBuffer(Context& c, GLenum target, GLenum access);
 GLboolean UnmapBuffer(Context& c, GLenum target);
+void* MapBufferRange(Context& c, GLenum target, GLintptr offset, GLsizeiptr length, GLbitfield access);
+void FlushMappedBufferRange(Context& c, GLenum target, GLintptr offset, GLsizeiptr length);
+void CopyBufferSubData(Context& c, GLenum readTarget, GLenum writeTarget, GLintptr readOffset, GLintptr writeOffset, GLsizeiptr size);
 void GetBufferParameteriv(Context& c, GLenum target, GLenum pname, GLint* params);
 void GetBufferPointerv(Context& c, GLenum target, GLenum pname, void** params);
 void MatrixMode(Context& c, GLenum mode);

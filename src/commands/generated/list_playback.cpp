@@ -186,14 +186,17 @@ void play_command(Context& c, uint16_t opcode, const void* arguments) {
     }
     case Opcode::PixelMapfv: {
       const auto& r = *static_cast<const PixelMapfvArguments*>(arguments);
+      const TightUnpacking tight(c);
       return gl::PixelMapfv(c, r.map, r.mapsize, r.values);
     }
     case Opcode::PixelMapuiv: {
       const auto& r = *static_cast<const PixelMapuivArguments*>(arguments);
+      const TightUnpacking tight(c);
       return gl::PixelMapuiv(c, r.map, r.mapsize, r.values);
     }
     case Opcode::PixelMapusv: {
       const auto& r = *static_cast<const PixelMapusvArguments*>(arguments);
+      const TightUnpacking tight(c);
       return gl::PixelMapusv(c, r.map, r.mapsize, r.values);
     }
     case Opcode::PixelZoom: {
@@ -270,26 +273,32 @@ void play_command(Context& c, uint16_t opcode, const void* arguments) {
     }
     case Opcode::CompressedTexImage1D: {
       const auto& r = *static_cast<const CompressedTexImage1DArguments*>(arguments);
+      const TightUnpacking tight(c);
       return gl::CompressedTexImage1D(c, r.target, r.level, r.internalformat, r.width, r.border, r.imageSize, r.data);
     }
     case Opcode::CompressedTexImage2D: {
       const auto& r = *static_cast<const CompressedTexImage2DArguments*>(arguments);
+      const TightUnpacking tight(c);
       return gl::CompressedTexImage2D(c, r.target, r.level, r.internalformat, r.width, r.height, r.border, r.imageSize, r.data);
     }
     case Opcode::CompressedTexImage3D: {
       const auto& r = *static_cast<const CompressedTexImage3DArguments*>(arguments);
+      const TightUnpacking tight(c);
       return gl::CompressedTexImage3D(c, r.target, r.level, r.internalformat, r.width, r.height, r.depth, r.border, r.imageSize, r.data);
     }
     case Opcode::CompressedTexSubImage1D: {
       const auto& r = *static_cast<const CompressedTexSubImage1DArguments*>(arguments);
+      const TightUnpacking tight(c);
       return gl::CompressedTexSubImage1D(c, r.target, r.level, r.xoffset, r.width, r.format, r.imageSize, r.data);
     }
     case Opcode::CompressedTexSubImage2D: {
       const auto& r = *static_cast<const CompressedTexSubImage2DArguments*>(arguments);
+      const TightUnpacking tight(c);
       return gl::CompressedTexSubImage2D(c, r.target, r.level, r.xoffset, r.yoffset, r.width, r.height, r.format, r.imageSize, r.data);
     }
     case Opcode::CompressedTexSubImage3D: {
       const auto& r = *static_cast<const CompressedTexSubImage3DArguments*>(arguments);
+      const TightUnpacking tight(c);
       return gl::CompressedTexSubImage3D(c, r.target, r.level, r.xoffset, r.yoffset, r.zoffset, r.width, r.height, r.depth, r.format, r.imageSize, r.data);
     }
     case Opcode::TexParameter: {

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <vector>
 
 #include "commands/framebuffer/flush.h"
 #include "commands/generated/commands.h"
+#include "commands/vertices/pixel_buffers.h"
 #include "context/context.h"
 #include "context/pixel_transfer.h"
 #include "shaders/fragment/pixel_image.h"
@@ -93,7 +95,7 @@ Placement place_at_raster_position(Context& c, int width, int height) {
                    c.state.pixel_mode.zoom_x, c.state.pixel_mode.zoom_y);
 }
 
-/// The client's image.
+/// The client's image, in its memory or in the unpack buffer.
 struct ClientImage {
   const unsigned char* memory;
   PixelFormat format;
@@ -105,6 +107,9 @@ struct ClientImage {
         layout(layout_image(c.client.pixel_store.unpack, 2, width, height, format)),
         swap(c.client.pixel_store.unpack.swap_bytes), lsb_first(c.client.pixel_store.unpack.lsb_first) {}
 
+  PixelSpan span(const Context& c, int height) const {
+    return image_span(c.client.pixel_store.unpack, layout, height, 1, format);
+  }
   const unsigned char* at(int column, int row) const {
     return memory + layout.offset + size_t(row) * layout.row_stride + size_t(column) * format.bytes;
   }
@@ -114,6 +119,15 @@ struct ClientImage {
                    index);
   }
 };
+
+/// None, and the error, where the unpack buffer does not hold the image. Without pixels its memory is null.
+std::optional<ClientImage> client_image(Context& c, const void* pixels, int width, int height, GLenum format,
+                                        GLenum type) {
+  ClientImage image(c, nullptr, width, height, format, type);
+  if (!find_unpack_memory(c, pixels, image.span(c, height))) return std::nullopt;
+  image.memory = static_cast<const unsigned char*>(pixels);
+  return image;
+}
 
 /// Depths after the pixel transfer, as the surface stores them.
 void store_depths(const Surface& surface, const PixelTransfer& transfer, const float* depth, size_t count,
@@ -285,8 +299,10 @@ void DrawPixels(Context& c, GLsizei width, GLsizei height, GLenum format, GLenum
   if (!has_buffer(*c.draw, format)) return set_error(c, GL_INVALID_OPERATION);
   if (!c.state.raster_position.valid) return;
   if (c.state.render_mode.mode != GL_RENDER) return feed_back_pixels(c, GL_DRAW_PIXEL_TOKEN);
-  if (width == 0 || height == 0 || !pixels) return;
-  const ClientImage image(c, pixels, width, height, format, type);
+  if (width == 0 || height == 0) return;
+  const std::optional<ClientImage> found = client_image(c, pixels, width, height, format, type);
+  if (!found || !found->memory) return;
+  const ClientImage& image = *found;
   const Placement p = place_at_raster_position(c, width, height);
   if (!p.visible()) return;
   switch (format) {
@@ -325,13 +341,16 @@ void Bitmap(Context& c, GLsizei width, GLsizei height, GLfloat xorig, GLfloat yo
   if (!position.valid) return;
   if (c.state.render_mode.mode != GL_RENDER)
     feed_back_pixels(c, GL_BITMAP_TOKEN);
-  else if (width > 0 && height > 0 && bitmap) {
+  else if (width > 0 && height > 0) {
+    const std::optional<ClientImage> found =
+        client_image(c, bitmap, width, height, GL_COLOR_INDEX, GL_BITMAP);
+    if (!found) return;
+    const ClientImage& image = *found;
     // Positions that are whole numbers but for a rounding error stay what they are, as in OSMesa.
     auto pixel = [](float v) { return std::floor(v + 0.0001f); };
-    const ClientImage image(c, bitmap, width, height, GL_COLOR_INDEX, GL_BITMAP);
     const Placement p(c.draw->surface, pixel(position.window.x - xorig), pixel(position.window.y - yorig),
                       width, height, 1, 1);
-    if (p.visible()) {
+    if (image.memory && p.visible()) {
       std::vector<uint32_t> index(size_t(p.width_in_view()));
       const auto* bit = fill_rows<uint8_t>(c, p, [&](int row, uint8_t* element) {
         image.indexes(p.columns.first, row, p.width_in_view(), index.data());

@@ -4,6 +4,7 @@
 
 #include "base/unit_range.h"
 #include "commands/generated/commands.h"
+#include "commands/vertices/pixel_buffers.h"
 #include "context/context.h"
 
 namespace softgl {
@@ -24,7 +25,9 @@ void set_map(Context& c, GLenum map, GLsizei size, const T* values, Value value)
   if (size < 1 || size > kMaxMapSize || (is_map(map) && takes_indexes(map) && (size & (size - 1)) != 0))
     return set_error(c, GL_INVALID_VALUE);
   if (!is_map(map)) return set_error(c, GL_INVALID_ENUM);
-  if (!values) return;
+  const void* memory = values;
+  if (!find_unpack_memory(c, memory, array_span(size_t(size), sizeof(T))) || !memory) return;
+  values = static_cast<const T*>(memory);
   const GLenum i = map - GL_PIXEL_MAP_I_TO_I;
   c.state.pixel_maps.size[i] = size;
   for (GLsizei k = 0; k < size; ++k) {
@@ -35,11 +38,14 @@ void set_map(Context& c, GLenum map, GLsizei size, const T* values, Value value)
   }
 }
 
-/// Calls put(k, value) for every entry.
-template <class Put> void get_map(Context& c, GLenum map, Put put) {
+/// `value(v)` is what the client gets where the map holds v.
+template <class T, class Value> void get_map(Context& c, GLenum map, T* values, Value value) {
   if (!is_map(map)) return set_error(c, GL_INVALID_ENUM);
   const GLenum i = map - GL_PIXEL_MAP_I_TO_I;
-  for (GLsizei k = 0; k < c.state.pixel_maps.size[i]; ++k) put(k, c.state.pixel_maps.value[i][k]);
+  const GLsizei size = c.state.pixel_maps.size[i];
+  void* memory = values;
+  if (!find_pack_memory(c, memory, array_span(size_t(size), sizeof(T))) || !memory) return;
+  for (GLsizei k = 0; k < size; ++k) static_cast<T*>(memory)[k] = value(c.state.pixel_maps.value[i][k]);
 }
 
 /// A value within the integers up to `most`.
@@ -62,16 +68,16 @@ void PixelMapusv(Context& c, GLenum map, GLsizei mapsize, const GLushort* values
 }
 
 void GetPixelMapfv(Context& c, GLenum map, GLfloat* values) {
-  get_map(c, map, [&](GLsizei k, float v) { values[k] = v; });
+  get_map(c, map, values, [](float v) { return v; });
 }
 void GetPixelMapuiv(Context& c, GLenum map, GLuint* values) {
-  get_map(c, map, [&](GLsizei k, float v) {
-    values[k] = holds_indexes(map) ? GLuint(within(v, 4294967295.0)) : GLuint(double(v) * 4294967295.0);
+  get_map(c, map, values, [&](float v) {
+    return holds_indexes(map) ? GLuint(within(v, 4294967295.0)) : GLuint(double(v) * 4294967295.0);
   });
 }
 void GetPixelMapusv(Context& c, GLenum map, GLushort* values) {
-  get_map(c, map, [&](GLsizei k, float v) {
-    values[k] = holds_indexes(map) ? GLushort(within(v, 65535.0)) : GLushort(std::lrint(v * 65535.0f));
+  get_map(c, map, values, [&](float v) {
+    return holds_indexes(map) ? GLushort(within(v, 65535.0)) : GLushort(std::lrint(v * 65535.0f));
   });
 }
 

@@ -9,6 +9,7 @@
 #include "base/unit_range.h"
 #include "commands/framebuffer/flush.h"
 #include "commands/generated/commands.h"
+#include "commands/vertices/pixel_buffers.h"
 #include "context/context.h"
 #include "context/pixel_transfer.h"
 #include "frame/parallel.h"
@@ -219,7 +220,12 @@ void gl::ReadPixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height,
     return set_error(c, error ? error : GLenum(GL_INVALID_FRAMEBUFFER_OPERATION));
   }
   if (const GLenum error = check(c, width, height, format, type)) return set_error(c, error);
-  if (width == 0 || height == 0 || !pixels) return;
+  if (width == 0 || height == 0) return;
+  const PixelFormat pixel = describe_pixel_format(format, type);
+  const ImageLayout layout = layout_image(c.client.pixel_store.pack, 2, width, height, pixel);
+  if (!find_pack_memory(c, pixels, image_span(c.client.pixel_store.pack, layout, height, 1, pixel)) ||
+      !pixels)
+    return;
   flush_for_reading(c);
   if (!c.bindings.read)
     c.framebuffer.unresolved = true; // OSMesa: a read, too, makes the next glFlush write the caller's buffer
@@ -236,8 +242,8 @@ void gl::ReadPixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height,
   t.rows = int(top - bottom);
   t.bottom = y;
   t.memory = static_cast<unsigned char*>(pixels);
-  t.format = describe_pixel_format(format, type);
-  t.layout = layout_image(c.client.pixel_store.pack, 2, width, height, t.format);
+  t.format = pixel;
+  t.layout = layout;
   t.skipped = int(left - x);
   t.swap = c.client.pixel_store.pack.swap_bytes;
   if (format == GL_DEPTH_COMPONENT) return read_depths(c, t);

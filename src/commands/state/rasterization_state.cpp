@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "commands/generated/commands.h"
+#include "commands/vertices/pixel_buffers.h"
 #include "context/context.h"
 
 namespace softgl::gl {
@@ -80,13 +81,19 @@ StippleRow stipple_row(const softgl::PixelStore& store, int y) {
   const size_t bit = size_t(store.skip_pixels);
   return {stride * (size_t(store.skip_rows) + size_t(y)) + bit / 8, bit % 8};
 }
+PixelSpan stipple_span(const softgl::PixelStore& store) {
+  const PixelFormat bits = describe_pixel_format(GL_COLOR_INDEX, GL_BITMAP);
+  return image_span(store, layout_image(store, 2, 32, 32, bits), 32, 1, bits);
+}
 unsigned bit_mask(size_t bit, bool lsb_first) { return lsb_first ? 1u << (bit & 7) : 0x80u >> (bit & 7); }
 
 } // namespace
 
 void PolygonStipple(Context& c, const GLubyte* mask) {
-  if (!mask) return;
   const softgl::PixelStore& store = c.client.pixel_store.unpack;
+  const void* memory = mask;
+  if (!find_unpack_memory(c, memory, stipple_span(store)) || !memory) return;
+  mask = static_cast<const GLubyte*>(memory);
   PolygonStippleState& stipple = edit<&State::polygon_stipple>(c);
   for (int y = 0; y < 32; ++y) {
     const StippleRow row = stipple_row(store, y);
@@ -100,8 +107,10 @@ void PolygonStipple(Context& c, const GLubyte* mask) {
 }
 
 void GetPolygonStipple(Context& c, GLubyte* mask) {
-  if (!mask) return;
   const softgl::PixelStore& store = c.client.pixel_store.pack;
+  void* memory = mask;
+  if (!find_pack_memory(c, memory, stipple_span(store)) || !memory) return;
+  mask = static_cast<GLubyte*>(memory);
   for (int y = 0; y < 32; ++y) {
     const StippleRow row = stipple_row(store, y);
     for (size_t x = 0; x < 32; ++x) {

@@ -2,6 +2,7 @@
 
 #include "commands/generated/commands.h"
 #include "commands/textures/texture_images.h"
+#include "commands/vertices/pixel_buffers.h"
 #include "context/context.h"
 #include "context/pixel_transfer.h"
 #include "snapshot/render_targets.h"
@@ -104,15 +105,18 @@ void specify_image(Context& c, int dimensions, GLenum target, GLint level, GLint
   }
   if (size_error != GL_NO_ERROR) return set_error(c, size_error);
   if (!fits) return set_error(c, GL_OUT_OF_MEMORY);
+  const PixelFormat f = describe_pixel_format(format, type);
+  ImageLayout layout = layout_image(c.client.pixel_store.unpack, dimensions, width, height, f);
+  if (width > 0 && height > 0 && depth > 0 &&
+      !find_unpack_memory(c, pixels, image_span(c.client.pixel_store.unpack, layout, height, depth, f)))
+    return;
   const int b = border;
-  auto image = make_image(texel, internal_format, width - 2 * b, dimensions > 1 ? height - 2 * b : 1,
-                          dimensions > 2 ? depth - 2 * b : 1);
+  auto image = make_image(texel, internal_format, width - 2 * b,
+                          dimensions > 1 ? height - 2 * b : 1, dimensions > 2 ? depth - 2 * b : 1);
   mark_images(c, *object);
   match_formats(*object, *image);
   if (pixels && !image->empty()) {
     // The border is dropped, as OSMesa drops it: only the pixels inside are read.
-    const PixelFormat f = describe_pixel_format(format, type);
-    ImageLayout layout = layout_image(c.client.pixel_store.unpack, dimensions, width, height, f);
     auto p = static_cast<const unsigned char*>(pixels) + layout.offset + size_t(b) * f.bytes;
     if (f.channel == PixelChannel::Bitmap) layout.bit_offset += b;
     if (dimensions > 1) p += size_t(b) * layout.row_stride;
@@ -139,9 +143,12 @@ void change_image(Context& c, int dimensions, GLenum target, GLint level, GLint 
   if (!box_inside(*image, x, y, z, width, height, depth)) return set_error(c, GL_INVALID_VALUE);
   if (format == GL_STENCIL_INDEX) return set_error(c, GL_INVALID_ENUM);
   if (!same_kind(image->format->base, format)) return set_error(c, GL_INVALID_OPERATION);
-  if (!pixels || width == 0 || height == 0 || depth == 0) return;
+  if (width == 0 || height == 0 || depth == 0) return;
   const PixelFormat f = describe_pixel_format(format, type);
   const ImageLayout layout = layout_image(c.client.pixel_store.unpack, dimensions, width, height, f);
+  if (!find_unpack_memory(c, pixels, image_span(c.client.pixel_store.unpack, layout, height, depth, f)) ||
+      !pixels)
+    return;
   mark_images(c, *object);
   store_box(c, object->writable(t.face, level), x, y, z, width, height, depth, f, layout,
             static_cast<const unsigned char*>(pixels) + layout.offset);
@@ -199,7 +206,7 @@ void GetTexImage(Context& c, GLenum target, GLint level, GLenum format, GLenum t
   if (format == GL_STENCIL_INDEX || format == GL_COLOR_INDEX) return set_error(c, GL_INVALID_ENUM);
   const auto object = target_object(c, t);
   const TextureImage* image = object->image[t.face][level].get();
-  if (!image || image->empty() || !pixels) return;
+  if (!image || image->empty() || (!pixels && !c.client.pixel_store.pack_buffer.object)) return;
   // Depths alone can be had of both.
   if (!same_kind(image->format->base, format) &&
       !(image->format->base == GL_DEPTH_STENCIL && format == GL_DEPTH_COMPONENT))
@@ -208,6 +215,9 @@ void GetTexImage(Context& c, GLenum target, GLint level, GLenum format, GLenum t
   const int dimensions = t.target == kTexture1D ? 1 : t.target == kTexture3D ? 3 : 2;
   const ImageLayout layout =
       layout_image(c.client.pixel_store.pack, dimensions, image->width, image->height, f);
+  if (!find_pack_memory(c, pixels,
+                        image_span(c.client.pixel_store.pack, layout, image->height, image->depth, f)))
+    return;
   auto p = static_cast<unsigned char*>(pixels) + layout.offset;
   const bool swap = c.client.pixel_store.pack.swap_bytes;
   for (int z = 0; z < image->depth; ++z)

@@ -1,31 +1,17 @@
+// Buffer objects (GL 1.5, 2.9), with GL_ARB_pixel_buffer_object's and GL_ARB_copy_buffer's targets. How they
+// are mapped is in buffer_mapping.cpp.
 #include "context/buffer_objects.h"
 
 #include <cstdlib>
 #include <cstring>
 
 #include "commands/generated/commands.h"
+#include "commands/vertices/buffer_contents.h"
 #include "context/context.h"
 
 namespace softgl {
 
 namespace {
-
-std::shared_ptr<BufferObject>* bound_object(Context& c, GLenum target) {
-  VertexArrayState& arrays = c.client.vertex_array;
-  switch (target) {
-  case GL_ARRAY_BUFFER: return &arrays.array_object;
-  case GL_ELEMENT_ARRAY_BUFFER: return &arrays.element_array_object;
-  default: set_error(c, GL_INVALID_ENUM); return nullptr;
-  }
-}
-
-/// The object bound to `target`; without one, or for a bad target, the error is set.
-BufferObject* buffer_of(Context& c, GLenum target) {
-  std::shared_ptr<BufferObject>* binding = bound_object(c, target);
-  if (!binding) return nullptr;
-  if (!*binding) set_error(c, GL_INVALID_OPERATION);
-  return binding->get();
-}
 
 bool is_usage(GLenum usage) {
   switch (usage) {
@@ -42,21 +28,6 @@ bool is_usage(GLenum usage) {
   }
 }
 
-void changed(Context& c, BufferObject& buffer) {
-  ++buffer.version;
-  c.dirty |= kDirtyArrays;
-}
-
-/// Gives the buffer bytes of its own when a frame still reads them.
-void detach(Context& c, BufferObject& buffer) {
-  if (buffer.storage && buffer.storage.use_count() > 1) {
-    auto copy = std::make_shared<BufferStorage>(buffer.storage->size);
-    std::memcpy(copy->bytes, buffer.storage->bytes, copy->size);
-    buffer.storage = std::move(copy);
-  }
-  changed(c, buffer);
-}
-
 bool in_range(Context& c, const BufferObject& buffer, GLintptr offset, GLsizeiptr size) {
   if (offset < 0 || size < 0 || size_t(offset) > buffer.size() ||
       size_t(size) > buffer.size() - size_t(offset)) {
@@ -70,18 +41,57 @@ bool in_range(Context& c, const BufferObject& buffer, GLintptr offset, GLsizeipt
   return true;
 }
 
+/// Whether two ranges of one buffer have bytes in common.
+bool overlap(GLintptr a, GLintptr b, GLsizeiptr size) { return a < b + size && b < a + size; }
+
 /// What no memory will ever hold; calloc would promise some of it.
 constexpr GLsizeiptr kMaxBufferBytes = GLsizeiptr(1) << 40;
 
 } // namespace
 
-void gl::BindBuffer(Context& c, GLenum target, GLuint name) {
-  std::shared_ptr<BufferObject>* binding = bound_object(c, target);
-  if (!binding) return;
-  *binding = name ? c.shared->buffers.find_or_create(name, [] { return std::make_shared<BufferObject>(); })
-                  : nullptr;
+std::optional<BoundBuffer> bound_buffer(Context& c, GLenum target) {
   VertexArrayState& arrays = c.client.vertex_array;
-  (target == GL_ARRAY_BUFFER ? arrays.array_buffer : arrays.element_array_buffer) = name;
+  PixelStoreState& pixels = c.client.pixel_store;
+  const auto of = [](BufferBinding& binding) { return BoundBuffer{binding.object, binding.name}; };
+  switch (target) {
+  case GL_ARRAY_BUFFER: return BoundBuffer{arrays.array_object, arrays.array_buffer};
+  case GL_ELEMENT_ARRAY_BUFFER: return BoundBuffer{arrays.element_array_object, arrays.element_array_buffer};
+  case GL_PIXEL_PACK_BUFFER: return of(pixels.pack_buffer);
+  case GL_PIXEL_UNPACK_BUFFER: return of(pixels.unpack_buffer);
+  case GL_COPY_READ_BUFFER: return of(c.client.copy_read);
+  case GL_COPY_WRITE_BUFFER: return of(c.client.copy_write);
+  default: set_error(c, GL_INVALID_ENUM); return std::nullopt;
+  }
+}
+
+BufferObject* buffer_of(Context& c, GLenum target) {
+  const std::optional<BoundBuffer> bound = bound_buffer(c, target);
+  if (!bound) return nullptr;
+  if (!bound->object) set_error(c, GL_INVALID_OPERATION);
+  return bound->object.get();
+}
+
+void note_contents(Context& c, BufferObject& buffer) {
+  ++buffer.version;
+  c.dirty |= kDirtyArrays;
+}
+
+void make_writable(Context& c, BufferObject& buffer) {
+  if (buffer.storage && buffer.storage.use_count() > 1) {
+    auto copy = std::make_shared<BufferStorage>(buffer.storage->size);
+    std::memcpy(copy->bytes, buffer.storage->bytes, copy->size);
+    buffer.storage = std::move(copy);
+  }
+  note_contents(c, buffer);
+}
+
+void gl::BindBuffer(Context& c, GLenum target, GLuint name) {
+  const std::optional<BoundBuffer> bound = bound_buffer(c, target);
+  if (!bound) return;
+  bound->object =
+      name ? c.shared->buffers.find_or_create(name, [] { return std::make_shared<BufferObject>(); })
+           : nullptr;
+  bound->name = name;
 }
 
 void gl::GenBuffers(Context& c, GLsizei n, GLuint* names) {
@@ -97,7 +107,7 @@ void gl::DeleteBuffers(Context& c, GLsizei n, const GLuint* names) {
     if (names[i] == 0) continue;
     const std::shared_ptr<BufferObject> object = c.shared->buffers.erase(names[i]);
     if (!object) continue;
-    object->mapped = false;
+    unmap(*object);
     const auto unbind = [&](std::shared_ptr<BufferObject>& binding, GLuint& name) {
       if (binding != object) return;
       binding = nullptr;
@@ -105,6 +115,9 @@ void gl::DeleteBuffers(Context& c, GLsizei n, const GLuint* names) {
     };
     unbind(arrays.array_object, arrays.array_buffer);
     unbind(arrays.element_array_object, arrays.element_array_buffer);
+    for (BufferBinding* binding : {&c.client.pixel_store.pack_buffer, &c.client.pixel_store.unpack_buffer,
+                                   &c.client.copy_read, &c.client.copy_write})
+      unbind(binding->object, binding->name);
     for (VertexArray& array : arrays.array) {
       if (array.object != object) continue;
       unbind(array.object, array.buffer);
@@ -118,13 +131,13 @@ void gl::DeleteBuffers(Context& c, GLsizei n, const GLuint* names) {
 GLboolean gl::IsBuffer(Context& c, GLuint name) { return c.shared->buffers.find(name) != nullptr; }
 
 void gl::BufferData(Context& c, GLenum target, GLsizeiptr size, const void* data, GLenum usage) {
-  std::shared_ptr<BufferObject>* binding = bound_object(c, target);
-  if (!binding) return;
+  const std::optional<BoundBuffer> bound = bound_buffer(c, target);
+  if (!bound) return;
   if (size < 0) return set_error(c, GL_INVALID_VALUE);
   if (!is_usage(usage)) return set_error(c, GL_INVALID_ENUM);
-  if (!*binding) return set_error(c, GL_INVALID_OPERATION);
+  if (!bound->object) return set_error(c, GL_INVALID_OPERATION);
   if (size > kMaxBufferBytes) return set_error(c, GL_OUT_OF_MEMORY);
-  BufferObject& buffer = **binding;
+  BufferObject& buffer = *bound->object;
   auto storage = std::make_shared<BufferStorage>(size_t(size));
   if (data) {
     populate_pages({storage->bytes, size_t(size)});
@@ -133,14 +146,14 @@ void gl::BufferData(Context& c, GLenum target, GLsizeiptr size, const void* data
   buffer.storage = std::move(storage);
   buffer.usage = usage;
   buffer.access = GL_READ_WRITE;
-  buffer.mapped = false;
-  changed(c, buffer);
+  unmap(buffer);
+  note_contents(c, buffer);
 }
 
 void gl::BufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, const void* data) {
   BufferObject* buffer = buffer_of(c, target);
   if (!buffer || !in_range(c, *buffer, offset, size) || !size || !data) return;
-  detach(c, *buffer);
+  make_writable(c, *buffer);
   std::memcpy(buffer->storage->bytes + offset, data, size_t(size));
 }
 
@@ -150,58 +163,18 @@ void gl::GetBufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr
   std::memcpy(data, buffer->storage->bytes + offset, size_t(size));
 }
 
-void* gl::MapBuffer(Context& c, GLenum target, GLenum access) {
-  std::shared_ptr<BufferObject>* binding = bound_object(c, target);
-  if (!binding) return nullptr;
-  if (access != GL_READ_ONLY && access != GL_WRITE_ONLY && access != GL_READ_WRITE) {
-    set_error(c, GL_INVALID_ENUM);
-    return nullptr;
-  }
-  BufferObject* buffer = buffer_of(c, target);
-  if (!buffer) return nullptr;
-  // Without bytes there is nothing to map, as in OSMesa. Nobody writes to a buffer that found no memory.
-  if (buffer->mapped || buffer->size() == 0) {
-    set_error(c, GL_INVALID_OPERATION);
-    return nullptr;
-  }
-  if (access != GL_READ_ONLY) detach(c, *buffer);
-  buffer->mapped = true;
-  buffer->access = access;
-  return buffer->storage->bytes;
-}
-
-GLboolean gl::UnmapBuffer(Context& c, GLenum target) {
-  BufferObject* buffer = buffer_of(c, target);
-  if (!buffer) return GL_FALSE;
-  if (!buffer->mapped) {
-    set_error(c, GL_INVALID_OPERATION);
-    return GL_FALSE;
-  }
-  buffer->mapped = false;
-  changed(c, *buffer); // written through the pointer
-  return GL_TRUE;
-}
-
-void gl::GetBufferParameteriv(Context& c, GLenum target, GLenum pname, GLint* params) {
-  if (!bound_object(c, target)) return;
-  if (pname != GL_BUFFER_SIZE && pname != GL_BUFFER_USAGE && pname != GL_BUFFER_ACCESS &&
-      pname != GL_BUFFER_MAPPED)
-    return set_error(c, GL_INVALID_ENUM);
-  const BufferObject* buffer = buffer_of(c, target);
-  if (!buffer || !params) return;
-  switch (pname) {
-  case GL_BUFFER_SIZE: *params = buffer->size() > 0x7fffffff ? 0x7fffffff : GLint(buffer->size()); break;
-  case GL_BUFFER_USAGE: *params = GLint(buffer->usage); break;
-  case GL_BUFFER_ACCESS: *params = GLint(buffer->access); break;
-  default: *params = buffer->mapped;
-  }
-}
-
-void gl::GetBufferPointerv(Context& c, GLenum target, GLenum pname, void** params) {
-  if (!bound_object(c, target)) return;
-  if (pname != GL_BUFFER_MAP_POINTER) return set_error(c, GL_INVALID_ENUM);
-  const BufferObject* buffer = buffer_of(c, target);
-  if (buffer && params) *params = buffer->mapped ? buffer->storage->bytes : nullptr;
+void gl::CopyBufferSubData(Context& c, GLenum read_target, GLenum write_target, GLintptr read_offset,
+                           GLintptr write_offset, GLsizeiptr size) {
+  BufferObject* const from = buffer_of(c, read_target);
+  if (!from) return;
+  BufferObject* const to = buffer_of(c, write_target);
+  if (!to) return;
+  if (from->mapped || to->mapped) return set_error(c, GL_INVALID_OPERATION);
+  if (!in_range(c, *from, read_offset, size) || !in_range(c, *to, write_offset, size)) return;
+  if (from == to && overlap(read_offset, write_offset, size)) return set_error(c, GL_INVALID_VALUE);
+  if (!size) return;
+  make_writable(c, *to);
+  std::memcpy(to->storage->bytes + write_offset, from->storage->bytes + read_offset, size_t(size));
 }
 
 } // namespace softgl

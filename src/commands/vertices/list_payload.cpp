@@ -66,11 +66,13 @@ Map2dArguments keep_map(Context& c, GLenum target, GLdouble u1, GLdouble u2, GLi
 
 const void* keep_image(Context& c, int dimensions, GLsizei width, GLsizei height, GLsizei depth,
                        GLenum format, GLenum type, const void* pixels) {
-  if (!pixels || width <= 0 || height <= 0 || depth <= 0) return nullptr;
+  if (width <= 0 || height <= 0 || depth <= 0) return nullptr;
   if (check_pixel_format(format, type) != GL_NO_ERROR) return nullptr; // the command raises the error
   const PixelStore& store = c.client.pixel_store.unpack;
   const PixelFormat pixel = describe_pixel_format(format, type);
   const ImageLayout from = layout_image(store, dimensions, width, height, pixel);
+  if (!find_unpack_memory(c, pixels, image_span(store, from, height, depth, pixel)) || !pixels)
+    return nullptr;
   const bool bitmap = pixel.channel == PixelChannel::Bitmap;
   const size_t row_bytes = bitmap ? (size_t(width) + 7) / 8 : size_t(width) * pixel.bytes;
   std::vector<unsigned char> image(row_bytes * size_t(height) * size_t(depth));

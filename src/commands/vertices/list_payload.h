@@ -3,15 +3,25 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include "commands/generated/list_records.h"
 #include "commands/vertices/list_compilation.h"
+#include "commands/vertices/pixel_buffers.h"
 #include "context/context.h"
 
 namespace softgl {
 
 /// Copies into the list that is being compiled; null for a null pointer or nothing.
 const void* keep_bytes(Context& c, const void* data, size_t bytes);
+/// The same for values that may lie in the unpack buffer (GL_ARB_pixel_buffer_object).
+template <class T> const T* keep_pixels(Context& c, const T* data, size_t bytes) {
+  const void* from = data;
+  size_t element = 1;
+  if constexpr (!std::is_void_v<T>) element = sizeof(T);
+  if (!bytes || !find_unpack_memory(c, from, array_span(bytes / element, element))) return nullptr;
+  return static_cast<const T*>(keep_bytes(c, from, bytes));
+}
 /// Parameters of a pname; of one that GL does not know, zeros: the command looks at them before it raises the
 /// error.
 inline const GLfloat* keep_values(Context& c, const GLfloat* values, size_t count) {
