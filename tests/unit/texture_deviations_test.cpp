@@ -65,6 +65,9 @@ TEST_CASE("Compressed internal formats are stored uncompressed", "[texture][devi
   GLint compressed = 1;
   c.gl.GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_COMPRESSED, &compressed);
   CHECK(compressed == 0);
+  GLint format = 0;
+  c.gl.GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
+  CHECK(format == GL_RGB); // the base format takes the place of the generic one
   c.gl.GetTexImage(GL_TEXTURE_2D, 0, GL_RGB, GL_UNSIGNED_BYTE, back.data());
   CHECK(back == texels);
 }

@@ -95,13 +95,14 @@ void copy_image(Context& c, int dimensions, GLenum target, GLint level, GLenum i
       internal_format <= 4 ? nullptr : choose_texel_format(GLint(internal_format), 0, 0, false);
   if (!chosen) return set_error(c, GL_INVALID_ENUM);
   const auto object = target_object(c, t);
-  const TexelFormat* texel = &level_format(*object, t.face, level, GLint(internal_format), *chosen);
+  const TexelFormat* texel =
+      &level_format(*object, t.face, level, granted_format(GLint(internal_format)), *chosen);
   if (lacks_buffer(c, *texel) || (texel->layout == TexelLayout::Depth && t.target == kTextureCube))
     return set_error(c, GL_INVALID_OPERATION);
   if (GLenum error = check_image_size(t, level, width, height, 1, border); error != GL_NO_ERROR)
     return set_error(c, error);
   if (image_bytes(*texel, width, height, 1) > kMaxImageBytes) return set_error(c, GL_OUT_OF_MEMORY);
-  auto image = make_image(*texel, GLint(internal_format), width - 2 * border,
+  auto image = make_image(*texel, granted_format(GLint(internal_format)), width - 2 * border,
                           dimensions > 1 ? height - 2 * border : 1, 1);
   copy_rectangle(c, x + border, dimensions > 1 ? y + border : y, image->width, image->height, *image, 0, 0,
                  0);

@@ -32,6 +32,18 @@ void mark_images(Context& c, const TextureObject& object) {
   if (is_attached(c, object)) framebuffers_changed(c);
 }
 
+GLint granted_format(GLint internal_format) {
+  switch (internal_format) {
+  case GL_COMPRESSED_ALPHA:
+  case GL_COMPRESSED_LUMINANCE:
+  case GL_COMPRESSED_LUMINANCE_ALPHA:
+  case GL_COMPRESSED_INTENSITY:
+  case GL_COMPRESSED_RGB:
+  case GL_COMPRESSED_RGBA: return GLint(base_internal_format(internal_format));
+  default: return internal_format;
+  }
+}
+
 void regenerate_mipmaps(TextureObject& object, int face, int level) {
   if (object.parameters.generate_mipmap && level == object.parameters.base_level)
     generate_mipmaps(object, face);
@@ -85,7 +97,7 @@ void specify_image(Context& c, int dimensions, GLenum target, GLint level, GLint
     return set_error(c, error);
   const auto object = target_object(c, t);
   const TexelFormat& texel = level_format(
-      *object, t.face, level, internal_format,
+      *object, t.face, level, granted_format(internal_format),
       *choose_texel_format(internal_format, format, type, c.client.pixel_store.unpack.swap_bytes));
   if (texel.layout == TexelLayout::Depth && t.target != kTexture1D && t.target != kTexture2D &&
       t.target != kTextureRectangle)
@@ -97,7 +109,7 @@ void specify_image(Context& c, int dimensions, GLenum target, GLint level, GLint
     object->image[0][level] = nullptr;
     if (!fits) return;
     auto image = std::make_shared<TextureImage>();
-    image->format = &texel, image->internal_format = internal_format;
+    image->format = &texel, image->internal_format = granted_format(internal_format);
     image->width = width, image->height = height, image->depth = depth;
     image->border = border;
     object->image[0][level] = image;
@@ -111,7 +123,7 @@ void specify_image(Context& c, int dimensions, GLenum target, GLint level, GLint
       !find_unpack_memory(c, pixels, image_span(c.client.pixel_store.unpack, layout, height, depth, f)))
     return;
   const int b = border;
-  auto image = make_image(texel, internal_format, width - 2 * b,
+  auto image = make_image(texel, granted_format(internal_format), width - 2 * b,
                           dimensions > 1 ? height - 2 * b : 1, dimensions > 2 ? depth - 2 * b : 1);
   mark_images(c, *object);
   match_formats(*object, *image);

@@ -11,6 +11,9 @@ GLenum check_image_size(const ImageTarget& target, GLint level, GLsizei width, G
 /// Whether client pixels of `format` and texels of a base format go together: colors, depths, or both of
 /// GL_DEPTH_STENCIL (3.8.1).
 bool same_kind(GLenum base, GLenum format);
+/// The internal format that an image gets: there are no compressed ones, so the base format takes the place
+/// of a generic one (3.8.1).
+GLint granted_format(GLint internal_format);
 bool box_inside(const TextureImage& image, GLint x, GLint y, GLint z, GLsizei width, GLsizei height,
                 GLsizei depth);
 /// Marks the state. Called before the first image changes: where memory ends, some of them have changed.
