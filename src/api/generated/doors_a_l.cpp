@@ -881,6 +881,14 @@ SOFTGL_EXPORT void APIENTRY glDrawElements(GLenum mode, GLsizei count, GLenum ty
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glDrawElementsBaseVertex(GLenum mode, GLsizei count, GLenum type, const void* indices, GLint basevertex) try {
+  SOFTGL_TRACED(glDrawElementsBaseVertex, mode, count, type, indices, basevertex);
+  Context& c = *current_context;
+  if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;
+  gl::DrawElementsBaseVertex(c, mode, count, type, indices, basevertex);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glDrawPixels(GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels) try {
   SOFTGL_TRACED(glDrawPixels, width, height, format, type, pixels);
   Context& c = *current_context;
@@ -897,6 +905,14 @@ SOFTGL_EXPORT void APIENTRY glDrawRangeElements(GLenum mode, GLuint start, GLuin
   Context& c = *current_context;
   if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;
   gl::DrawRangeElements(c, mode, start, end, count, type, indices);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glDrawRangeElementsBaseVertex(GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices, GLint basevertex) try {
+  SOFTGL_TRACED(glDrawRangeElementsBaseVertex, mode, start, end, count, type, indices, basevertex);
+  Context& c = *current_context;
+  if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;
+  gl::DrawRangeElementsBaseVertex(c, mode, start, end, count, type, indices, basevertex);
 } catch (...) {
   out_of_memory();
 }

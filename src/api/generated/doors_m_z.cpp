@@ -293,6 +293,15 @@ SOFTGL_EXPORT void APIENTRY glMultiDrawElements(GLenum mode, const GLsizei* coun
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glMultiDrawElementsBaseVertex(GLenum mode, const GLsizei* count, GLenum type, const void*const* indices, GLsizei drawcount, const GLint* basevertex) try {
+  SOFTGL_TRACED(glMultiDrawElementsBaseVertex, mode, count, type, indices, drawcount, basevertex);
+  Context& c = *current_context;
+  if ((!count && drawcount > 0) || (!indices && drawcount > 0) || (!basevertex && drawcount > 0)) [[unlikely]] return ignore_call(c);
+  if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;
+  gl::MultiDrawElementsBaseVertex(c, mode, count, type, indices, drawcount, basevertex);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glMultiDrawElementsEXT(GLenum mode, const GLsizei* count, GLenum type, const void*const* indices, GLsizei drawcount) try {
   SOFTGL_TRACED(glMultiDrawElementsEXT, mode, count, type, indices, drawcount);
   Context& c = *current_context;

@@ -124,8 +124,10 @@ DOOR(glDrawArrays);
 DOOR(glDrawArraysEXT);
 DOOR(glDrawBuffer);
 DOOR(glDrawElements);
+DOOR(glDrawElementsBaseVertex);
 DOOR(glDrawPixels);
 DOOR(glDrawRangeElements);
+DOOR(glDrawRangeElementsBaseVertex);
 DOOR(glDrawRangeElementsEXT);
 DOOR(glEdgeFlag);
 DOOR(glEdgeFlagPointer);
@@ -311,6 +313,7 @@ DOOR(glMultTransposeMatrixfARB);
 DOOR(glMultiDrawArrays);
 DOOR(glMultiDrawArraysEXT);
 DOOR(glMultiDrawElements);
+DOOR(glMultiDrawElementsBaseVertex);
 DOOR(glMultiDrawElementsEXT);
 DOOR(glMultiTexCoord1d);
 DOOR(glMultiTexCoord1dARB);
@@ -749,8 +752,10 @@ const NamedDoor kNamedDoors[] = {
     {"glDrawArraysEXT", door_glDrawArraysEXT},
     {"glDrawBuffer", door_glDrawBuffer},
     {"glDrawElements", door_glDrawElements},
+    {"glDrawElementsBaseVertex", door_glDrawElementsBaseVertex},
     {"glDrawPixels", door_glDrawPixels},
     {"glDrawRangeElements", door_glDrawRangeElements},
+    {"glDrawRangeElementsBaseVertex", door_glDrawRangeElementsBaseVertex},
     {"glDrawRangeElementsEXT", door_glDrawRangeElementsEXT},
     {"glEdgeFlag", door_glEdgeFlag},
     {"glEdgeFlagPointer", door_glEdgeFlagPointer},
@@ -936,6 +941,7 @@ const NamedDoor kNamedDoors[] = {
     {"glMultiDrawArrays", door_glMultiDrawArrays},
     {"glMultiDrawArraysEXT", door_glMultiDrawArraysEXT},
     {"glMultiDrawElements", door_glMultiDrawElements},
+    {"glMultiDrawElementsBaseVertex", door_glMultiDrawElementsBaseVertex},
     {"glMultiDrawElementsEXT", door_glMultiDrawElementsEXT},
     {"glMultiTexCoord1d", door_glMultiTexCoord1d},
     {"glMultiTexCoord1dARB", door_glMultiTexCoord1dARB},

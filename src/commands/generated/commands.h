@@ -46,6 +46,9 @@ void DrawElements(Context& c, GLenum mode, GLsizei count, GLenum type, const voi
 void DrawRangeElements(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices);
 void MultiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count, GLsizei drawcount);
 void MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void*const* indices, GLsizei drawcount);
+void DrawElementsBaseVertex(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices, GLint basevertex);
+void DrawRangeElementsBaseVertex(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices, GLint basevertex);
+void MultiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void*const* indices, GLsizei drawcount, const GLint* basevertex);
 void GetPointerv(Context& c, GLenum pname, void** params);
 void BindBuffer(Context& c, GLenum target, GLuint buffer);
 void DeleteBuffers(Context& c, GLsizei n, const GLuint* buffers);

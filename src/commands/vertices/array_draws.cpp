@@ -94,28 +94,50 @@ Indices indices_of(Context& c, GLenum mode, uint32_t count, GLenum type, const v
   return result;
 }
 
-void draw_elements(Context& c, GLenum mode, uint32_t count, GLenum type, const void* pointer) {
+/// Where the indices lie: in the client's memory, or in the buffer, then `count` becomes what it holds at
+/// most. Null: nowhere.
+const void* index_memory(const BufferObject* buffer, const void* pointer, GLenum type, uint32_t& count) {
+  if (!buffer) return pointer;
+  const size_t offset = reinterpret_cast<size_t>(pointer), size = buffer->size();
+  count = offset < size ? uint32_t(std::min<size_t>(count, (size - offset) / index_bytes(type))) : 0;
+  return count ? buffer->storage->bytes + offset : nullptr;
+}
+
+/// The indices with `base` added (GL_ARB_draw_elements_base_vertex), as GL_UNSIGNED_INT: a sum may need more
+/// bits than the type has.
+Indices moved_indices(Context& c, GLenum mode, uint32_t count, GLenum type, const void* pointer, GLint base) {
+  const void* from = index_memory(c.client.vertex_array.element_array_object.get(), pointer, type, count);
+  Indices result;
+  result.count = complete_vertices(mode, count);
+  if (!from || !result.count) return {};
+  auto* moved = c.frame.arena().allocate_array<uint32_t>(result.count);
+  for (uint32_t i = 0; i < result.count; ++i) moved[i] = load_index(from, type, i) + uint32_t(base);
+  result.range = index_range(moved, GL_UNSIGNED_INT, result.count);
+  result.data = moved;
+  return result;
+}
+
+void draw_elements(Context& c, GLenum mode, uint32_t count, GLenum type, const void* pointer,
+                   GLint base = 0) {
   ArrayCache* arrays = current_arrays(c);
   if (!arrays) return;
   const BufferObject* buffer = c.client.vertex_array.element_array_object.get();
   if (buffer && buffer->mapped) return set_error(c, GL_INVALID_OPERATION);
   if (!arrays->drawable) return;
   if (c.builder.compiling) {
-    const auto* indices = static_cast<const unsigned char*>(pointer);
-    if (buffer) {
-      const size_t offset = reinterpret_cast<size_t>(pointer), size = buffer->size();
-      count = offset < size ? uint32_t(std::min<size_t>(count, (size - offset) / index_bytes(type))) : 0;
-      indices = count ? buffer->storage->bytes + offset : nullptr;
-    }
+    const void* indices = index_memory(buffer, pointer, type, count);
     if (!indices) return;
     open_array_run(c);
     gl::Begin(c, mode);
-    for (uint32_t i = 0; i < count; ++i) emit_array_element(c, *arrays, load_index(indices, type, i));
+    for (uint32_t i = 0; i < count; ++i)
+      emit_array_element(c, *arrays, load_index(indices, type, i) + uint32_t(base));
     gl::End(c);
     return hide_array_run(c);
   }
-  const Indices indices = indices_of(c, mode, count, type, pointer);
+  const Indices indices =
+      base ? moved_indices(c, mode, count, type, pointer, base) : indices_of(c, mode, count, type, pointer);
   if (!indices.count) return;
+  if (base) type = GL_UNSIGNED_INT;
   DrawCall call;
   const auto [low, high] = indices.range;
   // Vertices nobody asks for cost as much as the others, 2-4 ns; to look each index up costs 1-2 ns.
@@ -172,6 +194,31 @@ void gl::MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum
     if (count[i] < 0) return raise_error(c, GL_INVALID_VALUE);
   for (GLsizei i = 0; i < draws; ++i)
     if (count[i] > 0) draw_elements(c, mode, uint32_t(count[i]), type, indices[i]);
+}
+
+void gl::DrawElementsBaseVertex(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices,
+                                GLint base) {
+  if (!may_draw(c, mode, count)) return;
+  if (!index_bytes(type)) return raise_error(c, GL_INVALID_ENUM);
+  draw_elements(c, mode, uint32_t(count), type, indices, base);
+}
+
+void gl::DrawRangeElementsBaseVertex(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count,
+                                     GLenum type, const void* indices, GLint base) {
+  if (!may_draw(c, mode, count)) return;
+  if (end < start) return raise_error(c, GL_INVALID_VALUE);
+  if (!index_bytes(type)) return raise_error(c, GL_INVALID_ENUM);
+  draw_elements(c, mode, uint32_t(count), type, indices, base);
+}
+
+void gl::MultiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* count, GLenum type,
+                                     const void* const* indices, GLsizei draws, const GLint* base) {
+  if (!may_draw(c, mode, draws)) return;
+  if (!index_bytes(type)) return raise_error(c, GL_INVALID_ENUM);
+  for (GLsizei i = 0; i < draws; ++i)
+    if (count[i] < 0) return raise_error(c, GL_INVALID_VALUE);
+  for (GLsizei i = 0; i < draws; ++i)
+    if (count[i] > 0) draw_elements(c, mode, uint32_t(count[i]), type, indices[i], base[i]);
 }
 
 void gl::ArrayElement(Context& c, GLint i) {
