@@ -189,7 +189,7 @@ void GetTexEnviv(Context& c, GLenum target, GLenum pname, GLint* params) {
 void TexGen(Context& c, GLenum coord, GLenum pname, const GLfloat* params) {
   TextureGeneration* g = generation(c, coord);
   if (!g) return;
-  const Vec4 plane{params[0], params[1], params[2], params[3]};
+  const auto plane = [&] { return Vec4{params[0], params[1], params[2], params[3]}; }; // a mode has one value
   switch (pname) {
   case GL_TEXTURE_GEN_MODE: {
     const GLenum mode = to_enum(params[0]);
@@ -200,8 +200,8 @@ void TexGen(Context& c, GLenum coord, GLenum pname, const GLfloat* params) {
     g->mode = mode;
     break;
   }
-  case GL_OBJECT_PLANE: g->object_plane = plane; break;
-  case GL_EYE_PLANE: g->eye_plane = transform_plane(plane, inverse(c.matrices.modelview.top())); break;
+  case GL_OBJECT_PLANE: g->object_plane = plane(); break;
+  case GL_EYE_PLANE: g->eye_plane = transform_plane(plane(), inverse(c.matrices.modelview.top())); break;
   default: return set_error(c, GL_INVALID_ENUM);
   }
   c.dirty |= kDirtyTextureGeneration;
