@@ -5,6 +5,9 @@
 
 #include <stdint.h>
 
+#include "shaders/common/limits.h"
+#include "shaders/common/vertex_attributes.h"
+
 namespace softgl {
 
 /// Which slot of a shaded vertex holds what; -1 = the draw does not need it. Slot 0 is always the window
@@ -16,12 +19,12 @@ struct ShadedLayout {
   int8_t back_color = -1; // present when lighting is two-sided
   int8_t back_secondary = -1;
   int8_t point = -1; // point size after attenuation and clamping, in the 1st
-  int8_t texcoord[8] = {-1, -1, -1, -1, -1, -1, -1, -1}; // s t r q of each enabled unit
+  int8_t texcoord[kMaxTextureUnits] = {-1, -1, -1, -1, -1, -1, -1, -1}; // s t r q of each enabled unit
   // Where fragments are lit there are no colors, but what lighting reads: the normal and the position in eye
   // coordinates, the vertex color (not clamped) that feeds the material, and material parameters of the
   // vertices.
   int8_t normal = -1, eye = -1, tracked = -1;
-  int8_t material[10] = {-1, -1, -1, -1, -1, -1, -1, -1, -1, -1};
+  int8_t material[kMaterialSlots] = {-1, -1, -1, -1, -1, -1, -1, -1, -1, -1};
   uint8_t slots = 1; // slots per vertex, stride = 16 * slots bytes
 };
 

@@ -30,7 +30,7 @@ inline int pixel_in_tile(int x, int y) {
 }
 
 /// What is known of a plane in a tile, and where its pixels are: from place * kTilePixels on. While it waits,
-/// all words are `word`, and the plane's memory has still to be told: so a tile that is cleared and never
+/// all words are `word`, and the plane's memory does not have them yet: so a tile that is cleared and never
 /// drawn on costs nothing. Only planes of 32-bit words may wait.
 struct TileWords {
   uint32_t word = 0;

@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "commands/buffers/pixel_buffers.h"
 #include "commands/framebuffer/flush.h"
 #include "commands/generated/commands.h"
-#include "commands/vertices/pixel_buffers.h"
 #include "context/context.h"
 #include "context/pixel_transfer.h"
 #include "shaders/fragment/pixel_image.h"

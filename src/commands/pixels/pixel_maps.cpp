@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "base/unit_range.h"
+#include "commands/buffers/pixel_buffers.h"
 #include "commands/generated/commands.h"
-#include "commands/vertices/pixel_buffers.h"
 #include "context/context.h"
 
 namespace softgl {

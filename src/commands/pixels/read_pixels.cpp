@@ -7,9 +7,9 @@
 
 #include "base/fast_paths.h"
 #include "base/unit_range.h"
+#include "commands/buffers/pixel_buffers.h"
 #include "commands/framebuffer/flush.h"
 #include "commands/generated/commands.h"
-#include "commands/vertices/pixel_buffers.h"
 #include "context/context.h"
 #include "context/pixel_transfer.h"
 #include "frame/parallel.h"

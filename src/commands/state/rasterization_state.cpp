@@ -1,8 +1,8 @@
 // Points, lines and polygons (GL 1.5, 3.3 to 3.5) and which side of a polygon is its front (2.14.1).
 #include <algorithm>
 
+#include "commands/buffers/pixel_buffers.h"
 #include "commands/generated/commands.h"
-#include "commands/vertices/pixel_buffers.h"
 #include "context/context.h"
 
 namespace softgl::gl {

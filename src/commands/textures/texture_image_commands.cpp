@@ -1,8 +1,8 @@
 // TexImage, TexSubImage and GetTexImage (GL 1.5, 3.8.1, 3.8.2, 6.1.4).
 
+#include "commands/buffers/pixel_buffers.h"
 #include "commands/generated/commands.h"
 #include "commands/textures/texture_images.h"
-#include "commands/vertices/pixel_buffers.h"
 #include "context/context.h"
 #include "context/pixel_transfer.h"
 #include "snapshot/render_targets.h"

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "commands/buffers/pixel_buffers.h"
 #include "commands/generated/list_records.h"
 #include "commands/vertices/list_compilation.h"
-#include "commands/vertices/pixel_buffers.h"
 #include "context/context.h"
 
 namespace softgl {

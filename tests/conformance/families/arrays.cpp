@@ -52,6 +52,16 @@ struct Array {
   const void* pointer; // data, or an offset into the buffer bound
 };
 
+// Binds a new buffer. False where it found no memory: an offset would be an address then.
+bool bind_new_buffer(const Gl& gl, GLenum target, GLenum binding) {
+  GLuint buffer = 0;
+  GLint bound = 0;
+  gl.GenBuffers(1, &buffer);
+  gl.BindBuffer(target, buffer);
+  gl.GetIntegerv(binding, &bound);
+  return bound != 0 && GLuint(bound) == buffer;
+}
+
 // An array of `count` vertices; `value(i, component)` makes the numbers.
 template <class F> Array make_array(Stage& s, Memory& memory, int count, int size, GLenum type,
                                     bool normalized, bool vbo, F value) {
@@ -66,10 +76,8 @@ template <class F> Array make_array(Stage& s, Memory& memory, int count, int siz
       store(a.data + step * size_t(i) + size_of(type) * size_t(c), type, value(i, c), normalized);
   a.pointer = a.data;
   if (vbo) {
-    GLuint buffer = 0;
     const size_t offset = size_of(type) * size_t(s.random.integer(0, 3)), bytes = step * size_t(count);
-    s.gl.GenBuffers(1, &buffer);
-    s.gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+    const bool bound = bind_new_buffer(s.gl, GL_ARRAY_BUFFER, GL_ARRAY_BUFFER_BINDING);
     if (s.random.chance(50)) {
       s.gl.BufferData(GL_ARRAY_BUFFER, GLsizeiptr(bytes + offset), nullptr, GL_STATIC_DRAW);
       s.gl.BufferSubData(GL_ARRAY_BUFFER, GLintptr(offset), GLsizeiptr(bytes), a.data);
@@ -79,7 +87,10 @@ template <class F> Array make_array(Stage& s, Memory& memory, int count, int siz
       if (map) std::memcpy(static_cast<char*>(map) + offset, a.data, bytes);
       s.gl.UnmapBuffer(GL_ARRAY_BUFFER);
     }
-    a.pointer = reinterpret_cast<const void*>(offset);
+    if (bound)
+      a.pointer = reinterpret_cast<const void*>(offset);
+    else
+      s.gl.BindBuffer(GL_ARRAY_BUFFER, 0);
   } else {
     s.gl.BindBuffer(GL_ARRAY_BUFFER, 0);
   }
@@ -204,12 +215,13 @@ void draw_batch(Stage& s, Memory& memory) {
     command = 3; // OSMesa draws nothing at all when the first count is 0: reference/DEVIATIONS.md
   const bool index_buffer = vbo && r.chance(50);
   if (index_buffer) {
-    GLuint buffer = 0;
-    gl.GenBuffers(1, &buffer);
-    gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
+    const bool bound = bind_new_buffer(gl, GL_ELEMENT_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER_BINDING);
     gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(size_t(count) * size_of(index_type)), indices,
                   GL_STATIC_DRAW);
-    index_pointer = nullptr;
+    if (bound)
+      index_pointer = nullptr;
+    else
+      gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
   }
   const bool in_list = r.chance(12) && command != 6;
   if (in_list) gl.NewList(5, GL_COMPILE);

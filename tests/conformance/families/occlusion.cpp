@@ -53,8 +53,8 @@ private:
   void ask(GLuint name) {
     const Gl& gl = s_.gl;
     if (s_.random.chance(30)) {
-      GLint available = 0;
-      while (!available) gl.GetQueryObjectiv(name, GL_QUERY_RESULT_AVAILABLE, &available);
+      GLint available = 0; // stays so where the query found no memory
+      while (!available && gl.IsQuery(name)) gl.GetQueryObjectiv(name, GL_QUERY_RESULT_AVAILABLE, &available);
     }
     GLuint count = 0;
     gl.GetQueryObjectuiv(name, GL_QUERY_RESULT, &count);

@@ -75,7 +75,7 @@ void hand_over(Stage& s, Path path, GLenum mode, const std::vector<Vertex>& v) {
     gl.End();
     break;
   case Path::Buffers: {
-    GLuint buffers[2];
+    GLuint buffers[2] = {};
     gl.GenBuffers(2, buffers);
     gl.BindBuffer(GL_ARRAY_BUFFER, buffers[0]);
     gl.BufferData(GL_ARRAY_BUFFER, GLsizeiptr(v.size() * sizeof(Vertex)), v.data(), GL_STATIC_DRAW);

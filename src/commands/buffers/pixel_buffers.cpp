@@ -1,8 +1,8 @@
-#include "commands/vertices/pixel_buffers.h"
+#include "commands/buffers/pixel_buffers.h"
 
 #include <algorithm>
 
-#include "commands/vertices/buffer_contents.h"
+#include "commands/buffers/buffer_contents.h"
 #include "context/context.h"
 
 namespace softgl {

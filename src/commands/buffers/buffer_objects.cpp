@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "commands/buffers/buffer_contents.h"
 #include "commands/generated/commands.h"
-#include "commands/vertices/buffer_contents.h"
 #include "context/context.h"
 
 namespace softgl {

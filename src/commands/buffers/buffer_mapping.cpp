@@ -2,8 +2,8 @@
 // queries.
 #include <algorithm>
 
+#include "commands/buffers/buffer_contents.h"
 #include "commands/generated/commands.h"
-#include "commands/vertices/buffer_contents.h"
 #include "context/context.h"
 
 namespace softgl {
