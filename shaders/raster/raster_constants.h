@@ -16,7 +16,7 @@ struct RasterConstants {
   bool point_sprite;
   uint8_t sprite_units;   // texture units whose coordinates a point sprite replaces
   bool sprite_lower_left; // t is 0 at the last row
-  bool top_edge_rule; // centres on a level edge are inside where it is the first row's, not the last one's
+  bool top_edge_rule; // centers on a level edge are inside where it is the first row's, not the last one's
   float offset_units; // units times the resolvable step
   float offset_factor;
   float line_width, point_size;

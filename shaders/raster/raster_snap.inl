@@ -1,4 +1,4 @@
-// Window positions on the grid of 1/256 pixel, on which OSMesa 22.3.6 finds coverage. Pixel centres are whole
+// Window positions on the grid of 1/256 pixel, on which OSMesa 22.3.6 finds coverage. Pixel centers are whole
 // pixels.
 #pragma once
 
@@ -18,21 +18,21 @@ SOFTGL_INLINE FloatV snap_scaled(FloatV v) { return (v - 0.5f) * 256.0f; }
 SOFTGL_INLINE IntV least(const IntV v[3]) { return min_(min_(v[0], v[1]), v[2]); }
 SOFTGL_INLINE IntV greatest(const IntV v[3]) { return max_(max_(v[0], v[1]), v[2]); }
 
-/// Which centres on level edges are inside. Where rows go down from the top of the window: those on lower
+/// Which centers on level edges are inside. Where rows go down from the top of the window: those on lower
 /// edges; where they go up: those on the edges of the first row. Both are the lower edges of GL.
 struct EdgeRule {
   IntV flip;     // all ones: the sign of a level edge means the other thing
-  IntV last_row; // 1 where centres on the last row's level edge are inside, else 0
+  IntV last_row; // 1 where centers on the last row's level edge are inside, else 0
   SOFTGL_MEMBER explicit EdgeRule(const RasterConstants& r)
       : flip(splat(r.top_edge_rule ? -1 : 0)), last_row(splat(r.top_edge_rule ? 0 : 1)) {}
 };
 
-/// All ones where centres on the edge (a, b) are inside.
+/// All ones where centers on the edge (a, b) are inside.
 SOFTGL_INLINE IntV edge_included(IntV a, IntV b, const EdgeRule& rule) {
   return (a < 0) | ((a == 0) & ((b ^ rule.flip) < 0));
 }
 
-// The box of pixels that a triangle may cover: centres on its left border are inside.
+// The box of pixels that a triangle may cover: centers on its left border are inside.
 SOFTGL_INLINE IntV first_column(const IntV x[3]) { return (least(x) + 255) >> 8; }
 SOFTGL_INLINE IntV last_column(const IntV x[3]) { return (greatest(x) - 1) >> 8; }
 SOFTGL_INLINE IntV first_row(const IntV y[3], const EdgeRule& rule) {

@@ -13,7 +13,7 @@ namespace softgl {
 void execute_tile(const Surface& surface, uint32_t tile, const TileChunk* work, const RasterKernels& kernels,
                   FragmentBlock& scratch, uint32_t* no_colors);
 
-/// Writes the words that wait in TileState to the planes of a tile.
+/// Writes the words that wait (TileWords) to the planes of a tile.
 void write_tile(const Surface& surface, uint32_t tile);
 
 /// True when a clear overwrites all that earlier work of the tile can have written. `stencil_drawn`: that

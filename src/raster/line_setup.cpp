@@ -122,7 +122,7 @@ bool setup_line(const RasterDraw& draw, const ShadedVertices::Slot* corner0,
   const auto [min_x, max_x] = std::minmax({x[0], x[1], x[2], x[3]});
   const auto [min_y, max_y] = std::minmax({y[0], y[1], y[2], y[3]});
   out.x0 = std::max((min_x + 255) >> 8, r.x0), out.x1 = std::min(((max_x - 1) >> 8) + 1, r.x1);
-  const int32_t bottom = r.top_edge_rule ? 0 : 1; // centres on the last row's level edge are inside
+  const int32_t bottom = r.top_edge_rule ? 0 : 1; // centers on the last row's level edge are inside
   out.y0 = std::max((min_y + 255 + bottom) >> 8, r.y0),
   out.y1 = std::min(((max_y - 1 + bottom) >> 8) + 1, r.y1);
   if (out.x0 >= out.x1 || out.y0 >= out.y1) return false;

@@ -56,7 +56,7 @@ bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, boo
     return false; // also drops what is not a number
   float size = draw.layout.point >= 0 ? corner[draw.layout.point].v[0] : r.point_size;
   size = size > 0.0f ? std::min(size, 255.0f) : 0.0f;
-  const int32_t bottom = r.top_edge_rule ? 0 : 1; // centres on the lowest row's edge are inside
+  const int32_t bottom = r.top_edge_rule ? 0 : 1; // centers on the lowest row's edge are inside
   int32_t x0, y0, x1, y1, fixed_width;
   if (r.point_sprite) {
     fixed_width = std::max(256, snap(size));

@@ -10,8 +10,7 @@
 namespace softgl {
 
 /// The surface, cut by the scissor box where the scissor test is enabled (GL 1.5, 4.1.2). The scissor box
-/// counts from the bottom of the window, the surface's rows
-/// mostly from its top.
+/// counts from the bottom, and so do the rows of framebuffer objects (Surface::y_up), but not the window's.
 inline WindowBox drawn_box(const ScissorState& scissor, const Surface& surface) {
   if (!scissor.enabled) return {0, 0, surface.width, surface.height};
   const int64_t left = scissor.x, right = left + scissor.width;

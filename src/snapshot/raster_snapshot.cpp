@@ -14,7 +14,8 @@ namespace {
 /// becomes 1.
 float drawn_size(float size) { return size > 1.0f ? std::min(size, 255.0f) : 1.0f; }
 
-/// The size of points that do not shrink with distance (3.3). A minimum above the maximum counts.
+/// The size of points that do not shrink with distance (3.3). The order decides where the minimum is above
+/// the maximum: OSMesa's.
 float clamped_size(const PointState& point) {
   return point.size < point.size_min   ? point.size_min
          : point.size > point.size_max ? point.size_max
