@@ -42,6 +42,11 @@ uint64_t softgl_frame_hash(void);
 #define GL_SPECULAR_TERM_BIT_SOFTGL 8
 #define GL_ALL_TERM_BITS_SOFTGL 15 /* the initial value */
 
+/* An attribute of OSMesaCreateContextAttribs, beside OSMesa's own. 1: GL_QUADS are cut into triangles where
+ * OSMesa 22.3.6 cuts them, which depends on lists, indices and clipping. 0: by the shade model alone. The
+ * environment variable SOFTGL_QUADS=osmesa makes 1 the default. */
+#define SOFTGL_OSMESA_QUADS 0x5F6010
+
 /* What the current context has done so far. */
 struct softgl_statistics {
   uint64_t flushes;  /* times that waiting work was carried out */

@@ -37,23 +37,30 @@ static void choose_face(FragmentBlock& block, const FragmentConstants& constants
   BlockCoordinates& c = block.unit[unit];
   const int32_t minus = int32_t(0x80000000u);
   const bool whole_quad = t.mip == TextureMip::None;
-  alignas(64) float face_s[kLanes], face_t[kLanes], face[kLanes];
-  for (int32_t i = 0; i < block.lanes; ++i) {
+  alignas(64) float face_s[kLanes], face_t[kLanes], face[kLanes], differences_x[3][kLanes],
+      differences_y[3][kLanes];
+  const float* const coordinate[3] = {c.s, c.t, c.r};
+  for (int k = 0; k < 3; ++k) {
+    const float* __restrict v = coordinate[k];
+    for (int32_t i = 0; i < kLanes; i += 2) differences_x[k][i] = differences_x[k][i + 1] = v[i + 1] - v[i];
+    for (int32_t row = 0; row < block.lanes; row += 16)
+      for (int32_t i = row; i < row + 8; ++i) differences_y[k][i] = differences_y[k][i + 8] = v[i + 8] - v[i];
+  }
+  SOFTGL_FOR_LANES(block, i) {
     const float v[3] = {c.s[i], c.t[i], c.r[i]};
     const MajorAxis major(v[0], v[1], v[2]);
     const float axis = major(v[0], v[1], v[2]);
     const int32_t sign = float_bits(axis) & minus;
     auto across = [&](const float* a) { return major(flip(sign ^ minus, a[2]), a[0], flip(sign, a[0])); };
     auto down = [&](const float* a) { return major(-a[1], flip(sign, a[2]), -a[1]); };
-    face[i] = major(0, 2, 4) + (sign ? 1.0f : 0.0f);
+    face[i] = major(0, 2, 4) + keep(sign >> 31, 1.0f);
     const float inverse = 1.0f / axis, half = 0.5f * inverse;
     const float sc = across(v), tc = down(v);
-    face_s[i] = axis == 0.0f ? 0.5f : sc * absolute(half) + 0.5f;
-    face_t[i] = axis == 0.0f ? 0.5f : tc * absolute(half) + 0.5f;
-    const int32_t row = i & ~1, column = i & ~8;
-    const float dx[3] = {c.s[row + 1] - c.s[row], c.t[row + 1] - c.t[row], c.r[row + 1] - c.r[row]};
-    const float dy[3] = {c.s[column + 8] - c.s[column], c.t[column + 8] - c.t[column],
-                         c.r[column + 8] - c.r[column]};
+    const int32_t no_axis = mask_of(axis == 0.0f);
+    face_s[i] = select(no_axis, 0.5f, sc * absolute(half) + 0.5f);
+    face_t[i] = select(no_axis, 0.5f, tc * absolute(half) + 0.5f);
+    const float dx[3] = {differences_x[0][i], differences_x[1][i], differences_x[2][i]};
+    const float dy[3] = {differences_y[0][i], differences_y[1][i], differences_y[2][i]};
     const float growth_x = major(dx[0], dx[1], dx[2]) * inverse,
                 growth_y = major(dy[0], dy[1], dy[2]) * inverse;
     c.ds_dx[i] = (across(dx) - growth_x * sc) * half;

@@ -3,16 +3,12 @@
 // then levels.
 #pragma once
 
+#include "shaders/texture/texture_fetch.inl"
 #include "shaders/texture/texture_lod.inl"
+#include "shaders/texture/texture_seamless.inl"
 
 namespace softgl {
 namespace SOFTGL_ISA {
-
-/// Two texel numbers and the weight of the second. Numbers outside the image mean the border.
-struct FloatAxis {
-  alignas(64) int32_t first[kLanes], second[kLanes];
-  alignas(64) float weight[kLanes];
-};
 
 /// 2 * |s / 2 - round(s / 2)|: one period of mirrored repetition.
 static inline __attribute__((always_inline)) float mirror(float s) {
@@ -22,112 +18,91 @@ static inline __attribute__((always_inline)) float mirror(float s) {
   return absolute(d + d);
 }
 
+/// The weight of the second texel is the fraction of `u`, which counts texels; the first is the texel below.
+static inline __attribute__((always_inline)) void floor_axis(FloatAxis& out, int32_t i, float u) {
+  out.first[i] = floor_to_int(u);
+  out.weight[i] = u - floor_of(u);
+}
+
 static inline void float_linear_axis(const FragmentBlock& block, const TextureUnitConstants& t, int axis,
-                                     const float* coordinate, const int32_t* sizes, FloatAxis& out) {
-  const TextureWrap wrap = t.wrap[axis];
-  for (int i = 0; i < block.lanes; ++i) {
-    const int32_t n = sizes[i];
-    const float size = float(n), scale = t.counts_texels ? 1.0f : size, s = coordinate[i];
-    float u;
-    int32_t x, next;
-    switch (wrap) {
-    case TextureWrap::RepeatPowerOfTwo:
-      u = s * size - 0.5f;
-      x = floor_to_int(u);
-      out.weight[i] = u - floor_of(u);
-      out.first[i] = x & (n - 1);
-      out.second[i] = int32_t(uint32_t(x) + 1) & (n - 1);
-      continue;
-    case TextureWrap::Repeat:
-      u = (s - floor_of(s)) * size - 0.5f;
-      x = floor_to_int(u);
-      out.weight[i] = u - floor_of(u);
-      x = u < 0.0f ? n - 1 : clamp_int(x, 0, n - 1);
+                                     const float* __restrict coordinate, const int32_t* __restrict sizes,
+                                     FloatAxis& out) {
+  const auto scale = [&](int32_t i) { return t.counts_texels ? 1.0f : float(sizes[i]); };
+  switch (t.wrap[axis]) {
+  case TextureWrap::RepeatPowerOfTwo:
+    SOFTGL_FOR_LANES(block, i) {
+      floor_axis(out, i, coordinate[i] * float(sizes[i]) - 0.5f);
+      out.second[i] = int32_t(uint32_t(out.first[i]) + 1) & (sizes[i] - 1);
+      out.first[i] &= sizes[i] - 1;
+    }
+    break;
+  case TextureWrap::Repeat:
+    SOFTGL_FOR_LANES(block, i) {
+      const float s = coordinate[i], u = (s - floor_of(s)) * float(sizes[i]) - 0.5f;
+      floor_axis(out, i, u);
+      const int32_t last = sizes[i] - 1;
+      const int32_t x = select(mask_of(u < 0.0f), last, clamp_int(out.first[i], 0, last));
       out.first[i] = x;
-      out.second[i] = x == n - 1 ? 0 : x + 1;
-      continue;
-    case TextureWrap::ClampToEdge:
-      u = s * scale;
-      u = u < size ? u : size;
-      u = u - 0.5f;
-      u = u > 0.0f ? u : 0.0f;
-      x = int32_t(u);
+      out.second[i] = (x + 1) & ~mask_of(x == last);
+    }
+    break;
+  case TextureWrap::ClampToEdge:
+    SOFTGL_FOR_LANES(block, i) {
+      const float size = float(sizes[i]);
+      const float u = maximum(minimum(coordinate[i] * scale(i), size) - 0.5f, 0.0f);
+      const int32_t x = int32_t(u);
       out.weight[i] = u - float(x);
       out.first[i] = x;
-      out.second[i] = clamp_int(x + 1, 0, n - 1);
-      continue;
-    case TextureWrap::Clamp:
-      u = s * scale;
-      u = u < size ? u : size;
-      u = u > 0.0f ? u : 0.0f;
-      u = u - 0.5f;
-      break;
-    case TextureWrap::ClampToBorder: u = s * scale - 0.5f; break;
-    default: // MirroredRepeat
-      u = mirror(s);
-      u = (u > 0.0f ? u : 0.0f) * size - 0.5f;
-      x = floor_to_int(u);
-      out.weight[i] = u - floor_of(u);
-      next = x + 1;
-      out.first[i] = x > 0 ? x : 0;
-      out.second[i] = next < n - 1 ? next : n - 1;
-      continue;
+      out.second[i] = clamp_int(x + 1, 0, sizes[i] - 1);
     }
-    x = floor_to_int(u);
-    out.weight[i] = u - floor_of(u);
-    out.first[i] = x;
-    out.second[i] = int32_t(uint32_t(x) + 1);
+    break;
+  case TextureWrap::Clamp:
+    SOFTGL_FOR_LANES(block, i) {
+      floor_axis(out, i, maximum(minimum(coordinate[i] * scale(i), float(sizes[i])), 0.0f) - 0.5f);
+      out.second[i] = int32_t(uint32_t(out.first[i]) + 1);
+    }
+    break;
+  case TextureWrap::ClampToBorder:
+    SOFTGL_FOR_LANES(block, i) {
+      floor_axis(out, i, coordinate[i] * scale(i) - 0.5f);
+      out.second[i] = int32_t(uint32_t(out.first[i]) + 1);
+    }
+    break;
+  default: // MirroredRepeat
+    for (int32_t i = 0; i < block.lanes; ++i) {
+      floor_axis(out, i, maximum(mirror(coordinate[i]), 0.0f) * float(sizes[i]) - 0.5f);
+      const int32_t x = out.first[i], next = x + 1;
+      out.first[i] = x > 0 ? x : 0;
+      out.second[i] = next < sizes[i] - 1 ? next : sizes[i] - 1;
+    }
   }
 }
 
 static inline void float_nearest_axis(const FragmentBlock& block, const TextureUnitConstants& t, int axis,
-                                      const float* coordinate, const int32_t* sizes, int32_t* out) {
-  const TextureWrap wrap = t.wrap[axis];
+                                      const float* __restrict coordinate, const int32_t* __restrict sizes,
+                                      int32_t* __restrict out) {
   const float below_one = 0.999999940395355224609375f;
-  for (int i = 0; i < block.lanes; ++i) {
-    const int32_t n = sizes[i];
-    const float size = float(n), scale = t.counts_texels ? 1.0f : size, s = coordinate[i];
-    switch (wrap) {
-    case TextureWrap::RepeatPowerOfTwo: out[i] = floor_to_int(s * size) & (n - 1); break;
-    case TextureWrap::Repeat: {
-      const float f = s - floor_of(s);
-      out[i] = clamp_int(int32_t((f < below_one ? f : below_one) * size), 0, n - 1);
-      break;
+  const auto scale = [&](int32_t i) { return t.counts_texels ? 1.0f : float(sizes[i]); };
+  switch (t.wrap[axis]) {
+  case TextureWrap::RepeatPowerOfTwo:
+    SOFTGL_FOR_LANES(block, i) out[i] = floor_to_int(coordinate[i] * float(sizes[i])) & (sizes[i] - 1);
+    break;
+  case TextureWrap::Repeat:
+    SOFTGL_FOR_LANES(block, i) {
+      const float f = coordinate[i] - floor_of(coordinate[i]);
+      out[i] = clamp_int(int32_t(minimum(f, below_one) * float(sizes[i])), 0, sizes[i] - 1);
     }
-    case TextureWrap::ClampToEdge:
-    case TextureWrap::Clamp: out[i] = clamp_int(int32_t(s * scale), 0, n - 1); break;
-    case TextureWrap::ClampToBorder: out[i] = floor_to_int(s * scale); break;
-    default: {
-      const float m = mirror(s);
-      out[i] = clamp_int(int32_t((m > 0.0f ? m : 0.0f) * size), 0, n - 1);
-    }
-    }
-  }
-}
-
-/// One texel as floats; the border outside.
-static inline void fetch_float(const TextureUnitConstants& t, const TextureLevel& level, int face, int32_t x,
-                               int32_t y, int32_t z, float* rgba) {
-  if (x < 0 || x >= level.width || y < 0 || y >= level.height || z < 0 || z >= level.depth) {
-    for (int k = 0; k < 4; ++k) rgba[k] = t.border[k];
-    return;
-  }
-  const size_t index = size_t(z) * size_t(level.slice) + size_t(y) * size_t(level.row) + size_t(x);
-  if (t.texel == TextureTexel::Rgba8) {
-    const unsigned char* p = level.face[face] + index * 4;
-    for (int k = 0; k < 4; ++k) rgba[k] = float(int32_t(p[k] >> t.shift[k])) * t.scale[k];
-  } else if (t.texel == TextureTexel::Rgba16) {
-    typedef uint16_t AliasedHalf __attribute__((may_alias));
-    const AliasedHalf* p = reinterpret_cast<const AliasedHalf*>(level.face[face] + index * 8);
-    for (int k = 0; k < 4; ++k) rgba[k] = float(int32_t(p[k])) * t.scale[k];
-  } else {
-    typedef uint32_t AliasedDepth __attribute__((may_alias));
-    const uint32_t v = *reinterpret_cast<const AliasedDepth*>(level.face[face] + index * 4);
-    // 32 bits do not fit a float: OSMesa keeps the upper 23.
-    const float wide = (bits_float(int32_t((v >> 9) | 0x3f800000u)) - 1.0f) * 1.00000011920930376163766f;
-    const float d = t.shift[0] == 32 ? wide : float(int32_t(v)) * t.scale[0];
-    rgba[0] = rgba[1] = rgba[2] = d;
-    rgba[3] = 1;
+    break;
+  case TextureWrap::ClampToEdge:
+  case TextureWrap::Clamp:
+    SOFTGL_FOR_LANES(block, i) out[i] = clamp_int(int32_t(coordinate[i] * scale(i)), 0, sizes[i] - 1);
+    break;
+  case TextureWrap::ClampToBorder:
+    SOFTGL_FOR_LANES(block, i) out[i] = floor_to_int(coordinate[i] * scale(i));
+    break;
+  default: // MirroredRepeat
+    for (int32_t i = 0; i < block.lanes; ++i)
+      out[i] = clamp_int(int32_t(maximum(mirror(coordinate[i]), 0.0f) * float(sizes[i])), 0, sizes[i] - 1);
   }
 }
 
@@ -145,17 +120,42 @@ static inline bool depth_passes(uint8_t function, float r, float texel) {
   }
 }
 
-struct FloatTexels {
-  alignas(64) float v[4][kLanes];
-};
+/// Depth textures without a filter: shadows. 1 where r passes the comparison with the texel, else 0.
+static inline void compare_nearest_level(const FragmentBlock& block, const BlockCoordinates& c,
+                                         const TextureUnitConstants& t, const TextureLevel* const* level,
+                                         const int32_t* x, const int32_t* y, FloatTexels& out) {
+  alignas(64) float texel[kLanes];
+  for (int i = 0; i < block.lanes; ++i) {
+    float v[4];
+    fetch_float(t, *level[i], 0, x[i], y[i], 0, v);
+    texel[i] = v[0];
+  }
+  const auto compare = [&](auto passes) {
+    SOFTGL_FOR_LANES(block, i) {
+      const float one = keep(mask_of(passes(saturate(c.r[i]), texel[i])), 1.0f);
+      for (int k = 0; k < 4; ++k) out.v[k][i] = one;
+    }
+  };
+  switch (t.compare_function) {
+  case 0: return compare([](float, float) { return false; });
+  case 1: return compare([](float r, float d) { return r < d; });
+  case 2: return compare([](float r, float d) { return r == d; });
+  case 3: return compare([](float r, float d) { return r <= d; });
+  case 4: return compare([](float r, float d) { return r > d; });
+  case 5: return compare([](float r, float d) { return r != d; });
+  case 6: return compare([](float r, float d) { return r >= d; });
+  default: return compare([](float, float) { return true; });
+  }
+}
 
 /// `nearest`, if there is one: lanes whose linear filter takes the texel of the greater weight alone.
 static inline void sample_float_level(const FragmentBlock& block, const BlockCoordinates& c,
                                       const TextureUnitConstants& t, const int32_t* levels, int add,
                                       bool linear, const int32_t* nearest, FloatTexels& out) {
+  if (block.lanes <= 0) __builtin_unreachable(); // the arrays below are filled
   alignas(64) int32_t width[kLanes], height[kLanes], depth[kLanes];
   const TextureLevel* level[kLanes];
-  for (int i = 0; i < block.lanes; ++i) {
+  SOFTGL_FOR_LANES(block, i) {
     int32_t l = levels[i] + add;
     l = l > t.last_level ? t.last_level : l;
     level[i] = &t.level[l];
@@ -168,6 +168,8 @@ static inline void sample_float_level(const FragmentBlock& block, const BlockCoo
     float_nearest_axis(block, t, 0, c.s, width, x);
     if (two) float_nearest_axis(block, t, 1, c.t, height, y);
     if (three) float_nearest_axis(block, t, 2, c.r, depth, z);
+    if (t.compares && t.shape == TextureShape::TwoD)
+      return compare_nearest_level(block, c, t, level, x, y, out);
     for (int i = 0; i < block.lanes; ++i) {
       float v[4];
       fetch_float(t, *level[i], cube ? face_of(c, i) : 0, x[i], two ? y[i] : 0, three ? z[i] : 0, v);
@@ -177,6 +179,7 @@ static inline void sample_float_level(const FragmentBlock& block, const BlockCoo
     }
     return;
   }
+  if (t.seamless) return sample_seamless_level(block, c, t, level, width, nearest, out);
   FloatAxis x, y, z;
   float_linear_axis(block, t, 0, c.s, width, x);
   if (two) float_linear_axis(block, t, 1, c.t, height, y);

@@ -54,6 +54,7 @@ struct Context {
   RenderTarget* draw = &framebuffer; // what is drawn to; empty while the bound object is not complete
   RenderTarget* read = &framebuffer;
   const bool smooth_is_phong = smooth_is_phong_by_environment();
+  bool osmesa_quadrilaterals = false; // cut where OSMesa 22.3.6 cuts them
 };
 
 /// The calling thread's context; never null: without one it is a context whose guard is kNoContext.

@@ -10,4 +10,9 @@ bool smooth_is_phong_by_environment() {
   return shading && std::string_view(shading) == "phong";
 }
 
+bool osmesa_quadrilaterals_by_environment() {
+  const char* quads = std::getenv("SOFTGL_QUADS");
+  return quads && std::string_view(quads) == "osmesa";
+}
+
 } // namespace softgl

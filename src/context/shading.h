@@ -8,6 +8,9 @@ namespace softgl {
 /// SOFTGL_SHADING=phong: programs that ask for GL_SMOOTH get GL_PHONG_WIN.
 bool smooth_is_phong_by_environment();
 
+/// SOFTGL_QUADS=osmesa: the diagonals of GL_QUADS are those that OSMesa 22.3.6 takes.
+bool osmesa_quadrilaterals_by_environment();
+
 /// True where lighting is done for each fragment. Without lighting GL_PHONG_WIN is GL_SMOOTH.
 inline bool lights_fragments(const LightingState& lighting, bool smooth_is_phong) {
   return lighting.enabled &&

@@ -176,6 +176,7 @@ struct TextureUnitState {
 struct TextureState {
   int active_unit = 0;
   TextureUnitState unit[kMaxTextureUnits];
+  bool seamless_cube_map = false; // GL_ARB_seamless_cube_map
 };
 
 /// GL_SCISSOR_BIT, and the per-fragment operations of GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT,

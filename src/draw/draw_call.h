@@ -36,6 +36,8 @@ struct DrawCall {
   GLenum index_type = GL_UNSIGNED_INT; // GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT or GL_UNSIGNED_INT
   uint32_t first_vertex = 0,
            vertex_count = 0; // every vertex used lies in [first_vertex, first_vertex + vertex_count)
+  bool from_list =
+      false; // vertices of a display list; the picture depends on it with SOFTGL_QUADS=osmesa only
 };
 
 /// Pixels of the window, y down, half open.

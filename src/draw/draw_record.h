@@ -18,6 +18,12 @@ struct PixelRectangle {
   WindowBox box;
 };
 
+/// The diagonal that cuts a quadrilateral of GL_QUADS into two triangles; GL 1.5, 2.6.1 leaves it open.
+/// Unclipped02: from 0 to 2, but from 1 to 3 where a vertex of its batch is clipped.
+enum class Diagonal : uint8_t { From0To2, From1To3, Unclipped02 };
+/// The vertices of a batch of OSMesa's.
+constexpr uint32_t kBatchVertices = 4096;
+
 struct DrawRecord {
   DrawCall call;
   ShadedLayout layout;
@@ -27,6 +33,7 @@ struct DrawRecord {
   const PixelRectangle* rectangle =
       nullptr;                 // in place of the call's primitives; then there is no vertex program
   uint64_t* samples = nullptr; // where its fragments that pass all tests are counted; null: nowhere
+  Diagonal diagonal = Diagonal::From0To2;
 };
 
 } // namespace softgl

@@ -60,8 +60,8 @@ struct Portion {
 bool reads_in_order(const DrawRecord& draw) {
   const DrawCall& call = draw.call;
   if (call.indices || draw.vertex->line_stipple) return false; // the stipple counts the lines in front
-  return std::all_of(call.primitives, call.primitives + call.primitive_count, [](const PrimitiveRange& p) {
-    return assembly_steps(p) == 0 || elements_of_steps(p, 0, 1).count > 0;
+  return std::all_of(call.primitives, call.primitives + call.primitive_count, [&](const PrimitiveRange& p) {
+    return assembly_steps(p) == 0 || elements_of_steps(draw, p, 0, 1).count > 0;
   });
 }
 
@@ -197,7 +197,7 @@ private:
     uint32_t first = call.first_vertex, count = call.vertex_count;
     if (piece.count) {
       const PrimitiveRange& range = call.primitives[piece.primitive];
-      const ElementRange elements = elements_of_steps(range, piece.first, piece.count);
+      const ElementRange elements = elements_of_steps(*piece.draw, range, piece.first, piece.count);
       SOFTGL_ASSERT(elements.count && uint64_t(elements.first) + elements.count <= range.count);
       first = range.first + elements.first, count = elements.count;
     }

@@ -1,6 +1,7 @@
 // Primitive assembly (GL 1.5, 2.6.1): vertices become triangles, lines and points in the corner order that
-// OSMesa hands to set-up, because the order decides last bits. GL_QUADS are cut from corner 0 to corner 2,
-// flat-shaded ones from 1 to 3, see reference/DEVIATIONS.md.
+// OSMesa hands to set-up, because the order decides last bits. Where GL_QUADS are cut, the draw says.
+#include <algorithm>
+
 #include "base/assert.h"
 #include "geometry/clipping.h"
 #include "geometry/geometry.h"
@@ -26,7 +27,7 @@ template <class T> struct Indices {
 
 /// Calls emit(triangle, v0, v1, v2) with the vertices of triangles 0, 1, ... n - 1 of steps [step, ...), v2
 /// provoking; returns n. Two triangles a step for quadrilaterals.
-template <class Elements, class Emit> int for_each_triangle(GLenum mode, bool flat, bool right_first,
+template <class Elements, class Emit> int for_each_triangle(GLenum mode, bool from_1_to_3, bool right_first,
                                                             const Elements e, uint32_t step, uint32_t steps,
                                                             Emit emit) {
   const int n = int(steps);
@@ -59,8 +60,8 @@ template <class Elements, class Emit> int for_each_triangle(GLenum mode, bool fl
     for (int i = 0; i < n; ++i) {
       const uint32_t k = 4 * (step + uint32_t(i));
       const uint32_t first = e[k], second = e[k + 1], third = e[k + 2], fourth = e[k + 3];
-      emit(2 * i, first, second, flat ? fourth : third);
-      emit(2 * i + 1, flat ? second : first, third, fourth);
+      emit(2 * i, first, second, from_1_to_3 ? fourth : third);
+      emit(2 * i + 1, from_1_to_3 ? second : first, third, fourth);
     }
     return 2 * n;
   default: // GL_QUAD_STRIP
@@ -101,13 +102,18 @@ private:
   template <class Elements> void triangles(const Elements& e, uint32_t step, uint32_t steps) {
     const bool quads = range_.mode == GL_QUADS || range_.mode == GL_QUAD_STRIP;
     const uint32_t batch_steps = quads ? kAssemblyBatch / 2 : kAssemblyBatch;
-    const bool right_first = range_.mode == GL_QUAD_STRIP && !any_clipped(e);
+    const bool right_first = range_.mode == GL_QUAD_STRIP && !strip_clipped(e);
+    bool from_1_to_3 = draw_.diagonal == Diagonal::From1To3;
     AssembledTriangles batch;
-    for (const uint32_t end = step + steps; step < end; step += batch_steps) {
-      const uint32_t left = end - step;
+    for (uint32_t part = 0; steps > 0; step += part, steps -= part) {
+      part = std::min(steps, batch_steps);
+      if (draw_.diagonal == Diagonal::Unclipped02 && range_.mode == GL_QUADS) {
+        const uint32_t first = 4 * step / kBatchVertices * kBatchVertices;
+        from_1_to_3 = any_clipped(e, first, std::min(range_.count, first + kBatchVertices));
+        part = std::min(part, (first + kBatchVertices) / 4 - step);
+      }
       auto for_each = [&](auto emit) {
-        return for_each_triangle(range_.mode, draw_.raster->flat, right_first, e, step,
-                                 left < batch_steps ? left : batch_steps, emit);
+        return for_each_triangle(range_.mode, from_1_to_3, right_first, e, step, part, emit);
       };
       // One pass for the corners and for what clips them: of lists of indices GCC makes vectors that are
       // slower (frames of meshes 4 to 8 %).
@@ -131,13 +137,17 @@ private:
     }
   }
 
-  /// True if a vertex of the primitive is clipped; not asked of primitives longer than OSMesa's batches.
-  /// OSMesa draws the two triangles of a strip's quadrilaterals in an order that depends on it, seen where
-  /// one overlaps itself.
-  template <class Elements> bool any_clipped(const Elements& e) const {
-    if (range_.count > 8192) return false;
+  /// True if a vertex of the strip is clipped; not asked of strips longer than OSMesa's batches. OSMesa draws
+  /// the two triangles of a strip's quadrilaterals in an order that depends on it, seen where one overlaps
+  /// itself.
+  template <class Elements> bool strip_clipped(const Elements& e) const {
+    return range_.count <= 8192 && any_clipped(e, 0, range_.count);
+  }
+
+  /// True if one of elements [first, end) is clipped.
+  template <class Elements> bool any_clipped(const Elements& e, uint32_t first, uint32_t end) const {
     uint32_t any = 0;
-    for (uint32_t i = 0; i < range_.count; ++i) any |= mask(e[i]);
+    for (uint32_t i = first; i < end; ++i) any |= mask(e[i]);
     return any != 0;
   }
 

@@ -22,14 +22,17 @@ uint32_t assembly_steps(const PrimitiveRange& range) {
   }
 }
 
-ElementRange elements_of_steps(const PrimitiveRange& range, uint32_t first_step, uint32_t step_count) {
+ElementRange elements_of_steps(const DrawRecord& draw, const PrimitiveRange& range, uint32_t first_step,
+                               uint32_t step_count) {
   switch (range.mode) {
   case GL_POINTS: return {first_step, step_count};
   case GL_LINES: return {2 * first_step, 2 * step_count};
   case GL_LINE_STRIP: return {first_step, step_count + 1};
   case GL_TRIANGLES: return {3 * first_step, 3 * step_count};
   case GL_TRIANGLE_STRIP: return {first_step, step_count + 2};
-  case GL_QUADS: return {4 * first_step, 4 * step_count};
+  case GL_QUADS:
+    if (draw.diagonal == Diagonal::Unclipped02) return {0, 0}; // asks for the vertices of the batch
+    return {4 * first_step, 4 * step_count};
   default:
     return {0,
             0}; // hubs, closing lines; strips of quadrilaterals ask whether any of their vertices is clipped

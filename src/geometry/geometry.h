@@ -17,9 +17,10 @@ uint32_t assembly_steps(const PrimitiveRange& range);
 struct ElementRange {
   uint32_t first, count;
 };
-/// The elements that steps [first_step, first_step + step_count) of a primitive read, if they lie side by
-/// side and the steps depend on nothing else; otherwise a range of none.
-ElementRange elements_of_steps(const PrimitiveRange& range, uint32_t first_step, uint32_t step_count);
+/// The elements that steps [first_step, first_step + step_count) of a primitive of the draw read, if they lie
+/// side by side and the steps depend on nothing else; otherwise a range of none.
+ElementRange elements_of_steps(const DrawRecord& draw, const PrimitiveRange& range, uint32_t first_step,
+                               uint32_t step_count);
 
 /// Memory for vertices [first, first + count) of the draw, and for what the kernels write behind them.
 ShadedVertices* allocate_vertices(const DrawRecord& draw, uint32_t first, uint32_t count, Arena& arena);

@@ -5,6 +5,7 @@
 #include "context/context.h"
 #include "snapshot/check_call.h"
 #include "snapshot/derived_state.h"
+#include "snapshot/diagonal.h"
 #include "snapshot/feedback.h"
 #include "snapshot/flush.h"
 #include "snapshot/fragment_snapshot.h"
@@ -38,8 +39,9 @@ void submit(Context& c, const DrawCall& call) {
   update_snapshots(c, call);
   const SnapshotCache& cache = c.snapshots;
   uint64_t* const samples = active_counter(c);
-  c.frame.append(c.frame.arena().make<DrawRecord>(call, cache.layout, cache.vertex, cache.raster,
-                                                  cache.fragment_of_draw, nullptr, samples));
+  c.frame.append(c.frame.arena().make<DrawRecord>(
+      call, cache.layout, cache.vertex, cache.raster, cache.fragment_of_draw, nullptr, samples,
+      diagonal_of_quadrilaterals(c, call, *cache.fragment_of_draw)));
   if (c.frame.over_budget()) flush_frame(c);
 }
 

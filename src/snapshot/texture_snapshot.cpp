@@ -146,6 +146,7 @@ TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum&
   t->wrap[1] = wrap_mode(cube || target == kTexture1D ? GLenum(GL_CLAMP_TO_EDGE) : p.wrap[1], zero.height);
   t->wrap[2] = wrap_mode(p.wrap[2], zero.depth);
   set_level_of_detail(p, state.lod_bias, *t);
+  t->seamless = cube && c.state.texture.seamless_cube_map && (t->min_linear || t->mag_linear);
   if (levels.first == 0 && levels.count == 1 && p.max_lod > 0) t->mip = TextureMip::None;
   for (int i = 0; i < 4; ++i)
     t->color[i] = state.env_color[i] > 0 ? std::min(state.env_color[i], 1.0f) : 0.0f; // no NaN
@@ -166,6 +167,7 @@ TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum&
 /// filters.
 bool fixed_point(const TextureUnitConstants& t) {
   auto fixed = [&](int axis) { return t.wrap[axis] <= TextureWrap::ClampToEdge; };
+  if (t.seamless) return false;
   if (t.shape == TextureShape::Cube && t.mip != TextureMip::None && t.min_linear != t.mag_linear)
     return false;
   return t.texel == TextureTexel::Rgba8 && fixed(0) && fixed(1) &&

@@ -60,6 +60,7 @@ bool choose_color_format(GLenum format, GLenum type, ColorFormat& chosen) {
 struct ContextRequest {
   GLenum format = OSMESA_RGBA;
   int depth = 0, stencil = 0, accumulation = 0, major = 1, minor = 0;
+  int osmesa_quadrilaterals = osmesa_quadrilaterals_by_environment();
 };
 
 /// False for an attribute or value that is not known.
@@ -80,6 +81,10 @@ bool read_attributes(const int* list, ContextRequest& request) {
       break;
     case OSMESA_CONTEXT_MAJOR_VERSION: request.major = value; break;
     case OSMESA_CONTEXT_MINOR_VERSION: request.minor = value; break;
+    case SOFTGL_OSMESA_QUADS:
+      if (value != 0 && value != 1) return false;
+      request.osmesa_quadrilaterals = value;
+      break;
     default:
       std::fprintf(stderr, "OSMesaCreateContextAttribs(unknown attribute 0x%x)\n", unsigned(list[0]));
       return false;
@@ -155,6 +160,7 @@ SOFTGL_EXPORT OSMesaContext OSMesaCreateContextAttribs(const int* attribList, OS
   try {
     auto* c = new osmesa_context;
     c->format = request.format;
+    c->osmesa_quadrilaterals = request.osmesa_quadrilaterals != 0;
     Framebuffer& f = c->framebuffer;
     f.has_alpha = request.format != OSMESA_RGB && request.format != OSMESA_RGB_565;
     f.stencil_bits = request.stencil > 0 ? 8 : 0;

@@ -16,7 +16,8 @@ namespace {
 constexpr const char* kExtensions =
     "GL_ARB_copy_buffer GL_ARB_depth_texture GL_ARB_draw_elements_base_vertex GL_ARB_framebuffer_object "
     "GL_ARB_map_buffer_range GL_ARB_multitexture GL_ARB_occlusion_query GL_ARB_pixel_buffer_object "
-    "GL_ARB_point_parameters GL_ARB_point_sprite GL_ARB_shadow GL_ARB_texture_border_clamp "
+    "GL_ARB_point_parameters GL_ARB_point_sprite GL_ARB_seamless_cube_map GL_ARB_shadow "
+    "GL_ARB_texture_border_clamp "
     "GL_ARB_texture_compression GL_ARB_texture_cube_map GL_ARB_texture_env_add GL_ARB_texture_env_combine "
     "GL_ARB_texture_env_crossbar GL_ARB_texture_env_dot3 GL_ARB_texture_mirrored_repeat "
     "GL_ARB_texture_non_power_of_two GL_ARB_texture_rectangle GL_ARB_transpose_matrix "

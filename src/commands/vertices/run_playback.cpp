@@ -131,6 +131,7 @@ void draw_run(Context& c, const std::shared_ptr<VertexRun>& pointer) {
   call.constant = current_constants(c);
   call.primitives = run.primitives.data();
   call.primitive_count = uint32_t(run.primitives.size());
+  call.from_list = true;
   submit(c, call);
 }
 

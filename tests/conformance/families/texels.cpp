@@ -156,6 +156,13 @@ void draw_texels_3d(Stage& s) {
   o.three_dimensional = true;
   draw_with(s, o);
 }
+/// GL_ARB_seamless_cube_map: magnified faces show the texels of their neighbors, and corners.
+void draw_texels_seamless(Stage& s) {
+  s.gl.Enable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  TexelOptions o;
+  o.cube = true;
+  draw_with(s, o);
+}
 void draw_texels_cube(Stage& s) {
   TexelOptions o;
   o.cube = true;
@@ -175,6 +182,7 @@ void draw_units(Stage& s) {
 SceneRegistration texels{{"texels", draw_texels, true}}, one{{"texels_1d", draw_texels_1d, true}},
     several{{"texture_units", draw_units, true}};
 SceneRegistration three{{"texels_3d", draw_texels_3d, true}}, cube{{"texels_cube", draw_texels_cube, true}},
+    seamless{{"texels_seamless", draw_texels_seamless, true}},
     depth{{"texels_depth", draw_texels_depth, true}};
 
 } // namespace
