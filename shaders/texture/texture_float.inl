@@ -125,10 +125,17 @@ static inline void fetch_float(const TextureUnitConstants& t, const TextureLevel
     const uint32_t v = *reinterpret_cast<const AliasedDepth*>(level.face[face] + index * 4);
     // 32 bits do not fit a float: OSMesa keeps the upper 23.
     const float wide = (bits_float(int32_t((v >> 9) | 0x3f800000u)) - 1.0f) * 1.00000011920930376163766f;
-    const float d = t.shift[0] == 32 ? wide : float(int32_t(v)) * t.scale[0];
+    const float d = t.texel == TextureTexel::DepthFloat ? bits_float(int32_t(v))
+                    : t.shift[0] == 32                  ? wide
+                                                        : float(int32_t(v)) * t.scale[0];
     rgba[0] = rgba[1] = rgba[2] = d;
     rgba[3] = 1;
   }
+}
+
+/// r is clamped as the texels are, unless they are floats (GL_ARB_depth_buffer_float, 3.8.14).
+static inline float compared_r(const TextureUnitConstants& t, float r) {
+  return t.texel == TextureTexel::DepthFloat ? r : saturate(r);
 }
 
 /// r FUNC texel: 1 or 0 (3.8.14).
@@ -172,7 +179,8 @@ static inline void sample_float_level(const FragmentBlock& block, const BlockCoo
       float v[4];
       fetch_float(t, *level[i], cube ? face_of(c, i) : 0, x[i], two ? y[i] : 0, three ? z[i] : 0, v);
       if (t.compares)
-        v[0] = v[1] = v[2] = v[3] = depth_passes(t.compare_function, saturate(c.r[i]), v[0]) ? 1.0f : 0.0f;
+        v[0] = v[1] = v[2] = v[3] =
+            depth_passes(t.compare_function, compared_r(t, c.r[i]), v[0]) ? 1.0f : 0.0f;
       for (int k = 0; k < 4; ++k) out.v[k][i] = v[k];
     }
     return;
@@ -196,7 +204,7 @@ static inline void sample_float_level(const FragmentBlock& block, const BlockCoo
         fetch_float(t, *level[i], face, x.second[i], row, slice, v1);
         if (t.compares) {
           // The comparisons are filtered, as masked weights.
-          const float r = saturate(c.r[i]), w = x.weight[i];
+          const float r = compared_r(t, c.r[i]), w = x.weight[i];
           const float p0 = depth_passes(t.compare_function, r, v0[0]) ? 1.0f - w : 0.0f;
           const float p1 = depth_passes(t.compare_function, r, v1[0]) ? w : 0.0f;
           for (int k = 0; k < 4; ++k) line[a][k] = p1 + p0;
