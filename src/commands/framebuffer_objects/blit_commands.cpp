@@ -183,7 +183,7 @@ void gl::BlitFramebuffer(Context& c, GLint srcX0, GLint srcY0, GLint srcX1, GLin
   const RenderTarget &from = *c.read, &to = *c.draw;
   // What is not in both is not copied.
   const bool color = (mask & GL_COLOR_BUFFER_BIT) && from.surface.color && to.surface.color &&
-                     read_buffer(c) != GL_NONE && draws_color(c);
+                     reads_color(c) && draws_color(c);
   const bool depth = (mask & GL_DEPTH_BUFFER_BIT) && from.depth_bits && to.depth_bits;
   const bool stencil = (mask & GL_STENCIL_BUFFER_BIT) && from.stencil_bits && to.stencil_bits;
   // Depths and stencil values of other formats: floats have 32 bits, and nothing else has.

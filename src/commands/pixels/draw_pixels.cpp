@@ -322,7 +322,7 @@ void CopyPixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLe
     if (!flush_for_reading(c)) return set_error(c, GL_INVALID_FRAMEBUFFER_OPERATION);
   }
   if (!has_buffer(*c.draw, type) || !has_buffer(*c.read, type) ||
-      (type == GL_COLOR && read_buffer(c) == GL_NONE))
+      (type == GL_COLOR && !reads_color(c)))
     return set_error(c, GL_INVALID_OPERATION);
   if (!c.state.raster_position.valid) return;
   if (c.state.render_mode.mode != GL_RENDER) return feed_back_pixels(c, GL_COPY_PIXEL_TOKEN);

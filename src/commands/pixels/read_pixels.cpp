@@ -214,7 +214,7 @@ GLenum check(const Context& c, GLsizei width, GLsizei height, GLenum format, GLe
   if (format == GL_DEPTH_STENCIL && (c.read->depth_bits == 0 || c.read->stencil_bits == 0))
     return GL_INVALID_OPERATION;
   const bool color = format != GL_DEPTH_COMPONENT && format != GL_STENCIL_INDEX && format != GL_DEPTH_STENCIL;
-  return color && read_buffer(c) == GL_NONE ? GL_INVALID_OPERATION : GL_NO_ERROR;
+  return color && !reads_color(c) ? GL_INVALID_OPERATION : GL_NO_ERROR;
 }
 
 } // namespace
