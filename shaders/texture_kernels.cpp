@@ -42,7 +42,7 @@ static void sample_float_stage(FragmentBlock& block, const FragmentConstants& co
   FloatTexels texel;
   sample_float(block, c, *constants.texture[unit], texel);
   const TextureUnitConstants& t = *constants.texture[unit];
-  if (t.texel == TextureTexel::Depth) {
+  if (is_depth(t.texel)) {
     SOFTGL_FOR_LANES(block, i) {
       const float d = texel.v[0][i];
       texel.v[0][i] = texel.v[1][i] = texel.v[2][i] = t.depth_target == 2 ? 0.0f : d;

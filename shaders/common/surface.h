@@ -19,10 +19,15 @@ constexpr int bytes_per_pixel(ColorFormat f) {
   return f == ColorFormat::Rgba8 ? 4 : f == ColorFormat::Rgba16 ? 8 : f == ColorFormat::RgbaFloat ? 16 : 2;
 }
 /// Z24S8 keeps depth in bits 0-23 and stencil in 24-31 of a uint32_t; Z16 keeps depth in bits 0-15 of a
-/// uint32_t.
-enum class DepthFormat : uint8_t { None, Z16, Z24S8 };
-/// The integer that depth 1 is stored as.
-constexpr uint32_t largest_depth(DepthFormat f) { return f == DepthFormat::Z16 ? 0xffff : 0xffffff; }
+/// uint32_t. Z32F keeps a float of [0, 1] in a uint32_t; if there are stencil values, each is a uint32_t
+/// kTilePixels behind its depth.
+enum class DepthFormat : uint8_t { None, Z16, Z24S8, Z32F };
+/// The integer that depth 1 is stored as, which is also the mask of the bits of a depth; of floats the mask.
+constexpr uint32_t largest_depth(DepthFormat f) {
+  return f == DepthFormat::Z16 ? 0xffff : f == DepthFormat::Z32F ? ~uint32_t(0) : 0xffffff;
+}
+/// Stencil values lie in the upper bits of the words of depths.
+constexpr bool has_stencil_bits(DepthFormat f) { return f == DepthFormat::Z24S8; }
 
 /// Index of pixel (x, y) inside its 64x64 tile: 8x8 blocks in rows, rows of pixels inside a block.
 inline int pixel_in_tile(int x, int y) {

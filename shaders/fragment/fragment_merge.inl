@@ -17,7 +17,7 @@ struct alignas(64) MergeBlock {
   uint32_t depth_stencil[kLanes], target[kLanes]; // destination, in and out
 };
 
-/// Depths have at most 24 bits, so signed comparison serves.
+/// Depths have at most 24 bits, or those of floats that are not negative: so signed comparison serves.
 SOFTGL_INLINE IntV compare_words(Compare function, IntV value, IntV other) {
   switch (function) {
   case Compare::Never: return IntV{};
@@ -66,31 +66,52 @@ struct Merger {
   const FragmentProgram& program;
   const FragmentKey& key = program.key;
   const bool tests = Compare(key.depth_function) != Compare::Always || key.depth_write || key.stencil;
-  const bool over = is_over(key);
+  const bool over = is_over(key), floats = DepthFormat(key.depth_format) == DepthFormat::Z32F;
   const IntV mask = splat(int32_t(word_mask(key)));
 
   /// Stencil and depth test with their writes to `place`; gives the lanes that live on.
   SOFTGL_MEMBER IntV depth_stencil(IntV live, IntV z, uint32_t* place) const {
     if (!tests) return live;
-    const FragmentConstants& k = *program.constants;
+    if (floats) return float_depth_stencil(live, z, place);
     const Compare depth_function = Compare(key.depth_function);
     IntV words = load(place);
     const IntV depth = words & 0xffffff;
     if (key.stencil) {
       IntV s = (IntV)((UintV)words >> 24);
-      const IntV passes = live & compare_words(Compare(key.stencil_function),
-                                               splat(int32_t(k.stencil_reference & k.stencil_value_mask)),
-                                               s & int32_t(k.stencil_value_mask));
-      s = stencil_result(StencilOperation(key.stencil_fail), k, live & ~passes, s);
-      live = passes & compare_words(depth_function, z, depth);
-      s = stencil_result(StencilOperation(key.stencil_depth_fail), k, passes & ~live, s);
-      s = stencil_result(StencilOperation(key.stencil_pass), k, live, s);
+      live = test_both(live, compare_words(depth_function, z, depth), s);
       words = depth | (s << 24);
     } else {
       live &= compare_words(depth_function, z, depth);
     }
     if (key.depth_write) words = choose(live & 0xffffff, z, words);
     store(place, words);
+    return live;
+  }
+
+  /// Both tests, of stencil values `s`, which change; `nearer`: the depth test passes.
+  SOFTGL_MEMBER IntV test_both(IntV live, IntV nearer, IntV& s) const {
+    const FragmentConstants& k = *program.constants;
+    const IntV passes = live & compare_words(Compare(key.stencil_function),
+                                             splat(int32_t(k.stencil_reference & k.stencil_value_mask)),
+                                             s & int32_t(k.stencil_value_mask));
+    s = stencil_result(StencilOperation(key.stencil_fail), k, live & ~passes, s);
+    live = passes & nearer;
+    s = stencil_result(StencilOperation(key.stencil_depth_fail), k, passes & ~live, s);
+    s = stencil_result(StencilOperation(key.stencil_pass), k, live, s);
+    return live;
+  }
+
+  /// Of a plane of floats; its stencil values lie behind them.
+  SOFTGL_MEMBER IntV float_depth_stencil(IntV live, IntV z, uint32_t* place) const {
+    const IntV stored = load(place), nearer = compare_words(Compare(key.depth_function), z, stored);
+    if (key.stencil) {
+      IntV s = load(place + kTilePixels);
+      live = test_both(live, nearer, s);
+      store(place + kTilePixels, s);
+    } else {
+      live &= nearer;
+    }
+    if (key.depth_write) store(place, choose(live, z, stored));
     return live;
   }
 

@@ -11,6 +11,8 @@ SOFTGL_INLINE float depth_scale(const FragmentKey& key) {
   return float(largest_depth(DepthFormat(key.depth_format)));
 }
 SOFTGL_INLINE IntV depth_bits(FloatV z, float scale) { return round_to_int(unit_range(z) * scale); }
+/// The same of floats, whose bits compare as integers do.
+SOFTGL_INLINE IntV depth_float(FloatV z) { return (IntV)unit_range(z); }
 SOFTGL_INLINE IntV color_byte(FloatV c) { return round_to_int(unit_range(c) * 255.0f); }
 /// An RGBA8 word; `a` is a byte in each lane.
 SOFTGL_INLINE IntV pack_bytes(FloatV r, FloatV g, FloatV b, IntV a) {

@@ -17,7 +17,8 @@ struct RasterConstants {
   uint8_t sprite_units;   // texture units whose coordinates a point sprite replaces
   bool sprite_lower_left; // t is 0 at the last row
   bool top_edge_rule; // centers on a level edge are inside where it is the first row's, not the last one's
-  float offset_units; // units times the resolvable step
+  bool offset_floats; // the resolvable step depends on the primitive's largest depth
+  float offset_units; // units times the resolvable step; with offset_floats the units alone
   float offset_factor;
   float line_width, point_size;
   const uint64_t* stipple; // null, or the pattern of polygons: 4 x 4 blocks of 8x8 pixels, again and again

@@ -42,6 +42,11 @@ SOFTGL_INLINE PlaneV plane_of(const PlaneBasis& b, FloatV a0, FloatV a1, FloatV 
 
 SOFTGL_INLINE FloatV value_at(const PlaneV& p, FloatV x, FloatV y) { return p.gy * y + (p.gx * x + p.a); }
 
+/// What floats of depths up to `z` resolve: their exponent less the 23 bits of the mantissa, as a float.
+SOFTGL_INLINE FloatV float_step(FloatV z) {
+  return (FloatV)max_(((IntV)z & 0x7f800000) - (23 << 23), IntV{});
+}
+
 /// max(|dz/dx|, |dz/dy|) * factor + units.
 SOFTGL_INLINE FloatV depth_offset(const PlaneBasis& b, FloatV z0, FloatV z1, FloatV z2,
                                   const RasterConstants& r) {
@@ -50,7 +55,9 @@ SOFTGL_INLINE FloatV depth_offset(const PlaneBasis& b, FloatV z0, FloatV z1, Flo
   const FloatV zx = (FloatV)((IntV)((dz20 * b.raw_dy01 - b.raw_dy20 * dz01) * b.inverse_area) & absolute);
   const FloatV zy = (FloatV)((IntV)((b.raw_dx20 * dz01 - dz20 * b.raw_dx01) * b.inverse_area) & absolute);
   const FloatV steepest = choose(~(zx <= zy), zx, zy);
-  return splat(r.offset_units) + steepest * r.offset_factor;
+  if (!r.offset_floats) return splat(r.offset_units) + steepest * r.offset_factor;
+  const auto size = [&](FloatV z) { return (FloatV)((IntV)z & absolute); };
+  return float_step(max_(max_(size(z0), size(z1)), size(z2))) * r.offset_units + steepest * r.offset_factor;
 }
 
 /// Triangles of a batch.

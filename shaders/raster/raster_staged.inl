@@ -97,7 +97,7 @@ template <bool Depth> static void staged_primitive(const RasterDraw& draw, const
   const FragmentKey& key = draw.program->key;
   const Compare function = Compare(key.depth_function);
   const float scale = depth_scale(key);
-  const bool early = Depth && draw.early_depth;
+  const bool early = Depth && draw.early_depth, floats = DepthFormat(key.depth_format) == DepthFormat::Z32F;
   const uint64_t* stipple =
       p.edges == 3 ? draw.raster->stipple : nullptr; // triangles only: not lines and points
   EdgeSteps<4> steps;
@@ -118,7 +118,8 @@ template <bool Depth> static void staged_primitive(const RasterDraw& draw, const
           IntV live = mask_of_bits(mask >> (i * kWidth));
           const FloatV px = splat(float(x)) + row_of_eight(i), py = splat(float(y)) + row_number(i);
           if constexpr (Depth) {
-            const IntV zi = depth_bits(at(p.plane[kPlaneZ], px, py) + p.depth_offset, scale);
+            const FloatV z = at(p.plane[kPlaneZ], px, py) + p.depth_offset;
+            const IntV zi = floats ? depth_float(z) : depth_bits(z, scale);
             store(block.depth + lane + i * kWidth, zi);
             if (early)
               live &= compare_words(

@@ -18,7 +18,8 @@ enum class TextureWrap : uint8_t {
 };
 enum class TextureMip : uint8_t { None, Nearest, Linear };
 /// What a texel is made of: 4 bytes, 4 uint16_t, or one uint32_t of depth.
-enum class TextureTexel : uint8_t { Rgba8, Rgba16, Depth };
+enum class TextureTexel : uint8_t { Rgba8, Rgba16, Depth, DepthFloat };
+constexpr bool is_depth(TextureTexel t) { return t >= TextureTexel::Depth; }
 enum class TextureShape : uint8_t { OneD, TwoD, ThreeD, Cube };
 
 /// One image. Row and slice strides count texels; rows are one texel longer and slices one row longer than

@@ -38,7 +38,9 @@ static inline void fetch_float(const TextureUnitConstants& t, const TextureLevel
     const uint32_t v = *reinterpret_cast<const AliasedDepth*>(level.face[face] + index * 4);
     // 32 bits do not fit a float: OSMesa keeps the upper 23.
     const float wide = (bits_float(int32_t((v >> 9) | 0x3f800000u)) - 1.0f) * 1.00000011920930376163766f;
-    const float d = t.shift[0] == 32 ? wide : float(int32_t(v)) * t.scale[0];
+    const float d = t.texel == TextureTexel::DepthFloat ? bits_float(int32_t(v))
+                    : t.shift[0] == 32                  ? wide
+                                                        : float(int32_t(v)) * t.scale[0];
     rgba[0] = rgba[1] = rgba[2] = d;
     rgba[3] = 1;
   }

@@ -106,6 +106,11 @@ static inline void float_nearest_axis(const FragmentBlock& block, const TextureU
   }
 }
 
+/// r is clamped as the texels are, unless they are floats (GL_ARB_depth_buffer_float, 3.8.14).
+static inline float compared_r(const TextureUnitConstants& t, float r) {
+  return t.texel == TextureTexel::DepthFloat ? r : saturate(r);
+}
+
 /// r FUNC texel: 1 or 0 (3.8.14).
 static inline bool depth_passes(uint8_t function, float r, float texel) {
   switch (function) {
@@ -132,7 +137,7 @@ static inline void compare_nearest_level(const FragmentBlock& block, const Block
   }
   const auto compare = [&](auto passes) {
     SOFTGL_FOR_LANES(block, i) {
-      const float one = keep(mask_of(passes(saturate(c.r[i]), texel[i])), 1.0f);
+      const float one = keep(mask_of(passes(compared_r(t, c.r[i]), texel[i])), 1.0f);
       for (int k = 0; k < 4; ++k) out.v[k][i] = one;
     }
   };
@@ -174,7 +179,8 @@ static inline void sample_float_level(const FragmentBlock& block, const BlockCoo
       float v[4];
       fetch_float(t, *level[i], cube ? face_of(c, i) : 0, x[i], two ? y[i] : 0, three ? z[i] : 0, v);
       if (t.compares)
-        v[0] = v[1] = v[2] = v[3] = depth_passes(t.compare_function, saturate(c.r[i]), v[0]) ? 1.0f : 0.0f;
+        v[0] = v[1] = v[2] = v[3] =
+            depth_passes(t.compare_function, compared_r(t, c.r[i]), v[0]) ? 1.0f : 0.0f;
       for (int k = 0; k < 4; ++k) out.v[k][i] = v[k];
     }
     return;
@@ -199,7 +205,7 @@ static inline void sample_float_level(const FragmentBlock& block, const BlockCoo
         fetch_float(t, *level[i], face, x.second[i], row, slice, v1);
         if (t.compares) {
           // The comparisons are filtered, as masked weights.
-          const float r = saturate(c.r[i]), w = x.weight[i];
+          const float r = compared_r(t, c.r[i]), w = x.weight[i];
           const float p0 = depth_passes(t.compare_function, r, v0[0]) ? 1.0f - w : 0.0f;
           const float p1 = depth_passes(t.compare_function, r, v1[0]) ? w : 0.0f;
           for (int k = 0; k < 4; ++k) line[a][k] = p1 + p0;

@@ -46,10 +46,7 @@ GLenum FramebufferObject::status() const {
   if (!is_complete(depth, false, true, false) || !is_complete(stencil, false, false, true))
     return GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
   if (!any) return GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT;
-  if (const Attachment* a = color_of(draw_buffer); a && a->empty())
-    return GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER;
-  if (const Attachment* a = color_of(read_buffer); a && a->empty())
-    return GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER;
+  // GL_ARB_ES2_compatibility and OpenGL 4.1 took back that draw and read buffers need an image.
   // Depths and stencil values lie in one plane.
   const bool two_planes = !depth.empty() && !stencil.empty() && !depth.same_image(stencil);
   return drawable && !two_planes ? GL_FRAMEBUFFER_COMPLETE : GL_FRAMEBUFFER_UNSUPPORTED;
@@ -66,7 +63,18 @@ int bits_of_color(const RenderTarget& target, int component) {
   return 8;
 }
 
-bool draws_color(const Context& c) { return draw_buffer(c) != GL_NONE; }
+namespace {
+
+bool names_image(const FramebufferObject* object, GLenum buffer) {
+  if (!object) return buffer != GL_NONE;
+  const Attachment* a = object->color_of(buffer);
+  return a && !a->empty();
+}
+
+} // namespace
+
+bool draws_color(const Context& c) { return names_image(c.bindings.draw.get(), draw_buffer(c)); }
+bool reads_color(const Context& c) { return names_image(c.bindings.read.get(), read_buffer(c)); }
 
 GLenum draw_buffer(const Context& c) {
   return c.bindings.draw ? c.bindings.draw->draw_buffer : c.state.color_buffer.draw_buffer;

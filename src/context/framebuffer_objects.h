@@ -59,7 +59,8 @@ struct FramebufferObject {
   const Attachment* color_of(GLenum buffer) const {
     return buffer == GL_NONE ? nullptr : &color[buffer - GL_COLOR_ATTACHMENT0];
   }
-  /// GL_FRAMEBUFFER_COMPLETE, or which rule is broken (4.4.4.2).
+  /// GL_FRAMEBUFFER_COMPLETE, or which rule is broken (4.4.4.2; not those of draw and read buffers, which
+  /// GL_ARB_ES2_compatibility took back).
   GLenum status() const;
   bool complete() const { return status() == GL_FRAMEBUFFER_COMPLETE; }
 };
@@ -80,8 +81,9 @@ struct FramebufferBindings {
 /// Bits of a component (0 to 3: red, green, blue, alpha) of what is drawn to.
 int bits_of_color(const RenderTarget& target, int component);
 inline bool is_float(const Surface& surface) { return surface.color_format == ColorFormat::RgbaFloat; }
-/// False where the draw buffer is GL_NONE.
+/// False where the draw or read buffer is GL_NONE, or names nothing that is attached.
 bool draws_color(const Context& c);
+bool reads_color(const Context& c);
 /// The draw and read buffers of what is bound.
 GLenum draw_buffer(const Context& c);
 GLenum read_buffer(const Context& c);

@@ -28,7 +28,7 @@ const char* const factor_names[] = {"zero",
                                     "?"};
 const char* const equation_names[] = {"add", "subtract", "reverse_subtract", "min", "max", "?", "?", "?"};
 const char* const color_names[] = {"rgba8", "rgba16", "rgba_float", "rgb565"};
-const char* const depth_names[] = {"no_depth", "z16", "z24s8", "?"};
+const char* const depth_names[] = {"no_depth", "z16", "z24s8", "z32f"};
 
 constexpr auto value = [](auto e) { return static_cast<uint64_t>(e); };
 

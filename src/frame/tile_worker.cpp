@@ -120,28 +120,36 @@ void clear_color(const ClearRecord& c, const Surface& s, uint32_t tile, const Bo
   }
 }
 
+void clear_depth_stencil(const ClearRecord& c, const Surface& s, uint32_t tile, const Box& box, bool whole) {
+  TileWords& words = depth_words(s, tile);
+  uint32_t* plane = s.depth_stencil + first_pixel(words);
+  uint32_t value = 0, mask = 0;
+  if (c.depth) {
+    value = c.depth_value & largest_depth(s.depth_format);
+    mask = has_stencil_bits(s.depth_format) ? 0xffffffu : ~0u;
+  }
+  if (c.stencil && has_stencil_bits(s.depth_format))
+    value |= c.stencil_value << 24, mask |= c.stencil_write_mask << 24;
+  if (c.stencil && s.depth_format == DepthFormat::Z32F) // these never wait
+    fill(plane + kTilePixels, c.stencil_value, c.stencil_write_mask, box, whole);
+  words.changed = true;
+  if (mask) clear_words(plane, words, value, mask, box, whole);
+}
+
 void execute_clear(const ClearRecord& c, const Surface& s, uint32_t tile) {
   const Box box = clear_box(c, s, tile);
   if (box.x0 >= box.x1 || box.y0 >= box.y1) return;
   const bool whole = covers_tile(c, s, tile) && takes(FastPath::WaitingClears);
   if (!whole) write_tile(s, tile);
   if (c.color && s.color) clear_color(c, s, tile, box, whole);
-  if (!s.depth_stencil || !(c.depth || c.stencil)) return;
-  uint32_t value = 0, mask = 0;
-  if (c.depth) value |= c.depth_value & 0xffffff, mask |= 0xffffff;
-  if (c.stencil && s.depth_format == DepthFormat::Z24S8)
-    value |= c.stencil_value << 24, mask |= c.stencil_write_mask << 24;
-  if (s.depth_format == DepthFormat::Z16 && c.depth) mask = ~0u;
-  TileWords& words = depth_words(s, tile);
-  words.changed = true;
-  clear_words(s.depth_stencil + first_pixel(words), words, value, mask, box, whole);
+  if (s.depth_stencil && (c.depth || c.stencil)) clear_depth_stencil(c, s, tile, box, whole);
 }
 
 /// Makes ready for fragments of a draw: what waits is written, and what they write is no longer known.
 void open_tile(const Surface& s, uint32_t tile, const RasterDraw& draw) {
   write_tile(s, tile);
   const FragmentKey& key = draw.program->key;
-  const uint32_t stencil = s.depth_format == DepthFormat::Z24S8 ? 0xff000000u : 0;
+  const uint32_t stencil = has_stencil_bits(s.depth_format) ? 0xff000000u : 0;
   if (s.color) {
     TileWords& words = color_words(s, tile);
     words.known &= ~draw.color_mask;
@@ -166,7 +174,7 @@ void set_target(const Surface& s, uint32_t tile, uint32_t* no_colors, TileTarget
   if (!s.depth_stencil) return;
   const TileWords& words = depth_words(s, tile);
   target.depth_stencil = s.depth_stencil + first_pixel(words);
-  if (s.depth_format != DepthFormat::Z24S8) return;
+  if (!has_stencil_bits(s.depth_format)) return;
   target.one_stencil = target.one_stencil && words.known >> 24 == 255;
   target.stencil_bits = words.word & 0xff000000u;
 }
@@ -193,7 +201,7 @@ bool clear_hides_all(const ClearRecord& c, const Surface& s, uint32_t tile, bool
   if (s.color && !c.color) return false;
   if (s.color && !(c.color_mask[0] && c.color_mask[1] && c.color_mask[2] && c.color_mask[3])) return false;
   if (s.depth_format != DepthFormat::None && !c.depth) return false;
-  if (stencil_drawn && s.depth_format == DepthFormat::Z24S8 &&
+  if (stencil_drawn && s.depth_format != DepthFormat::Z16 && s.depth_format != DepthFormat::None &&
       !(c.stencil && (c.stencil_write_mask & 255) == 255))
     return false;
   return covers_tile(c, s, tile) && takes(FastPath::HidingClears);

@@ -1,5 +1,7 @@
 #include "geometry/polygon_stage.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -10,12 +12,20 @@
 namespace softgl {
 namespace {
 
+/// What floats of depths up to those of the corners resolve: their exponent less the bits of the mantissa.
+float float_step(float z0, float z1, float z2) {
+  const float largest = std::max(std::max(std::fabs(z0), std::fabs(z1)), std::fabs(z2));
+  const int32_t exponent = (std::bit_cast<int32_t>(largest) & 0x7f800000) - (23 << 23);
+  return std::bit_cast<float>(std::max(exponent, 0));
+}
+
 /// The greatest change of depth per pixel, times the factor, plus the units. e, f: corners 0 and 1 relative
 /// to corner 2.
-float depth_offset(const RasterConstants& r, const float e[3], const float f[3], float determinant) {
+float depth_offset(const RasterConstants& r, const float e[3], const float f[3], float determinant,
+                   float units) {
   const float a = e[1] * f[2] - e[2] * f[1], b = e[2] * f[0] - e[0] * f[2], inverse = 1.0f / determinant;
   const float dzdx = std::fabs(a * inverse), dzdy = std::fabs(b * inverse);
-  return r.offset_units + (dzdx > dzdy ? dzdx : dzdy) * r.offset_factor;
+  return units + (dzdx > dzdy ? dzdx : dzdy) * r.offset_factor;
 }
 
 } // namespace
@@ -52,7 +62,9 @@ void PolygonStage::triangle(const PolygonTriangle& t) {
   const bool offset = k.offset[int(mode)];
   PolygonTriangle own = t;
   if (!counting_ && (offset || back_ || draw_.raster->flat)) {
-    const float by = offset ? depth_offset(*draw_.raster, e, f, determinant) : 0.0f;
+    const RasterConstants& r = *draw_.raster;
+    const float units = r.offset_floats ? float_step(v0[2], v1[2], v2[2]) * r.offset_units : r.offset_units;
+    const float by = offset ? depth_offset(r, e, f, determinant, units) : 0.0f;
     for (const Slot*& corner : own.corner)
       corner = own_copy(corner, t.corner[2], back_, offset ? &by : nullptr);
   }

@@ -68,11 +68,15 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
   d.plane_count = static_cast<uint8_t>(planes);
   const auto format = static_cast<ColorFormat>(key.color_format);
   d.opaque = draw.vertex && is_opaque(*draw.vertex) && takes(FastPath::OpaqueColors);
+  // Depths that are floats are tested by strips alone.
+  const bool depth_floats = static_cast<DepthFormat>(key.depth_format) == DepthFormat::Z32F;
   d.small = is_enabled(FastPath::Small) && (format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565) &&
-            !d.program->reads_quads && !d.raster->stipple;
+            !d.program->reads_quads && !d.raster->stipple && !depth_floats;
   d.direct = draw.fragment->step_count == 0 && !d.raster->stipple && format == ColorFormat::Rgba8 &&
-             !key.stencil && (!draw.samples || key.color_mask == 0) && takes(FastPath::Direct);
-  d.early_depth = !key.stencil && !draw.fragment->writes_depth && takes(FastPath::EarlyDepth);
+             !key.stencil && !depth_floats && (!draw.samples || key.color_mask == 0) &&
+             takes(FastPath::Direct);
+  d.early_depth =
+      !key.stencil && !depth_floats && !draw.fragment->writes_depth && takes(FastPath::EarlyDepth);
   d.whole_blocks = takes(FastPath::WholeBlocks);
   for (int c = 0; c < 4; ++c)
     if (key.color_mask >> c & 1) d.color_mask |= 0xffu << (8 * c);

@@ -54,8 +54,11 @@ const RasterConstants* make_raster_constants(const Context& context, Arena& aren
   r.two_sided = s.lighting.enabled && s.lighting.two_side &&
                 (!before || lights_fragments(s.lighting, context.smooth_is_phong));
   // OSMesa 22.3.6 offsets by units * 2 / (2^bits - 1), twice the smallest step.
+  r.offset_floats = surface.depth_format == DepthFormat::Z32F;
   r.offset_units =
-      static_cast<float>(s.polygon.offset_units * (1.0 / largest_depth(surface.depth_format)) * 2);
+      r.offset_floats
+          ? s.polygon.offset_units
+          : static_cast<float>(s.polygon.offset_units * (1.0 / largest_depth(surface.depth_format)) * 2);
   r.offset_factor = s.polygon.offset_factor;
   r.offset = !before && s.polygon.offset_fill && (r.offset_units != 0.0f || r.offset_factor != 0.0f);
   r.stipple = s.polygon.stipple ? make_stipple(s.polygon_stipple, surface, arena) : nullptr;

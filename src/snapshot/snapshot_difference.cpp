@@ -34,7 +34,8 @@ MEMBERS(FragmentConstants, fog_color, fog_scale, fog_offset, alpha_reference, al
 MEMBERS(FragmentStep, stage, unit)
 MEMBERS(FragmentProgram, key, constants, step_count, step, r_units, lod_units, writes_depth, reads_quads)
 MEMBERS(RasterConstants, x0, y0, x1, y1, cull, back, flat, two_sided, offset, point_sprite, sprite_units,
-        sprite_lower_left, top_edge_rule, offset_units, offset_factor, line_width, point_size, stipple)
+        sprite_lower_left, top_edge_rule, offset_floats, offset_units, offset_factor, line_width, point_size,
+        stipple)
 MEMBERS(TransformConstants, mvp, modelview, normal_matrix, normal_scale, window_scale, window_offset)
 MEMBERS(ClipPlaneConstants, count, index, plane)
 MEMBERS(CoordinateConstants, mode, transform, plane, matrix)

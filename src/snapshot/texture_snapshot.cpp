@@ -75,6 +75,7 @@ void set_border(const Vec4& color, GLenum base, TextureUnitConstants& t) {
 void set_texel(const TexelFormat& f, TextureUnitConstants& t) {
   t.texel = f.layout == TexelLayout::Rgba8    ? TextureTexel::Rgba8
             : f.layout == TexelLayout::Rgba16 ? TextureTexel::Rgba16
+            : f.floats                        ? TextureTexel::DepthFloat
                                               : TextureTexel::Depth;
   for (int k = 0; k < 4; ++k) {
     const int bits = f.bits[k];

@@ -1,6 +1,8 @@
 #include "surface/read_surface.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstring>
 #include <vector>
 
@@ -68,6 +70,16 @@ void copy_depth_stencil_row(const Surface& s, int x, int y, int count, uint32_t*
   copy_row(s, static_cast<const uint32_t*>(s.depth_stencil), s.depth_tile, s.depth_columns, x, y, count, row);
 }
 
+void copy_stencil_row(const Surface& s, int x, int y, int count, uint32_t* row) {
+  if (has_stencil_bits(s.depth_format)) {
+    copy_depth_stencil_row(s, x, y, count, row);
+    for (int i = 0; i < count; ++i) row[i] >>= 24;
+  } else {
+    copy_row(s, static_cast<const uint32_t*>(s.depth_stencil) + kTilePixels, s.depth_tile, s.depth_columns, x,
+             y, count, row);
+  }
+}
+
 void color_row_to_bytes(ColorFormat format, const void* row, int count, uint8_t (*rgba)[4]) {
   switch (format) {
   case ColorFormat::Rgba8: std::memcpy(rgba, row, size_t(count) * 4); return;
@@ -115,9 +127,15 @@ void color_row_to_floats(ColorFormat format, const void* row, int count, float (
 }
 
 float depth_to_float(DepthFormat format, uint32_t word) {
+  if (format == DepthFormat::Z32F) return std::bit_cast<float>(word);
   const uint32_t one = largest_depth(format);
   if (format == DepthFormat::Z16) return float(word & one) * (1.0f / float(one));
   return float(double(word & one) * (1.0 / double(one)));
+}
+
+uint32_t float_to_depth(DepthFormat format, float depth) {
+  if (format == DepthFormat::Z32F) return std::bit_cast<uint32_t>(depth);
+  return uint32_t(std::lrint(depth * float(largest_depth(format))));
 }
 
 void read_rgba8(const Surface& s, int x, int y, int width, int height, uint8_t (*rgba)[4]) {
@@ -144,16 +162,17 @@ void read_rgba_float(const Surface& s, int x, int y, int width, int height, floa
 
 namespace {
 
-/// Calls convert(word) for the depth and stencil words of a rectangle.
+/// Calls convert(word) for the words of a rectangle that copy_row copies.
 template <class T, class Convert>
-void read_words(const Surface& s, int x, int y, int width, int height, T* out, Convert convert) {
+void read_words(const Surface& s, int x, int y, int width, int height, T* out,
+                void (*copy_row)(const Surface&, int, int, int, uint32_t*), Convert convert) {
   if (width <= 0 || height <= 0) return;
   std::fill_n(out, size_t(width) * size_t(height), T(0));
   if (!s.depth_stencil) return;
   std::vector<uint32_t> row(static_cast<size_t>(width));
   for_each_row(
       s, x, y, width, height, [&](int row_of_surface, int first, int count, size_t line, size_t column) {
-        copy_depth_stencil_row(s, first, row_of_surface, count, row.data());
+        copy_row(s, first, row_of_surface, count, row.data());
         std::transform(row.begin(), row.begin() + count, out + line * size_t(width) + column, convert);
       });
 }
@@ -162,11 +181,12 @@ void read_words(const Surface& s, int x, int y, int width, int height, T* out, C
 
 void read_depth_float(const Surface& s, int x, int y, int width, int height, float* depth) {
   const DepthFormat format = s.depth_format;
-  read_words(s, x, y, width, height, depth, [=](uint32_t word) { return depth_to_float(format, word); });
+  read_words(s, x, y, width, height, depth, copy_depth_stencil_row,
+             [=](uint32_t word) { return depth_to_float(format, word); });
 }
 
 void read_stencil(const Surface& s, int x, int y, int width, int height, uint8_t* stencil) {
-  read_words(s, x, y, width, height, stencil, [](uint32_t word) { return uint8_t(word >> 24); });
+  read_words(s, x, y, width, height, stencil, copy_stencil_row, [](uint32_t word) { return uint8_t(word); });
 }
 
 } // namespace softgl

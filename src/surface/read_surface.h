@@ -14,12 +14,16 @@ inline int surface_row(const Surface& surface, int y) { return surface.y_up ? y 
 /// format.
 void copy_color_row(const Surface& surface, int x, int y, int count, void* row);
 void copy_depth_stencil_row(const Surface& surface, int x, int y, int count, uint32_t* row);
+/// The stencil values alone; the surface has some.
+void copy_stencil_row(const Surface& surface, int x, int y, int count, uint32_t* row);
 
 /// Colors as bytes or as floats. The one of fewer bits rounds as OSMesa 22.3.6 does: 5 and 6 bits are
 /// repeated.
 void color_row_to_bytes(ColorFormat format, const void* row, int count, uint8_t (*rgba)[4]);
 void color_row_to_floats(ColorFormat format, const void* row, int count, float (*rgba)[4]);
 float depth_to_float(DepthFormat format, uint32_t word);
+/// The word of a depth of [0, 1]: the nearest integer, or the float itself.
+uint32_t float_to_depth(DepthFormat format, float depth);
 
 /// Copies a rectangle (lower left corner x, y; bottom row first) as bytes; zeros outside.
 void read_rgba8(const Surface& surface, int x, int y, int width, int height, uint8_t (*rgba)[4]);

@@ -19,10 +19,13 @@ RenderFormat color_format(ColorFormat format, int red, int green, int blue, int 
   return f;
 }
 
+/// Of 32 bits are floats only.
 RenderFormat depth_format(int depth, int stencil) {
   RenderFormat f;
   f.kind = RenderFormat::Kind::DepthStencil;
-  f.depth = depth == 16 && stencil == 0 ? DepthFormat::Z16 : DepthFormat::Z24S8;
+  f.depth = depth == 32                   ? DepthFormat::Z32F
+            : depth == 16 && stencil == 0 ? DepthFormat::Z16
+                                          : DepthFormat::Z24S8;
   f.depth_bits = uint8_t(depth);
   f.stencil_bits = uint8_t(stencil);
   return f;
@@ -55,6 +58,8 @@ RenderFormat renderbuffer_format(GLenum internal_format) {
   case GL_DEPTH_COMPONENT32: return depth_format(24, 0);
   case GL_DEPTH_STENCIL:
   case GL_DEPTH24_STENCIL8: return depth_format(24, 8);
+  case GL_DEPTH_COMPONENT32F: return depth_format(32, 0);
+  case GL_DEPTH32F_STENCIL8: return depth_format(32, 8);
   case GL_STENCIL_INDEX:
   case GL_STENCIL_INDEX1:
   case GL_STENCIL_INDEX4:
@@ -78,8 +83,8 @@ RenderFormat render_format(const TexelFormat& t) {
     if (has(5, 6, 5, 0)) return color_format(ColorFormat::Rgb565, 5, 6, 5, 0);
     if (has(16, 16, 16, 0)) return color_format(ColorFormat::Rgba16, 16, 16, 16, 0);
     return {};
-  case GL_DEPTH_COMPONENT: return depth_format(t.bits[0] == 16 ? 16 : 24, 0);
-  case GL_DEPTH_STENCIL: return depth_format(24, 8);
+  case GL_DEPTH_COMPONENT: return depth_format(t.floats ? 32 : t.bits[0] == 16 ? 16 : 24, 0);
+  case GL_DEPTH_STENCIL: return depth_format(t.floats ? 32 : 24, 8);
   default: return {};
   }
 }
@@ -90,8 +95,9 @@ RenderPlane::RenderPlane(const RenderFormat& f, int w, int h)
   const bool words = !f.is_color() || f.color == ColorFormat::Rgba8; // the others' tiles do not wait
   const uint32_t first = f.is_color() && !f.has_alpha() ? 0xff000000u : 0;
   tile.assign(tiles(), TileWords{first, words ? ~0u : 0u, words});
-  for (uint32_t i = 0; i < tiles(); ++i) tile[i].place = i;
-  bytes = size_t(tiles()) * kTilePixels * size_t(pixel_bytes());
+  const uint32_t step = f.has_stencil_words() ? 2 : 1;
+  for (uint32_t i = 0; i < tiles(); ++i) tile[i].place = i * step;
+  bytes = size_t(tiles()) * step * kTilePixels * size_t(pixel_bytes());
   memory = map_pages(bytes);
   if (!memory) throw std::bad_alloc();
   if (f.is_color() && !f.has_alpha() && f.color == ColorFormat::Rgba16)
@@ -101,7 +107,7 @@ RenderPlane::RenderPlane(const RenderFormat& f, int w, int h)
 RenderPlane::~RenderPlane() { unmap_pages(memory, bytes); }
 
 unsigned char* RenderPlane::pixels(uint32_t i) const {
-  return static_cast<unsigned char*>(memory) + size_t(i) * kTilePixels * size_t(pixel_bytes());
+  return static_cast<unsigned char*>(memory) + size_t(tile[i].place) * kTilePixels * size_t(pixel_bytes());
 }
 
 void assemble(GLuint name, int width, int height, RenderPlane* color, RenderPlane* depth_stencil, bool depth,

@@ -23,6 +23,10 @@ struct RenderFormat {
 
   bool is_color() const { return kind == Kind::Color; }
   bool has_alpha() const { return bits[3] != 0; }
+  /// Depths are floats.
+  bool has_floats() const { return depth == DepthFormat::Z32F; }
+  /// Stencil values have words of their own, behind those of the depths (DepthFormat).
+  bool has_stencil_words() const { return has_floats() && stencil_bits > 0; }
   /// Blits of depths and stencil values ask for equal formats.
   bool operator==(const RenderFormat&) const = default;
 };
@@ -48,7 +52,7 @@ struct RenderPlane {
   RenderPlane& operator=(const RenderPlane&) = delete;
 
   uint32_t tiles() const { return uint32_t(tiles_x) * uint32_t(tiles_y); }
-  /// The plane's pixels from those of tile `i` on.
+  /// The plane's pixels from those of tile `i` on; stencil words are behind those of the tile.
   unsigned char* pixels(uint32_t i) const;
   int pixel_bytes() const { return format.is_color() ? bytes_per_pixel(format.color) : 4; }
 };

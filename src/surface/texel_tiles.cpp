@@ -45,11 +45,16 @@ void load_tile(RenderPlane& p, const TextureImage& image, int z, uint32_t tile) 
   const size_t texel_bytes = size_t(image.format->bytes());
   const bool wide = p.format.color == ColorFormat::Rgba16, alpha = p.format.has_alpha();
   const uint32_t waiting = words.waits ? words.word & 0xff000000u : 0;
+  const bool floats = p.format.has_floats();
   for_each_run(p, tile, [&](int x, int y, size_t at, int count) {
     const unsigned char* texels = image.at(x, y, z);
     for (int i = 0; i < count; ++i, texels += texel_bytes) {
       const size_t pixel = at + size_t(i);
-      if (!p.format.is_color()) {
+      if (!p.format.is_color() && floats) {
+        auto* word = reinterpret_cast<uint32_t*>(pixels) + pixel;
+        std::memcpy(word, texels, 4);
+        if (!image.stencils.empty()) word[kTilePixels] = *image.stencil_at(x + i, y, z);
+      } else if (!p.format.is_color()) {
         auto* word = reinterpret_cast<uint32_t*>(pixels) + pixel;
         uint32_t texel;
         std::memcpy(&texel, texels, 4);
@@ -90,7 +95,11 @@ void store_tile(RenderPlane& p, TextureImage& image, int z, uint32_t tile) {
       return;
     }
     for (int i = 0; i < count; ++i, texels += texel_bytes) {
-      if (!p.format.is_color()) {
+      if (!p.format.is_color() && p.format.has_floats()) {
+        std::memcpy(texels, from + 4 * i, 4);
+        const auto* stencil = reinterpret_cast<const uint32_t*>(pixels) + at + kTilePixels;
+        if (!image.stencils.empty()) *image.stencil_at(x + i, y, z) = uint8_t(stencil[i]);
+      } else if (!p.format.is_color()) {
         uint32_t word;
         std::memcpy(&word, from + 4 * i, 4);
         if (!image.stencils.empty()) *image.stencil_at(x + i, y, z) = uint8_t(word >> 24);

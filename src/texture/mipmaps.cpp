@@ -1,6 +1,7 @@
 // Automatic mipmap generation (GL 1.5, 3.8.8). OSMesa 22.3.6 draws each level with a linearly filtered,
 // edge-clamped texture of the level before; so the arithmetic is that of sampling.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <vector>
@@ -120,10 +121,12 @@ void reduce_wide(const TextureImage& from, const Footprints& footprints, Texture
             std::memcpy(to.at(x, y, z) + size_t(k) * sizeof(T), &v, sizeof v);
             continue;
           }
+          auto number = [&](T v) {
+            return format.floats ? std::bit_cast<float>(uint32_t(v)) : wide_to_float(v, bits);
+          };
           auto plane = [&](int slice) {
             auto row = [&](int line) {
-              const float a = wide_to_float(texel(fx.first, line, slice), bits),
-                          b = wide_to_float(texel(fx.second, line, slice), bits);
+              const float a = number(texel(fx.first, line, slice)), b = number(texel(fx.second, line, slice));
               return fx.fraction * (b - a) + a;
             };
             const float a = row(fy.first), b = row(fy.second);
@@ -131,7 +134,7 @@ void reduce_wide(const TextureImage& from, const Footprints& footprints, Texture
           };
           const float a = plane(fz.first);
           const float value = fz.first == fz.second ? a : fz.fraction * (plane(fz.second) - a) + a;
-          const T v = T(float_to_wide(value, bits));
+          const T v = format.floats ? T(std::bit_cast<uint32_t>(value)) : T(float_to_wide(value, bits));
           std::memcpy(to.at(x, y, z) + size_t(k) * sizeof(T), &v, sizeof v);
         }
       }

@@ -51,6 +51,10 @@ PackedType packed_type(GLenum type) {
   }
 }
 
+bool depth_stencil_type(GLenum type) {
+  return type == GL_UNSIGNED_INT_24_8 || type == GL_FLOAT_32_UNSIGNED_INT_24_8_REV;
+}
+
 bool plain_type(GLenum type) {
   switch (type) {
   case GL_UNSIGNED_BYTE:
@@ -83,10 +87,10 @@ GLenum check_pixel_format(GLenum format, GLenum type) {
   case GL_RGBA:
   case GL_BGRA:
   case GL_ABGR_EXT: components = 4; break;
-  case GL_DEPTH_STENCIL: return type == GL_UNSIGNED_INT_24_8 ? GL_NO_ERROR : GL_INVALID_ENUM;
+  case GL_DEPTH_STENCIL: return depth_stencil_type(type) ? GL_NO_ERROR : GL_INVALID_ENUM;
   default: return GL_INVALID_ENUM;
   }
-  if (type == GL_UNSIGNED_INT_24_8) return GL_INVALID_OPERATION;
+  if (depth_stencil_type(type)) return GL_INVALID_OPERATION;
   if (type == GL_BITMAP)
     return format == GL_COLOR_INDEX || format == GL_STENCIL_INDEX ? GL_NO_ERROR : GL_INVALID_ENUM;
   if (plain_type(type)) return GL_NO_ERROR;
@@ -177,6 +181,7 @@ PixelFormat describe_pixel_format(GLenum format, GLenum type) {
     f.element_bytes = 4;
     break;
   case GL_FLOAT:
+  case GL_FLOAT_32_UNSIGNED_INT_24_8_REV: // of GL_DEPTH_STENCIL
     f.channel = PixelChannel::Float;
     f.element_bytes = 4;
     break;
@@ -198,6 +203,7 @@ PixelFormat describe_pixel_format(GLenum format, GLenum type) {
   }
   }
   f.bytes = type == GL_BITMAP ? 0 : uint8_t(f.components * f.element_bytes);
+  if (type == GL_FLOAT_32_UNSIGNED_INT_24_8_REV) f.bytes = 8; // a word of stencil values behind the float
   return f;
 }
 
@@ -547,6 +553,34 @@ void pack_depth(const PixelFormat& f, const float* depth, int count, bool swap, 
     case PixelChannel::Float: store<float>(p, d, swap); break;
     default: break;
     }
+  }
+}
+
+DepthStencilPixel unpack_depth_stencil(const PixelFormat& f, const void* pixel, bool swap) {
+  auto p = static_cast<const unsigned char*>(pixel);
+  DepthStencilPixel v;
+  v.integer = f.channel != PixelChannel::Float;
+  if (v.integer) {
+    const auto word = load<uint32_t>(p, swap);
+    v.bits = word >> 8;
+    v.depth = unorm_to_float(v.bits, 24);
+    v.stencil = word & 255;
+  } else {
+    v.depth = load<float>(p, swap);
+    v.stencil = load<uint32_t>(p + 4, swap) & 255;
+  }
+  return v;
+}
+
+void pack_depth_stencil(const PixelFormat& f, const DepthStencilPixel& v, bool swap, void* pixel) {
+  auto p = static_cast<unsigned char*>(pixel);
+  const uint32_t stencil = v.stencil & 255;
+  if (f.channel == PixelChannel::Float) {
+    store<float>(p, v.depth, swap);
+    store<uint32_t>(p + 4, stencil, swap);
+  } else {
+    const uint32_t z = v.integer ? v.bits : uint32_t(v.depth * 16777215.0f);
+    store<uint32_t>(p, z << 8 | stencil, swap);
   }
 }
 

@@ -72,6 +72,18 @@ void unpack_indexes(const PixelFormat& format, const void* row, int bit_offset, 
 void unpack_depth(const PixelFormat& format, const void* row, int count, bool swap_bytes, float* depth);
 void pack_depth(const PixelFormat& format, const float* depth, int count, bool swap_bytes, void* row);
 
+/// A pixel of GL_DEPTH_STENCIL. Its depth is a number of 24 bits, or a float.
+struct DepthStencilPixel {
+  bool integer = true;
+  uint32_t bits = 0; // the integer
+  float depth = 0;   // the float; of an integer the nearest one
+  uint32_t stencil = 0;
+};
+DepthStencilPixel unpack_depth_stencil(const PixelFormat& format, const void* pixel, bool swap_bytes);
+/// As OSMesa 22.3.6 does, cuts a float that becomes an integer.
+void pack_depth_stencil(const PixelFormat& format, const DepthStencilPixel& value, bool swap_bytes,
+                        void* pixel);
+
 /// A value of `from` bits in `to` bits, as OSMesa converts it: repeated bits upwards, round to nearest
 /// downwards.
 constexpr uint32_t convert_unorm(uint32_t x, int from, int to) {

@@ -1,6 +1,7 @@
 #include "texture/texel_format.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 #include "texture/pixel_formats.h"
@@ -32,6 +33,8 @@ constexpr TexelFormat kDepth16{GL_DEPTH_COMPONENT, kDepth, true, {16, 0, 0, 0}},
     kDepth24{GL_DEPTH_COMPONENT, kDepth, true, {24, 0, 0, 0}};
 constexpr TexelFormat kDepth32{GL_DEPTH_COMPONENT, kDepth, true, {32, 0, 0, 0}};
 constexpr TexelFormat kDepth24Stencil8{GL_DEPTH_STENCIL, kDepth, true, {24, 0, 0, 0}};
+constexpr TexelFormat kDepth32f{GL_DEPTH_COMPONENT, kDepth, true, {32, 0, 0, 0}, true};
+constexpr TexelFormat kDepth32fStencil8{GL_DEPTH_STENCIL, kDepth, true, {32, 0, 0, 0}, true};
 
 // Unsized internal formats take the client's own precision where OSMesa has a storage of just that form.
 const TexelFormat* match_unsized(GLint internal_format, GLenum format, GLenum type, bool swap_bytes) {
@@ -139,6 +142,8 @@ const TexelFormat* choose_texel_format(GLint internal_format, GLenum format, GLe
   case GL_DEPTH_COMPONENT32: return &kDepth32;
   case GL_DEPTH_STENCIL:
   case GL_DEPTH24_STENCIL8: return &kDepth24Stencil8;
+  case GL_DEPTH_COMPONENT32F: return &kDepth32f;
+  case GL_DEPTH32F_STENCIL8: return &kDepth32fStencil8;
   default: return nullptr;
   }
 }
@@ -232,6 +237,12 @@ void store_depth(const TexelFormat& to, uint32_t* texel, const PixelFormat& from
                  int count, bool swap, const PixelTransfer& transfer) {
   const bool plain = !transfer.changes_depth();
   auto p = static_cast<const unsigned char*>(pixels);
+  if (to.floats) {
+    float d[kRow];
+    unpack_depth(from, pixels, count, swap, d);
+    for (int i = 0; i < count; ++i) texel[i] = std::bit_cast<uint32_t>(transfer.depth(d[i]));
+    return;
+  }
   const int bits = to.bits[0];
   // Integers that need no float on their way.
   if (plain && !swap && from.channel == PixelChannel::UnsignedInt && (bits == 16 || bits == 32)) {
@@ -264,26 +275,31 @@ void store_depth(const TexelFormat& to, uint32_t* texel, const PixelFormat& from
 
 } // namespace
 
-void store_depth_stencil(uint32_t* texels, uint8_t* stencils, const void* pixels, int count, bool swap_bytes,
-                         const PixelTransfer& transfer) {
+void store_depth_stencil(const TexelFormat& to, uint32_t* texels, uint8_t* stencils, const PixelFormat& from,
+                         const void* pixels, int count, bool swap_bytes, const PixelTransfer& transfer) {
   auto p = static_cast<const unsigned char*>(pixels);
-  for (int i = 0; i < count; ++i, p += 4) {
-    uint32_t v;
-    std::memcpy(&v, p, 4);
-    if (swap_bytes) v = __builtin_bswap32(v);
-    texels[i] = v >> 8;
-    if (transfer.changes_depth()) texels[i] = float_to_unorm(transfer.depth(unorm_to_float(v >> 8, 24)), 24);
-    stencils[i] = uint8_t(transfer.stencil(v & 255));
+  for (int i = 0; i < count; ++i, p += from.bytes) {
+    const DepthStencilPixel v = unpack_depth_stencil(from, p, swap_bytes);
+    if (to.floats)
+      texels[i] = std::bit_cast<uint32_t>(transfer.depth(v.depth));
+    else if (v.integer && !transfer.changes_depth())
+      texels[i] = v.bits;
+    else
+      texels[i] = float_to_unorm(transfer.depth(v.depth), 24);
+    stencils[i] = uint8_t(transfer.stencil(v.stencil));
   }
 }
 
-void load_depth_stencil(const uint32_t* texels, const uint8_t* stencils, void* pixels, int count,
-                        bool swap_bytes) {
+void load_depth_stencil(const TexelFormat& from, const uint32_t* texels, const uint8_t* stencils,
+                        const PixelFormat& to, void* pixels, int count, bool swap_bytes) {
   auto p = static_cast<unsigned char*>(pixels);
-  for (int i = 0; i < count; ++i, p += 4) {
-    uint32_t v = texels[i] << 8 | stencils[i];
-    if (swap_bytes) v = __builtin_bswap32(v);
-    std::memcpy(p, &v, 4);
+  for (int i = 0; i < count; ++i, p += to.bytes) {
+    DepthStencilPixel v;
+    v.stencil = stencils[i];
+    v.integer = !from.floats;
+    v.bits = texels[i];
+    v.depth = from.floats ? std::bit_cast<float>(texels[i]) : unorm_to_float(texels[i], 24);
+    pack_depth_stencil(to, v, swap_bytes, p);
   }
 }
 
@@ -435,8 +451,9 @@ void load_texels(const TexelFormat& from, const void* texels, const PixelFormat&
       continue;
     }
     const int bits = from.bits[0];
-    if (!swap_bytes && ((bits == 32 && to.channel == PixelChannel::UnsignedInt) ||
-                        (bits == 16 && to.channel == PixelChannel::UnsignedShort))) {
+    if (!swap_bytes && !from.floats &&
+        ((bits == 32 && to.channel == PixelChannel::UnsignedInt) ||
+         (bits == 16 && to.channel == PixelChannel::UnsignedShort))) {
       for (int i = 0; i < n; ++i)
         std::memcpy(target + size_t(i) * to.bytes, source + i * 4, to.bytes); // the stored integer itself
       continue;
@@ -445,8 +462,9 @@ void load_texels(const TexelFormat& from, const void* texels, const PixelFormat&
     for (int i = 0; i < n; ++i) {
       uint32_t v;
       std::memcpy(&v, source + i * 4, 4);
-      d[i] = bits == 16 ? float(v) * (1.0f / 65535.0f)
-                        : float(double(v) * (1.0 / double((uint64_t(1) << bits) - 1)));
+      d[i] = from.floats  ? std::bit_cast<float>(v)
+             : bits == 16 ? float(v) * (1.0f / 65535.0f)
+                          : float(double(v) * (1.0 / double((uint64_t(1) << bits) - 1)));
     }
     pack_depth(to, d, n, swap_bytes, target);
   }

@@ -11,8 +11,8 @@ namespace softgl {
 
 /// Rgba8: four bytes r g b a; components of fewer bits fill a byte by repeating their bits, as OSMesa's 8-bit
 /// sampling does, so the upper bits are the stored value. Rgba16: four uint16_t, each the stored integer
-/// itself. Depth: uint32_t, the stored integer itself. Luminance and intensity are already spread over r, g,
-/// b (and a); what a base format lacks is 0, or one for alpha.
+/// itself. Depth: uint32_t, the stored integer itself, or the bits of a float (`floats`). Luminance and
+/// intensity are already spread over r, g, b (and a); what a base format lacks is 0, or one for alpha.
 enum class TexelLayout : uint8_t { Rgba8, Rgba16, Depth };
 
 struct TexelFormat {
@@ -21,6 +21,7 @@ struct TexelFormat {
   TexelLayout layout;
   bool array;      // components are whole bytes or shorts: OSMesa converts them one by one
   uint8_t bits[4]; // stored bits of r g b a; 0 = not stored. Depth: bits[0]
+  bool floats = false;
   int bytes() const { return layout == TexelLayout::Rgba16 ? 8 : 4; }
 };
 
@@ -58,10 +59,10 @@ private:
   uint32_t table_[2][256];   // a texel is the exclusive or of its pixel's components' words
 };
 /// The same of GL_DEPTH_STENCIL pixels, whose stencil values go to a row of their own.
-void store_depth_stencil(uint32_t* texels, uint8_t* stencils, const void* pixels, int count, bool swap_bytes,
-                         const PixelTransfer& transfer);
-void load_depth_stencil(const uint32_t* texels, const uint8_t* stencils, void* pixels, int count,
-                        bool swap_bytes);
+void store_depth_stencil(const TexelFormat& to, uint32_t* texels, uint8_t* stencils, const PixelFormat& from,
+                         const void* pixels, int count, bool swap_bytes, const PixelTransfer& transfer);
+void load_depth_stencil(const TexelFormat& from, const uint32_t* texels, const uint8_t* stencils,
+                        const PixelFormat& to, void* pixels, int count, bool swap_bytes);
 /// Reads a row of texels into client pixels (GetTexImage, 6.1.4); no pixel transfer takes place.
 void load_texels(const TexelFormat& from, const void* texels, const PixelFormat& to, void* pixels, int count,
                  bool swap_bytes);

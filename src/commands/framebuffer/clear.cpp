@@ -1,5 +1,6 @@
 // glClear and its values (GL 1.5, 4.2.3).
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "base/unit_range.h"
@@ -41,6 +42,7 @@ void store_color(ColorFormat format, const Vec4& color, bool drawn, float (&valu
 /// The depth in the surface's integers. OSMesa 22.3.6 clears a whole buffer in double; a part of it, or one
 /// whose stencil is masked, by drawing a rectangle, whose depth goes through float.
 uint32_t store_depth(DepthFormat format, double depth, bool drawn) {
+  if (format == DepthFormat::Z32F) return std::bit_cast<uint32_t>(float(depth));
   const double one = largest_depth(format);
   if (!drawn) return uint32_t(std::nearbyint(depth * one));
   const float z = float(depth * 2.0 - 1.0) * 0.5f + 0.5f;

@@ -192,7 +192,9 @@ void GetFramebufferAttachmentParameteriv(Context& c, GLenum target, GLenum attac
     *params = component_bits(format, pname);
   } else if (pname == GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) {
     if (attachment == GL_DEPTH_STENCIL_ATTACHMENT) return set_error(c, GL_INVALID_OPERATION);
-    *params = attachment == GL_STENCIL_ATTACHMENT ? GL_INDEX : GL_UNSIGNED_NORMALIZED;
+    *params = attachment == GL_STENCIL_ATTACHMENT ? GL_INDEX
+              : format.has_floats()               ? GL_FLOAT
+                                                  : GL_UNSIGNED_NORMALIZED;
   } else if (pname == GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING) {
     *params = GL_LINEAR;
   } else if (a.texture) {

@@ -142,30 +142,30 @@ void blit_colors(Context& c, const Blit& blit) {
   submit_copy(c, blit.image(PixelElement::Floats, pixels, arena), blit.box());
 }
 
-/// The words of depths and stencil values that are read.
-uint32_t* read_words(Context& c, const Blit& blit) {
+/// The words that copy_row reads.
+template <class CopyRow> uint32_t* read_words(Context& c, const Blit& blit, CopyRow copy_row) {
   auto* words = c.frame.arena().allocate_array<uint32_t>(blit.source_pixels());
   for (int y = 0; y < blit.source_height(); ++y)
-    copy_depth_stencil_row(c.read->surface, blit.columns.source_first, blit.rows.source_first + y,
-                           blit.source_width(), words + size_t(y) * size_t(blit.source_width()));
+    copy_row(c.read->surface, blit.columns.source_first, blit.rows.source_first + y, blit.source_width(),
+             words + size_t(y) * size_t(blit.source_width()));
   return words;
 }
 
 void blit_depths(Context& c, const Blit& blit) {
-  uint32_t* words = read_words(c, blit);
+  uint32_t* words = read_words(c, blit, copy_depth_stencil_row);
   const uint32_t mask = largest_depth(c.read->surface.depth_format);
   for (size_t i = 0; i < blit.source_pixels(); ++i) words[i] &= mask;
   submit_copy(c, blit.image(PixelElement::Depth, words, c.frame.arena()), blit.box());
 }
 
 void blit_stencils(Context& c, const Blit& blit) {
-  const uint32_t* words = read_words(c, blit);
+  const uint32_t* words = read_words(c, blit, copy_stencil_row);
   bool used[256] = {};
-  for (size_t i = 0; i < blit.source_pixels(); ++i) used[words[i] >> 24] = true;
+  for (size_t i = 0; i < blit.source_pixels(); ++i) used[words[i]] = true;
   for (uint32_t v = 0; v < 256; ++v) {
     if (!used[v]) continue;
     auto* bit = c.frame.arena().allocate_array<uint8_t>(blit.source_pixels());
-    for (size_t i = 0; i < blit.source_pixels(); ++i) bit[i] = words[i] >> 24 == v;
+    for (size_t i = 0; i < blit.source_pixels(); ++i) bit[i] = words[i] == v;
     submit_stencil(c, blit.image(PixelElement::Bit, bit, c.frame.arena()), uint8_t(v), blit.box(), 0xff);
   }
 }
@@ -183,10 +183,14 @@ void gl::BlitFramebuffer(Context& c, GLint srcX0, GLint srcY0, GLint srcX1, GLin
   const RenderTarget &from = *c.read, &to = *c.draw;
   // What is not in both is not copied.
   const bool color = (mask & GL_COLOR_BUFFER_BIT) && from.surface.color && to.surface.color &&
-                     read_buffer(c) != GL_NONE && draws_color(c);
+                     reads_color(c) && draws_color(c);
   const bool depth = (mask & GL_DEPTH_BUFFER_BIT) && from.depth_bits && to.depth_bits;
   const bool stencil = (mask & GL_STENCIL_BUFFER_BIT) && from.stencil_bits && to.stencil_bits;
-  if (depth && from.depth_bits != to.depth_bits) return set_error(c, GL_INVALID_OPERATION);
+  // Depths and stencil values of other formats: floats have 32 bits, and nothing else has.
+  const bool mixes_floats =
+      (from.surface.depth_format == DepthFormat::Z32F) != (to.surface.depth_format == DepthFormat::Z32F);
+  if ((depth && from.depth_bits != to.depth_bits) || (stencil && mixes_floats))
+    return set_error(c, GL_INVALID_OPERATION);
   if (color && is_float(from.surface) != is_float(to.surface)) return set_error(c, GL_INVALID_OPERATION);
   if (!color && !depth && !stencil) return;
   // Ends so far away are not met by any surface, and their differences fit an integer.

@@ -132,8 +132,8 @@ std::optional<ClientImage> client_image(Context& c, const void* pixels, int widt
 /// Depths after the pixel transfer, as the surface stores them.
 void store_depths(const Surface& surface, const PixelTransfer& transfer, const float* depth, size_t count,
                   uint32_t* stored) {
-  const float one = float(largest_depth(surface.depth_format));
-  for (size_t i = 0; i < count; ++i) stored[i] = uint32_t(std::lrint(transfer.depth(depth[i]) * one));
+  for (size_t i = 0; i < count; ++i)
+    stored[i] = float_to_depth(surface.depth_format, transfer.depth(depth[i]));
 }
 
 /// Calls fill(row, elements of the row) for the rows in view of an image of T and returns the image.
@@ -234,11 +234,10 @@ void draw_depths_and_stencils(Context& c, const Placement& p, const ClientImage&
   const size_t count = size_t(p.width_in_view());
   for (int r = 0; r < p.height_in_view(); ++r)
     for (size_t i = 0; i < count; ++i) {
-      uint32_t v;
-      std::memcpy(&v, image.at(p.columns.first + int(i), p.rows.first + r), 4);
-      if (image.swap) v = __builtin_bswap32(v);
-      depth[size_t(r) * count + i] = unorm_to_float(v >> 8, 24);
-      stencil[size_t(r) * count + i] = uint8_t(v);
+      const DepthStencilPixel v = unpack_depth_stencil(
+          image.format, image.at(p.columns.first + int(i), p.rows.first + r), image.swap);
+      depth[size_t(r) * count + i] = v.depth;
+      stencil[size_t(r) * count + i] = uint8_t(v.stencil);
     }
   submit_depths_and_stencils(c, p, depth, stencil);
 }
@@ -323,7 +322,7 @@ void CopyPixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLe
     if (!flush_for_reading(c)) return set_error(c, GL_INVALID_FRAMEBUFFER_OPERATION);
   }
   if (!has_buffer(*c.draw, type) || !has_buffer(*c.read, type) ||
-      (type == GL_COLOR && read_buffer(c) == GL_NONE))
+      (type == GL_COLOR && !reads_color(c)))
     return set_error(c, GL_INVALID_OPERATION);
   if (!c.state.raster_position.valid) return;
   if (c.state.render_mode.mode != GL_RENDER) return feed_back_pixels(c, GL_COPY_PIXEL_TOKEN);

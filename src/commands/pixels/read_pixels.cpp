@@ -122,7 +122,8 @@ void read_depths(const Context& c, const Target& t) {
   std::vector<float> depth(static_cast<size_t>(t.count));
   for (int r = t.first_row; r < t.first_row + t.rows; ++r) {
     copy_depth_stencil_row(s, t.x, surface_row(s, t.bottom + r), t.count, row.data());
-    if (t.format.channel == PixelChannel::UnsignedInt && !scale && !t.swap) {
+    if (t.format.channel == PixelChannel::UnsignedInt && s.depth_format != DepthFormat::Z32F && !scale &&
+        !t.swap) {
       // OSMesa: the bits are repeated, which a float could not hold.
       unsigned char* out = t.pixels(r);
       for (int i = 0; i < t.count; ++i) {
@@ -144,18 +145,24 @@ void read_depths(const Context& c, const Target& t) {
 
 /// GL_DEPTH_STENCIL: words of both.
 void read_depths_and_stencils(const Context& c, const Target& t) {
+  const Surface& s = c.read->surface;
   const PixelTransfer operations = pixel_transfer(c);
-  std::vector<uint32_t> row(static_cast<size_t>(t.count));
+  std::vector<uint32_t> depth(static_cast<size_t>(t.count)), stencil(depth.size());
   for (int r = t.first_row; r < t.first_row + t.rows; ++r) {
-    copy_depth_stencil_row(c.read->surface, t.x, surface_row(c.read->surface, t.bottom + r), t.count,
-                           row.data());
+    copy_depth_stencil_row(s, t.x, surface_row(s, t.bottom + r), t.count, depth.data());
+    copy_stencil_row(s, t.x, surface_row(s, t.bottom + r), t.count, stencil.data());
     unsigned char* out = t.pixels(r);
-    for (int i = 0; i < t.count; ++i, out += 4) {
-      uint32_t z = row[size_t(i)] & 0xffffff;
-      if (operations.changes_depth()) z = float_to_unorm(operations.depth(unorm_to_float(z, 24)), 24);
-      uint32_t v = z << 8 | (operations.stencil(row[size_t(i)] >> 24) & 255);
-      if (t.swap) v = __builtin_bswap32(v);
-      std::memcpy(out, &v, 4);
+    for (size_t i = 0; i < depth.size(); ++i, out += t.format.bytes) {
+      DepthStencilPixel v;
+      v.integer = s.depth_format != DepthFormat::Z32F;
+      v.bits = depth[i] & 0xffffff;
+      v.depth = depth_to_float(s.depth_format, depth[i]);
+      v.stencil = operations.stencil(stencil[i]);
+      if (operations.changes_depth()) {
+        v.depth = operations.depth(v.depth);
+        v.bits = float_to_unorm(v.depth, 24);
+      }
+      pack_depth_stencil(t.format, v, t.swap, out);
     }
   }
 }
@@ -170,10 +177,10 @@ void read_stencils(const Context& c, const Target& t) {
   const PixelTransfer operations = pixel_transfer(c);
   std::vector<uint32_t> row(static_cast<size_t>(t.count));
   for (int r = t.first_row; r < t.first_row + t.rows; ++r) {
-    copy_depth_stencil_row(s, t.x, surface_row(s, t.bottom + r), t.count, row.data());
+    copy_stencil_row(s, t.x, surface_row(s, t.bottom + r), t.count, row.data());
     unsigned char* out = t.pixels(r);
     for (int i = 0; i < t.count; ++i, out += t.format.bytes) {
-      const uint32_t v = operations.stencil(row[size_t(i)] >> 24);
+      const uint32_t v = operations.stencil(row[size_t(i)]);
       switch (t.format.channel) {
       case PixelChannel::UnsignedByte: *out = uint8_t(v); break;
       case PixelChannel::Byte: *out = uint8_t(v & 0x7f); break;
@@ -207,7 +214,7 @@ GLenum check(const Context& c, GLsizei width, GLsizei height, GLenum format, GLe
   if (format == GL_DEPTH_STENCIL && (c.read->depth_bits == 0 || c.read->stencil_bits == 0))
     return GL_INVALID_OPERATION;
   const bool color = format != GL_DEPTH_COMPONENT && format != GL_STENCIL_INDEX && format != GL_DEPTH_STENCIL;
-  return color && read_buffer(c) == GL_NONE ? GL_INVALID_OPERATION : GL_NO_ERROR;
+  return color && !reads_color(c) ? GL_INVALID_OPERATION : GL_NO_ERROR;
 }
 
 } // namespace

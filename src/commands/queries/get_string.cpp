@@ -14,7 +14,8 @@ namespace {
 /// Extensions that work: what GL 1.1 to 2.0 took over, under the names by which programs look for it.
 /// Programs search for a name with a blank behind it, hence the blank at the end.
 constexpr const char* kExtensions =
-    "GL_ARB_copy_buffer GL_ARB_depth_texture GL_ARB_draw_elements_base_vertex GL_ARB_framebuffer_object "
+    "GL_ARB_copy_buffer GL_ARB_depth_buffer_float GL_ARB_depth_texture GL_ARB_draw_elements_base_vertex "
+    "GL_ARB_framebuffer_object "
     "GL_ARB_map_buffer_range GL_ARB_multitexture GL_ARB_occlusion_query GL_ARB_pixel_buffer_object "
     "GL_ARB_point_parameters GL_ARB_point_sprite GL_ARB_seamless_cube_map GL_ARB_shadow "
     "GL_ARB_texture_border_clamp "

@@ -1,5 +1,6 @@
 // CopyTexImage and CopyTexSubImage (GL 1.5, 3.8.2).
 #include <algorithm>
+#include <bit>
 #include <memory>
 #include <vector>
 
@@ -23,22 +24,33 @@ uint32_t transferred_depth(const PixelTransfer& transfer, uint32_t z, int from_b
   return uint32_t(std::clamp(scaled, 0.0, 4294967295.0)) >> (32 - to_bits);
 }
 
+/// The same on its way from floats or to them.
+uint32_t transferred_float(const PixelTransfer& transfer, float depth, const TexelFormat& to) {
+  const float d = transfer.depth(depth);
+  return to.floats ? std::bit_cast<uint32_t>(d) : float_to_wide(d, to.bits[0]);
+}
+
 /// The depths of a rectangle, bottom row first, in the bits of `format`; 0 outside the surface.
 void copy_depths(Context& c, int x, int y, int width, int height, const TexelFormat& format,
                  TextureImage& image, int to_x, int to_y, int to_z) {
   const Surface& surface = c.read->surface;
+  const PixelTransfer transfer = pixel_transfer(c);
+  const bool floats = surface.depth_format == DepthFormat::Z32F || format.floats;
   const int from_bits = surface.depth_format == DepthFormat::Z16 ? 16 : 24, to_bits = format.bits[0];
   for (int j = 0; j < height; ++j)
     for (int i = 0; i < width; ++i) {
-      uint32_t word = 0;
+      uint32_t word = 0, stencil = 0;
       const int sx = x + i, sy = y + j;
-      if (sx >= 0 && sy >= 0 && sx < surface.width && sy < surface.height)
+      const bool stencils = !image.stencils.empty();
+      if (sx >= 0 && sy >= 0 && sx < surface.width && sy < surface.height) {
         copy_depth_stencil_row(surface, sx, surface_row(surface, sy), 1, &word);
+        if (stencils) copy_stencil_row(surface, sx, surface_row(surface, sy), 1, &stencil);
+      }
       const uint32_t z = from_bits == 24 ? word & 0xffffffu : word & 0xffffu;
       *reinterpret_cast<uint32_t*>(image.at(to_x + i, to_y + j, to_z)) =
-          transferred_depth(pixel_transfer(c), z, from_bits, to_bits);
-      if (!image.stencils.empty())
-        *image.stencil_at(to_x + i, to_y + j, to_z) = uint8_t(pixel_transfer(c).stencil(word >> 24));
+          floats ? transferred_float(transfer, depth_to_float(surface.depth_format, word), format)
+                 : transferred_depth(transfer, z, from_bits, to_bits);
+      if (stencils) *image.stencil_at(to_x + i, to_y + j, to_z) = uint8_t(transfer.stencil(stencil));
     }
 }
 

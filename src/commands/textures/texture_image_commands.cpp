@@ -68,8 +68,8 @@ void store_box(Context& c, TextureImage& image, int x, int y, int z, int width, 
         store_color_indexes(*image.format, texels, format, row, layout.bit_offset, width, store.swap_bytes,
                             store.lsb_first, transfer);
       else if (format.format == GL_DEPTH_STENCIL)
-        store_depth_stencil(static_cast<uint32_t*>(texels), image.stencil_at(x, y + j, z + k), row, width,
-                            store.swap_bytes, transfer);
+        store_depth_stencil(*image.format, static_cast<uint32_t*>(texels), image.stencil_at(x, y + j, z + k),
+                            format, row, width, store.swap_bytes, transfer);
       else
         rows.store(texels, row, width);
     }
@@ -236,8 +236,8 @@ void GetTexImage(Context& c, GLenum target, GLint level, GLenum format, GLenum t
     for (int y = 0; y < image->height; ++y) {
       unsigned char* row = p + size_t(z) * layout.image_stride + size_t(y) * layout.row_stride;
       if (format == GL_DEPTH_STENCIL)
-        load_depth_stencil(reinterpret_cast<const uint32_t*>(image->at(0, y, z)), image->stencil_at(0, y, z),
-                           row, image->width, swap);
+        load_depth_stencil(*image->format, reinterpret_cast<const uint32_t*>(image->at(0, y, z)),
+                           image->stencil_at(0, y, z), f, row, image->width, swap);
       else
         load_texels(*image->format, image->at(0, y, z), f, row, image->width, swap);
     }

@@ -1,6 +1,7 @@
 // Framebuffer objects: all kinds of attachments drawn to with all that fragments go through, and then used:
 // as textures in the window's picture, read back, copied. What is attached changes between the draws.
 #include <algorithm>
+#include <cstring>
 
 #include "conformance/families/common.h"
 
@@ -122,26 +123,34 @@ void attach_depth(Stage& s, Target& t) {
     gl.BindTexture(GL_TEXTURE_2D, name);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     if (r.chance(40)) {
-      std::vector<uint32_t> words(size_t(width) * size_t(height));
-      for (uint32_t& word : words) word = uint32_t(r.bits());
+      const bool floats = r.chance(40), from_floats = r.chance(50);
+      std::vector<uint32_t> words(size_t(width) * size_t(height) * 2);
+      for (size_t i = 0; i < words.size(); ++i) {
+        words[i] = uint32_t(r.bits());
+        const float depth = r.real(-0.2f, 1.2f);
+        if (from_floats && i % 2 == 0) std::memcpy(&words[i], &depth, 4);
+      }
       t.stencil = true;
-      gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH24_STENCIL8, width, height, 0, GL_DEPTH_STENCIL,
-                    GL_UNSIGNED_INT_24_8, words.data());
+      gl.TexImage2D(GL_TEXTURE_2D, 0, floats ? GL_DEPTH32F_STENCIL8 : GL_DEPTH24_STENCIL8, width, height, 0,
+                    GL_DEPTH_STENCIL, from_floats ? GL_FLOAT_32_UNSIGNED_INT_24_8_REV : GL_UNSIGNED_INT_24_8,
+                    words.data());
       gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, name, 0);
       return;
     }
-    gl.TexImage2D(GL_TEXTURE_2D, 0, r.pick({GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24}), width, height, 0,
-                  GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
+    gl.TexImage2D(GL_TEXTURE_2D, 0,
+                  r.pick({GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32F}), width, height,
+                  0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, name, 0);
     return;
   }
   gl.GenRenderbuffers(1, &name);
   gl.BindRenderbuffer(GL_RENDERBUFFER, name);
   t.stencil = r.chance(50);
-  gl.RenderbufferStorage(GL_RENDERBUFFER,
-                         t.stencil ? GL_DEPTH24_STENCIL8
-                                   : r.pick({GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT}),
-                         width, height);
+  const GLenum format =
+      t.stencil
+          ? r.pick({GL_DEPTH24_STENCIL8, GL_DEPTH24_STENCIL8, GL_DEPTH32F_STENCIL8})
+          : r.pick({GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_DEPTH_COMPONENT32F});
+  gl.RenderbufferStorage(GL_RENDERBUFFER, format, width, height);
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, t.stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
                              GL_RENDERBUFFER, name);
 }
@@ -182,13 +191,31 @@ void draw_rectangles(Stage& s, const Target& t) {
   std::vector<uint8_t> pixels(40 * 40 * 4);
   for (uint8_t& p : pixels) p = uint8_t(r.bits() >> 24);
   const int w = r.integer(1, 20), h = r.integer(1, 20);
-  switch (r.integer(0, 2)) {
+  switch (r.integer(0, 4)) {
   case 0: gl.Bitmap(w, h, 0, 0, 3, 2, pixels.data()); break;
   case 1: {
     const float zoom_y = r.pick({1.0f, -1.0f, 3.0f});
     gl.PixelZoom(r.pick({1.0f, -1.0f, 2.0f}), zoom_y);
     gl.DrawPixels(w, h, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     gl.PixelZoom(1, 1);
+    break;
+  }
+  case 2: { // under the depth test, which has to be on
+    std::vector<float> depths(20 * 20);
+    for (float& d : depths) d = r.real(-0.2f, 1.2f);
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DrawPixels(w, h, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+    break;
+  }
+  case 3: {
+    std::vector<uint32_t> words(20 * 20 * 2);
+    for (size_t i = 0; i < words.size(); ++i) {
+      const float d = r.real(0, 1);
+      words[i] = uint32_t(r.bits());
+      if (i % 2 == 0) std::memcpy(&words[i], &d, 4);
+    }
+    gl.Enable(GL_DEPTH_TEST);
+    if (t.stencil) gl.DrawPixels(w, h, GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV, words.data());
     break;
   }
   default: {
@@ -245,6 +272,11 @@ void draw_into(Stage& s, const Target& t) {
     if (r.chance(10)) random_alpha_test(s);
     if (r.chance(10)) random_fog(s);
     if (r.chance(30)) random_stencil(s);
+    if (r.chance(20)) {
+      const float factor = r.real(-2, 2);
+      gl.PolygonOffset(factor, r.real(-1000, 1000));
+      gl.Enable(GL_POLYGON_OFFSET_FILL);
+    }
     if (r.chance(15)) {
       GLubyte pattern[128];
       for (GLubyte& b : pattern) b = GLubyte(r.bits() >> 20);
@@ -265,8 +297,8 @@ void draw_into(Stage& s, const Target& t) {
     random_primitive(s, options);
     gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     if (r.chance(40)) random_lines_and_points(s);
-    for (GLenum what :
-         {GL_FOG, GL_ALPHA_TEST, GL_BLEND, GL_COLOR_LOGIC_OP, GL_STENCIL_TEST, GL_POLYGON_STIPPLE})
+    for (GLenum what : {GL_FOG, GL_ALPHA_TEST, GL_BLEND, GL_COLOR_LOGIC_OP, GL_STENCIL_TEST,
+                        GL_POLYGON_STIPPLE, GL_POLYGON_OFFSET_FILL})
       gl.Disable(what);
     gl.ColorMask(1, 1, 1, 1);
     gl.StencilMask(255);
@@ -283,7 +315,7 @@ void show_pixels(Stage& s, const Target& t) {
   Random& r = s.random;
   gl.BindFramebuffer(GL_FRAMEBUFFER, t.framebuffer);
   const int width = std::min(t.width, 70), height = std::min(t.height, 70);
-  std::vector<uint8_t> pixels(size_t(width) * size_t(height) * 4);
+  std::vector<uint8_t> pixels(size_t(width) * size_t(height) * 8);
   gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   const bool depth = t.depth && r.chance(40), stencil = t.stencil && !depth && r.chance(40);
@@ -293,9 +325,10 @@ void show_pixels(Stage& s, const Target& t) {
                         : stencil ? GL_STENCIL_INDEX
                                   : GL_RGBA;
   const int y = r.integer(0, 5), x = r.integer(0, 5);
+  const bool floats = r.chance(40);
   gl.ReadPixels(x, y, width, height, format,
-                both    ? GL_UNSIGNED_INT_24_8
-                : depth ? GL_UNSIGNED_INT
+                both    ? floats ? GL_FLOAT_32_UNSIGNED_INT_24_8_REV : GL_UNSIGNED_INT_24_8
+                : depth ? floats ? GL_FLOAT : GL_UNSIGNED_INT
                         : GL_UNSIGNED_BYTE,
                 pixels.data());
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -356,7 +389,9 @@ void use(Stage& s, const Target& t) {
     gl.BindTexture(GL_TEXTURE_2D, copy.texture);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    gl.CopyTexImage2D(GL_TEXTURE_2D, 0, r.pick({GL_RGBA8, GL_RGB8}), 0, 0, t.width, t.height, 0);
+    const GLenum depth = r.pick({GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32F});
+    gl.CopyTexImage2D(GL_TEXTURE_2D, 0, t.depth && r.chance(40) ? depth : r.pick({GL_RGBA8, GL_RGB8}), 0, 0,
+                      t.width, t.height, 0);
     gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
     gl.Viewport(0, 0, s.width, s.height);
     show_texture(s, copy);

@@ -17,7 +17,7 @@ struct TexelOptions {
 void image(Stage& s, GLenum target, GLint internal_format, int level, int w, int h, int d) {
   Random& r = s.random;
   const bool depth = internal_format == GL_DEPTH_COMPONENT || internal_format == GL_DEPTH_COMPONENT16 ||
-                     internal_format == GL_DEPTH_COMPONENT24;
+                     internal_format == GL_DEPTH_COMPONENT24 || internal_format == GL_DEPTH_COMPONENT32F;
   std::vector<uint8_t> pixels(size_t(w) * size_t(h) * size_t(d) * 4 + 16);
   const bool smooth = r.chance(30);
   for (size_t i = 0; i < pixels.size(); ++i)
@@ -45,29 +45,31 @@ void one_texture(Stage& s, GLenum target, const TexelOptions& o) {
   if (target == GL_TEXTURE_CUBE_MAP) h = w;
   if (target == GL_TEXTURE_1D) h = 1;
   if (target != GL_TEXTURE_3D) d = 1;
-  const GLint format = o.depth ? r.pick({GL_DEPTH_COMPONENT, GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24})
-                               : r.pick({GL_RGBA8,
-                                         GL_RGBA8,
-                                         GL_RGBA,
-                                         GL_RGB,
-                                         GL_LUMINANCE,
-                                         GL_LUMINANCE_ALPHA,
-                                         GL_ALPHA,
-                                         GL_INTENSITY,
-                                         GL_RGB5,
-                                         GL_RGBA4,
-                                         GL_RGB5_A1,
-                                         GL_R3_G3_B2,
-                                         GL_RGB4,
-                                         GL_LUMINANCE4_ALPHA4,
-                                         GL_RGB10,
-                                         GL_RGB10_A2,
-                                         GL_RGBA16,
-                                         GL_RGB16,
-                                         GL_ALPHA16,
-                                         GL_LUMINANCE16,
-                                         GL_LUMINANCE16_ALPHA16,
-                                         GL_INTENSITY16});
+  const GLint format =
+      o.depth
+          ? r.pick({GL_DEPTH_COMPONENT, GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32F})
+          : r.pick({GL_RGBA8,
+                    GL_RGBA8,
+                    GL_RGBA,
+                    GL_RGB,
+                    GL_LUMINANCE,
+                    GL_LUMINANCE_ALPHA,
+                    GL_ALPHA,
+                    GL_INTENSITY,
+                    GL_RGB5,
+                    GL_RGBA4,
+                    GL_RGB5_A1,
+                    GL_R3_G3_B2,
+                    GL_RGB4,
+                    GL_LUMINANCE4_ALPHA4,
+                    GL_RGB10,
+                    GL_RGB10_A2,
+                    GL_RGBA16,
+                    GL_RGB16,
+                    GL_ALPHA16,
+                    GL_LUMINANCE16,
+                    GL_LUMINANCE16_ALPHA16,
+                    GL_INTENSITY16});
   const bool mipmaps = r.chance(60);
   gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER,
                    mipmaps ? r.pick({GL_NEAREST_MIPMAP_NEAREST, GL_LINEAR_MIPMAP_NEAREST,
