@@ -27,7 +27,8 @@ namespace {
 bool is_complete(const Attachment& a, bool color, bool depth, bool stencil) {
   if (a.empty()) return true;
   if (a.width() == 0 || a.height() == 0) return false;
-  if (a.texture && a.layer >= a.image()->depth) return false;
+  if (a.texture && (a.layer >= a.image()->depth || a.image()->format->block != BlockFormat::None))
+    return false;
   const RenderFormat format = a.format();
   if (format.kind == RenderFormat::Kind::None) return color;
   if (color) return format.is_color();

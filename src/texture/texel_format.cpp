@@ -35,6 +35,10 @@ constexpr TexelFormat kDepth32{GL_DEPTH_COMPONENT, kDepth, true, {32, 0, 0, 0}};
 constexpr TexelFormat kDepth24Stencil8{GL_DEPTH_STENCIL, kDepth, true, {24, 0, 0, 0}};
 constexpr TexelFormat kDepth32f{GL_DEPTH_COMPONENT, kDepth, true, {32, 0, 0, 0}, true};
 constexpr TexelFormat kDepth32fStencil8{GL_DEPTH_STENCIL, kDepth, true, {32, 0, 0, 0}, true};
+constexpr TexelFormat kDxt1Rgb{GL_RGB, k8, true, {8, 8, 8, 0}, false, BlockFormat::Dxt1Rgb},
+    kDxt1Rgba{GL_RGBA, k8, true, {8, 8, 8, 8}, false, BlockFormat::Dxt1Rgba};
+constexpr TexelFormat kDxt3{GL_RGBA, k8, true, {8, 8, 8, 8}, false, BlockFormat::Dxt3},
+    kDxt5{GL_RGBA, k8, true, {8, 8, 8, 8}, false, BlockFormat::Dxt5};
 
 // Unsized internal formats take the client's own precision where OSMesa has a storage of just that form.
 const TexelFormat* match_unsized(GLint internal_format, GLenum format, GLenum type, bool swap_bytes) {
@@ -144,6 +148,10 @@ const TexelFormat* choose_texel_format(GLint internal_format, GLenum format, GLe
   case GL_DEPTH24_STENCIL8: return &kDepth24Stencil8;
   case GL_DEPTH_COMPONENT32F: return &kDepth32f;
   case GL_DEPTH32F_STENCIL8: return &kDepth32fStencil8;
+  case GL_COMPRESSED_RGB_S3TC_DXT1_EXT: return &kDxt1Rgb;
+  case GL_COMPRESSED_RGBA_S3TC_DXT1_EXT: return &kDxt1Rgba;
+  case GL_COMPRESSED_RGBA_S3TC_DXT3_EXT: return &kDxt3;
+  case GL_COMPRESSED_RGBA_S3TC_DXT5_EXT: return &kDxt5;
   default: return nullptr;
   }
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "base/gl_types.h"
+#include "texture/block_compression.h"
 
 namespace softgl {
 
@@ -22,6 +23,7 @@ struct TexelFormat {
   bool array;      // components are whole bytes or shorts: OSMesa converts them one by one
   uint8_t bits[4]; // stored bits of r g b a; 0 = not stored. Depth: bits[0]
   bool floats = false;
+  BlockFormat block = BlockFormat::None; // compressed: texels are what the blocks are decoded to
   int bytes() const { return layout == TexelLayout::Rgba16 ? 8 : 4; }
 };
 

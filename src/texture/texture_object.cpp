@@ -26,11 +26,14 @@ std::shared_ptr<TextureImage> make_image(const TexelFormat& format, GLint intern
   image->row_bytes = size_t(width + 1) * size_t(format.bytes());
   image->slice_bytes = size_t(height + 1) * image->row_bytes;
   if (!image->empty()) image->texels = TexelMemory(image->slice_bytes * size_t(depth) + 16);
+  if (format.block != BlockFormat::None)
+    image->blocks.resize(image->block_row_bytes() * size_t(blocks_along(height)) * size_t(depth));
   if (format.base == GL_DEPTH_STENCIL) image->stencils.resize(size_t(width) * size_t(height) * size_t(depth));
   return image;
 }
 
 void TextureImage::fill_absent_alpha() {
+  if (!blocks.empty()) return decode_blocks(whole());
   if (format->bits[3] || (format->base != GL_RGB && format->base != GL_LUMINANCE)) return;
   const size_t step = size_t(format->bytes());
   if (format->layout == TexelLayout::Rgba8)
@@ -40,7 +43,17 @@ void TextureImage::fill_absent_alpha() {
       texels.data()[i] = 1; // what absent components are stored as
 }
 
-void TextureImage::texels_changed() {
+void TextureImage::texels_changed(const TexelBox& box) {
+  if (!blocks.empty()) encode_blocks(box);
+  finish_change();
+}
+
+void TextureImage::blocks_changed(const TexelBox& box) {
+  decode_blocks(box);
+  finish_change();
+}
+
+void TextureImage::finish_change() {
   repeat_edges();
   blank = false;
   for (DrawnSlice& slice : slices) slice.texels_newer = true;

@@ -23,6 +23,11 @@ struct DrawnSlice {
   bool texels_newer = true;           // the plane has to be loaded from the texels
 };
 
+/// A part of an image.
+struct TexelBox {
+  int x, y, z, width, height, depth;
+};
+
 /// One image of a level (and face). Rows are padded: texel (width, y) repeats (0, y), row `height` repeats
 /// row 0, and 8 spare bytes follow, so that a 2x2 footprint is two 8-byte loads whatever the wrap mode.
 /// Immutable while anybody but its texture object holds it.
@@ -34,6 +39,7 @@ struct TextureImage {
   size_t row_bytes = 0, slice_bytes = 0;
   TexelMemory texels;             // zeros where nothing was stored
   std::vector<uint8_t> stencils;  // of GL_DEPTH_STENCIL, row by row without padding; else empty
+  std::vector<uint8_t> blocks;    // of a compressed format, row by row, slice by slice; else empty
   bool blank = true;              // nothing was
   std::vector<DrawnSlice> slices; // empty: none was ever attached
 
@@ -50,12 +56,30 @@ struct TextureImage {
   const uint8_t* stencil_at(int x, int y, int z) const {
     return const_cast<TextureImage*>(this)->stencil_at(x, y, z);
   }
+  TexelBox whole() const { return {0, 0, 0, width, height, depth}; }
   /// Alpha 1 where the format has none, in an image that is not given any texels.
   void fill_absent_alpha();
-  /// After every change of texels.
-  void texels_changed();
+  /// After every change of texels, and of those in the box alone. The blocks that the box touches are made
+  /// anew.
+  void texels_changed(const TexelBox& box);
+  void texels_changed() { texels_changed(whole()); }
+
+  // Compressed formats:
+  size_t block_row_bytes() const { return size_t(blocks_along(width)) * size_t(block_bytes(format->block)); }
+  uint8_t* block_at(int x, int y, int z) { // of the block that has the texel
+    return blocks.data() +
+           (size_t(z) * size_t(blocks_along(height)) + size_t(y / kBlockSize)) * block_row_bytes() +
+           size_t(x / kBlockSize) * size_t(block_bytes(format->block));
+  }
+  /// After a change of blocks: makes the texels of those that the box touches.
+  void blocks_changed(const TexelBox& box);
   /// Makes column `width` and row `height` repeat the first ones.
   void repeat_edges();
+
+private:
+  void encode_blocks(const TexelBox& box);
+  void decode_blocks(const TexelBox& box);
+  void finish_change();
 };
 
 /// A zeroed image. Throws std::bad_alloc.

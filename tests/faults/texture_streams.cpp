@@ -24,8 +24,8 @@ void square(const Gl& gl, float depth) {
 void images(Player& p) {
   const Gl& gl = p.gl;
   const auto data = noise(p, 64 * 64 * 16);
-  GLuint names[5] = {};
-  gl.GenTextures(5, names);
+  GLuint names[6] = {};
+  gl.GenTextures(6, names);
   gl.Enable(GL_BLEND);
   gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   const struct {
@@ -35,14 +35,15 @@ void images(Player& p) {
                  {GL_LUMINANCE, GL_LUMINANCE, GL_UNSIGNED_BYTE},
                  {GL_RGB8, GL_BGR, GL_UNSIGNED_SHORT},
                  {GL_INTENSITY, GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4},
-                 {GL_DEPTH_COMPONENT, GL_DEPTH_COMPONENT, GL_FLOAT}};
+                 {GL_DEPTH_COMPONENT, GL_DEPTH_COMPONENT, GL_FLOAT},
+                 {GL_COMPRESSED_RGBA_S3TC_DXT5_EXT, GL_RGBA, GL_UNSIGNED_BYTE}};
   int i = 0;
   for (const auto& f : formats) {
     gl.BindTexture(GL_TEXTURE_2D, names[i]);
     gl.TexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, i % 2);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, i % 2 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
     gl.TexImage2D(GL_TEXTURE_2D, 0, f.internal, 32, 64, 0, f.format, f.type, data.data());
-    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 3, 5, 9, 11, f.format, f.type, data.data() + 100);
+    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 4, 8, 8, 12, f.format, f.type, data.data() + 100);
     p.check();
     gl.Enable(GL_TEXTURE_2D);
     square(gl, 0.1f * float(i));
@@ -53,7 +54,7 @@ void images(Player& p) {
     p.check();
     ++i;
   }
-  gl.DeleteTextures(5, names);
+  gl.DeleteTextures(6, names);
   p.check();
   p.picture();
 }

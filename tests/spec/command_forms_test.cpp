@@ -193,7 +193,6 @@ TEST_CASE("The array pointers of EXT_vertex_array are those of GL 1.1 with a cou
   // clang-format on
 }
 
-// softgl has no compressed format (3.8.3 asks for none), OSMesa has, but not these.
 TEST_CASE("Compressed images of formats that are not there are refused", "[spec][errors][textures]") {
   // clang-format off
   static const GLubyte bytes[64] = {};

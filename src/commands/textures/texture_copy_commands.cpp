@@ -91,7 +91,7 @@ void copy_rectangle(Context& c, int x, int y, int width, int height, TextureImag
     copy_depths(c, x, y, width, height, *image.format, image, to_x, to_y, to_z);
   else
     copy_colors(c, x, y, width, height, image, to_x, to_y, to_z);
-  image.texels_changed();
+  image.texels_changed({to_x, to_y, to_z, width, height, 1});
 }
 
 void copy_image(Context& c, int dimensions, GLenum target, GLint level, GLenum internal_format, GLint x,
@@ -111,6 +111,8 @@ void copy_image(Context& c, int dimensions, GLenum target, GLint level, GLenum i
       &level_format(*object, t.face, level, granted_format(GLint(internal_format)), *chosen);
   if (lacks_buffer(c, *texel) || (texel->layout == TexelLayout::Depth && t.target == kTextureCube))
     return set_error(c, GL_INVALID_OPERATION);
+  if (!takes_target(*texel, t.target)) return set_error(c, GL_INVALID_ENUM);
+  if (border != 0 && texel->block != BlockFormat::None) return set_error(c, GL_INVALID_OPERATION);
   if (GLenum error = check_image_size(t, level, width, height, 1, border); error != GL_NO_ERROR)
     return set_error(c, error);
   if (image_bytes(*texel, width, height, 1) > kMaxImageBytes) return set_error(c, GL_OUT_OF_MEMORY);
@@ -136,7 +138,8 @@ void copy_sub_image(Context& c, int dimensions, GLenum target, GLint level, GLin
   const TextureImage* image = object->image[t.face][level].get();
   if (!image) return set_error(c, GL_INVALID_OPERATION);
   if (!box_inside(*image, to_x, to_y, to_z, width, height, 1)) return set_error(c, GL_INVALID_VALUE);
-  if (lacks_buffer(c, *image->format)) return set_error(c, GL_INVALID_OPERATION);
+  if (lacks_buffer(c, *image->format) || !whole_blocks(*image, to_x, to_y, width, height))
+    return set_error(c, GL_INVALID_OPERATION);
   // Texels that would come from outside the window are undefined (3.8.2); as in OSMesa they stay what they
   // are.
   const Surface& surface = c.read->surface;

@@ -44,6 +44,26 @@ GLint granted_format(GLint internal_format) {
   }
 }
 
+bool takes_target(const TexelFormat& format, TextureTarget target) {
+  return format.block == BlockFormat::None || target == kTexture2D || target == kTextureCube;
+}
+
+bool whole_blocks(const TextureImage& image, GLint x, GLint y, GLsizei width, GLsizei height) {
+  if (image.format->block == BlockFormat::None) return true;
+  return x % kBlockSize == 0 && y % kBlockSize == 0 &&
+         (width % kBlockSize == 0 || x + width == image.width) &&
+         (height % kBlockSize == 0 || y + height == image.height);
+}
+
+std::shared_ptr<TextureImage> describe_image(const TexelFormat& format, GLint internal_format, GLsizei width,
+                                             GLsizei height, GLsizei depth, GLint border) {
+  auto image = std::make_shared<TextureImage>();
+  image->format = &format, image->internal_format = internal_format;
+  image->width = width, image->height = height, image->depth = depth;
+  image->border = border;
+  return image;
+}
+
 void regenerate_mipmaps(TextureObject& object, int face, int level) {
   if (object.parameters.generate_mipmap && level == object.parameters.base_level)
     generate_mipmaps(object, face);
@@ -73,7 +93,7 @@ void store_box(Context& c, TextureImage& image, int x, int y, int z, int width, 
       else
         rows.store(texels, row, width);
     }
-  image.texels_changed();
+  image.texels_changed({x, y, z, width, height, depth});
 }
 
 GLenum check_format(GLint internal_format, GLenum format, GLenum type) {
@@ -102,17 +122,15 @@ void specify_image(Context& c, int dimensions, GLenum target, GLint level, GLint
   if (texel.layout == TexelLayout::Depth && t.target != kTexture1D && t.target != kTexture2D &&
       t.target != kTextureRectangle)
     return set_error(c, GL_INVALID_OPERATION);
+  if (!takes_target(texel, t.target)) return set_error(c, GL_INVALID_ENUM);
+  if (border != 0 && texel.block != BlockFormat::None) return set_error(c, GL_INVALID_OPERATION);
   const GLenum size_error = check_image_size(t, level, width, height, depth, border);
   const bool fits = size_error == GL_NO_ERROR && image_bytes(texel, width, height, depth) <= kMaxImageBytes;
   if (t.proxy) {
-    // A proxy's image is only a description; what is impossible leaves it empty, without an error (3.8.11).
     object->image[0][level] = nullptr;
-    if (!fits) return;
-    auto image = std::make_shared<TextureImage>();
-    image->format = &texel, image->internal_format = granted_format(internal_format);
-    image->width = width, image->height = height, image->depth = depth;
-    image->border = border;
-    object->image[0][level] = image;
+    if (fits)
+      object->image[0][level] =
+          describe_image(texel, granted_format(internal_format), width, height, depth, border);
     return;
   }
   if (size_error != GL_NO_ERROR) return set_error(c, size_error);
@@ -155,6 +173,7 @@ void change_image(Context& c, int dimensions, GLenum target, GLint level, GLint 
   if (!box_inside(*image, x, y, z, width, height, depth)) return set_error(c, GL_INVALID_VALUE);
   if (format == GL_STENCIL_INDEX) return set_error(c, GL_INVALID_ENUM);
   if (!same_kind(image->format->base, format)) return set_error(c, GL_INVALID_OPERATION);
+  if (!whole_blocks(*image, x, y, width, height)) return set_error(c, GL_INVALID_OPERATION);
   if (width == 0 || height == 0 || depth == 0) return;
   const PixelFormat f = describe_pixel_format(format, type);
   const ImageLayout layout = layout_image(c.client.pixel_store.unpack, dimensions, width, height, f);
@@ -241,36 +260,6 @@ void GetTexImage(Context& c, GLenum target, GLint level, GLenum format, GLenum t
       else
         load_texels(*image->format, image->at(0, y, z), f, row, image->width, swap);
     }
-}
-
-// Compressed images: no compressed format is advertised (GL_NUM_COMPRESSED_TEXTURE_FORMATS is 0), so none is
-// known.
-void CompressedTexImage1D(Context& c, GLenum, GLint, GLenum, GLsizei, GLint, GLsizei, const void*) {
-  set_error(c, GL_INVALID_ENUM);
-}
-void CompressedTexImage2D(Context& c, GLenum, GLint, GLenum, GLsizei, GLsizei, GLint, GLsizei, const void*) {
-  set_error(c, GL_INVALID_ENUM);
-}
-void CompressedTexImage3D(Context& c, GLenum, GLint, GLenum, GLsizei, GLsizei, GLsizei, GLint, GLsizei,
-                          const void*) {
-  set_error(c, GL_INVALID_ENUM);
-}
-void CompressedTexSubImage1D(Context& c, GLenum, GLint, GLint, GLsizei, GLenum, GLsizei, const void*) {
-  set_error(c, GL_INVALID_ENUM);
-}
-void CompressedTexSubImage2D(Context& c, GLenum, GLint, GLint, GLint, GLsizei, GLsizei, GLenum, GLsizei,
-                             const void*) {
-  set_error(c, GL_INVALID_ENUM);
-}
-void CompressedTexSubImage3D(Context& c, GLenum, GLint, GLint, GLint, GLint, GLsizei, GLsizei, GLsizei,
-                             GLenum, GLsizei, const void*) {
-  set_error(c, GL_INVALID_ENUM);
-}
-void GetCompressedTexImage(Context& c, GLenum target, GLint level, void*) {
-  const ImageTarget t = any_image_target(target);
-  if (!t.valid() || t.proxy) return set_error(c, GL_INVALID_ENUM);
-  if (level < 0 || level >= max_texture_levels(t.target)) return set_error(c, GL_INVALID_VALUE);
-  set_error(c, GL_INVALID_OPERATION); // no image is compressed
 }
 
 } // namespace gl

@@ -11,9 +11,16 @@ GLenum check_image_size(const ImageTarget& target, GLint level, GLsizei width, G
 /// Whether client pixels of `format` and texels of a base format go together: colors, depths, or both of
 /// GL_DEPTH_STENCIL (3.8.1).
 bool same_kind(GLenum base, GLenum format);
-/// The internal format that an image gets: there are no compressed ones, so the base format takes the place
-/// of a generic one (3.8.1).
+/// The internal format that an image gets: the base format takes the place of a generic compressed one, whose
+/// images are not compressed (3.8.1).
 GLint granted_format(GLint internal_format);
+/// Whether textures of the target can have images of the format: compressed ones are two-dimensional.
+bool takes_target(const TexelFormat& format, TextureTarget target);
+/// Whether a part that is to be changed consists of whole blocks, if the image is compressed.
+bool whole_blocks(const TextureImage& image, GLint x, GLint y, GLsizei width, GLsizei height);
+/// The image of a proxy is only a description; what is impossible leaves it empty, without an error (3.8.11).
+std::shared_ptr<TextureImage> describe_image(const TexelFormat& format, GLint internal_format, GLsizei width,
+                                             GLsizei height, GLsizei depth, GLint border);
 bool box_inside(const TextureImage& image, GLint x, GLint y, GLint z, GLsizei width, GLsizei height,
                 GLsizei depth);
 /// Marks the state. Called before the first image changes: where memory ends, some of them have changed.

@@ -136,7 +136,11 @@ bool get_level_parameter(Context& c, GLenum target, GLint level, GLenum pname, G
   const TextureImage* image = object->image[t.face][level].get();
   const TexelFormat* f = image ? image->format : nullptr;
   const GLenum base = f ? f->base : 0;
-  auto bits = [&](bool has, int k) { return f && has ? GLint(f->bits[k]) : 0; };
+  const bool compressed = f && f->block != BlockFormat::None;
+  // OSMesa 22.3.6 says 4 of the components of S3TC.
+  auto bits = [&](bool has, int k) {
+    return f && has && f->bits[k] ? compressed ? 4 : GLint(f->bits[k]) : 0;
+  };
   const bool rgb = base == GL_RGB || base == GL_RGBA;
   switch (pname) {
   case GL_TEXTURE_WIDTH: value = image ? image->width : 0; return true;
@@ -156,10 +160,12 @@ bool get_level_parameter(Context& c, GLenum target, GLint level, GLenum pname, G
   case GL_TEXTURE_INTENSITY_SIZE: value = bits(base == GL_INTENSITY, 0); return true;
   case GL_TEXTURE_DEPTH_SIZE: value = bits(f && f->layout == TexelLayout::Depth, 0); return true;
   case GL_TEXTURE_STENCIL_SIZE: value = base == GL_DEPTH_STENCIL ? 8 : 0; return true;
-  case GL_TEXTURE_COMPRESSED: value = 0; return true;
+  case GL_TEXTURE_COMPRESSED: value = compressed; return true;
   case GL_TEXTURE_SHARED_SIZE: value = 0; return true; // of later versions: no format shares an exponent
   case GL_TEXTURE_COMPRESSED_IMAGE_SIZE:
-    return set_error(c, GL_INVALID_OPERATION), false; // no compressed images
+    if (!compressed || t.proxy) return set_error(c, GL_INVALID_OPERATION), false;
+    value = GLint(image->blocks.size());
+    return true;
   default: return set_error(c, GL_INVALID_ENUM), false;
   }
 }
