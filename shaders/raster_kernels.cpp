@@ -1,5 +1,6 @@
 // The table of the raster and fragment kernels of one instruction set.
 #include "shaders/common/isa.h"
+#include "shaders/fragment/fragment_coverage.inl"
 #include "shaders/fragment/fragment_image.inl"
 #include "shaders/fragment/fragment_light.inl"
 #include "shaders/kernels.h"
@@ -26,6 +27,9 @@ const RasterKernels raster_kernels = {
     .alpha_test_8 = stage_alpha_test_8,
     .alpha_test_float = stage_alpha_test_float,
     .image = {stage_image_floats, stage_image_bytes, stage_image_depth, stage_image_bit},
+    .point_coverage = stage_point_coverage,
+    .line_coverage = stage_line_coverage,
+    .polygon_coverage = stage_polygon_coverage,
 };
 
 } // namespace SOFTGL_ISA

@@ -18,6 +18,9 @@ struct BlockCoordinates {
   float ds_dy[kLanes], dt_dy[kLanes], dr_dy[kLanes];
 };
 
+/// Numbers that tell how much of a pixel an antialiased primitive covers, at most (fragment_coverage.inl).
+constexpr int kCoverageNumbers = 9;
+
 /// Stages run over lanes [0, lanes); lanes is a multiple of 16. In blocks cut from a large triangle each
 /// strip of 16 lanes is an 8x2-pixel strip of the surface; in blocks gathered from small triangles every lane
 /// is on its own, so no stage may look at a neighbouring lane unless its program says so (reads_quads).
@@ -34,7 +37,8 @@ struct alignas(64) FragmentBlock {
   // material in `color`.
   LightingBlock lighting;
   float material[kMaterialSlots][4][kLanes];
-  int32_t back[kLanes]; // ~0: of a back-facing polygon; set with two-sided lighting
+  int32_t back[kLanes];                     // ~0: of a back-facing polygon; set with two-sided lighting
+  float coverage[kCoverageNumbers][kLanes]; // of antialiased primitives: what their coverage is made of
 };
 
 /// A stage of a fragment program. `unit` is the texture unit for texture stages, else 0.

@@ -12,6 +12,9 @@ struct FragmentStep {
   int32_t unit; // texture unit, or 0
 };
 
+/// What the last stage before the alpha test multiplies alpha by.
+enum class Coverage : uint8_t { None, Point, Line, Polygon };
+
 struct FragmentProgram {
   static constexpr int kMaxSteps = 32;
   FragmentKey key;
@@ -24,8 +27,14 @@ struct FragmentProgram {
                      // or a filter
   bool writes_depth; // a stage sets the depth, which cannot be tested before
   bool reads_quads;  // a stage looks at the other pixels of its 2x2 quad: blocks must be strips
+  Coverage coverage; // of antialiased primitives; else None
 
   void add(FragmentStage stage, int32_t unit = 0) { step[step_count++] = {stage, unit}; }
+};
+
+/// The programs of a draw's antialiased primitives; null for kinds that are not antialiased.
+struct SmoothPrograms {
+  const FragmentProgram *point, *line, *polygon;
 };
 
 } // namespace softgl

@@ -22,7 +22,7 @@ struct Varying {
   bool flat;    // not interpolated but taken from corner 2: flat shading, or the same for all vertices
 };
 constexpr int kMaxVaryings =
-    4 + kMaterialSlots; // fog, and for the lighting of fragments normal, eye, color, material
+    5 + kMaterialSlots; // fog, coverage, and for the lighting of fragments normal, eye, color, material
 
 /// Derived once per draw and frame.
 struct RasterDraw {
@@ -34,18 +34,24 @@ struct RasterDraw {
   uint8_t plane_count, varying_count;
   Varying varying[kMaxVaryings];
   int8_t unit_plane[kMaxTextureUnits];
-  uint8_t flat_units;  // bit u: the coordinates of texture unit u are the same for all vertices, and not
-                       // interpolated
-  bool facing;         // the block's `back` is filled
-  bool small;          // triangles of few pixels are shaded with lane = fragment; not stippled ones
+  uint8_t coverage_numbers; // of the block that are a primitive's constants; their planes are behind all
+                            // others
+  uint8_t flat_units;       // bit u: the coordinates of texture unit u are the same for all vertices, and not
+                            // interpolated
+  bool facing;              // the block's `back` is filled
+  bool small;               // triangles of few pixels are shaded with lane = fragment; not stippled ones
   bool opaque;         // alpha is 1 at all vertices, so it is 1 / w times w everywhere, which rounds to 255
   bool direct;         // no stage runs, RGBA8, no stencil: blocks of pixels bypass the FragmentBlock
   bool early_depth;    // a fragment's depth can be tested before its stages run
   bool whole_blocks;   // no edge is looked at in blocks that lie inside all of them
   uint32_t color_mask; // of an RGBA8 word
   uint64_t* samples;   // DrawRecord::samples
+  const RasterDraw *smooth_point, *smooth_line, *smooth_polygon; // of antialiased primitives; null: as others
 };
 constexpr int kPlaneZ = 0, kPlaneW = 1, kPlaneColor = 2;
+
+/// The plane that holds the first of the primitive's coverage numbers.
+inline int coverage_plane(const RasterDraw& draw) { return draw.plane_count - draw.coverage_numbers; }
 
 /// The coordinates of a texture unit that is in use; they have no lanes of their own, being divided by q.
 inline Varying coordinates_of_unit(const RasterDraw& draw, int unit) {
@@ -54,7 +60,7 @@ inline Varying coordinates_of_unit(const RasterDraw& draw, int unit) {
 }
 // Most planes there are where fragments are lit: normal, eye, materials of both faces (four colors and the
 // exponent), fog, coordinates.
-constexpr int kMaxPlanes = 2 + 3 + 3 + 2 * (4 * 4 + 1) + 1 + 4 * kMaxTextureUnits;
+constexpr int kMaxPlanes = 2 + 3 + 3 + 2 * (4 * 4 + 1) + 1 + 4 * kMaxTextureUnits + kCoverageNumbers;
 
 /// A set-up triangle, line or point: convex, 3 or 4 edges or, for points, none but the box (unused edges
 /// accept all). A pixel is covered iff c - a * px + b * py >= 0 for all edges; a and b are in 1/256 pixel, c

@@ -81,6 +81,9 @@ static void interpolate_block(const RasterDraw& draw, const RasterPrimitive& p, 
   }
   if (draw.facing)
     for (int i = 0; i < lanes; i += kWidth) store(block.back + i, splat(-int32_t(p.back)));
+  for (int k = 0; k < draw.coverage_numbers; ++k)
+    for (int i = 0; i < lanes; i += kWidth)
+      store(block.coverage[k] + i, splat(p.plane[coverage_plane(draw) + k].a));
   for (int u = 0; u < kMaxTextureUnits; ++u) {
     if (draw.unit_plane[u] < 0) continue;
     const Plane* q = p.plane + draw.unit_plane[u];
@@ -153,6 +156,9 @@ static void interpolate_lanes(const RasterDraw& draw, const RasterPrimitive* con
         put(draw.varying[v].plane + k, lanes_of(block, draw.varying[v], k), draw.varying[v].flat);
     if (draw.facing)
       for (int k = 0; k < kWidth; ++k) block.back[i + k] = -int32_t(primitive[i + k]->back);
+    for (int n = 0; n < draw.coverage_numbers; ++n)
+      for (int k = 0; k < kWidth; ++k)
+        block.coverage[n][i + k] = primitive[i + k]->plane[coverage_plane(draw) + n].a;
     for (int u = 0; u < kMaxTextureUnits; ++u) {
       if (draw.unit_plane[u] < 0) continue;
       const CoordinatesRead read = coordinates_read(program, u);

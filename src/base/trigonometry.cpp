@@ -78,7 +78,48 @@ uint32_t bits_of(float x) {
   return bits;
 }
 
+/// The arctangent of x >= 0, in the plain floats of glibc's atanf before 2.41: from 7/16 on it is taken
+/// relative to that of 1/2, 1, 3/2 or infinity.
+float arctangent(float x) {
+  struct Reference {
+    float high, low; // its arctangent
+  };
+  constexpr Reference kReferences[] = {{0x1.dac670p-2f, 0x1.586ed2p-28f},
+                                       {0x1.921fb4p-1f, 0x1.4442d0p-25f},
+                                       {0x1.f730bcp-1f, 0x1.281f68p-25f},
+                                       {0x1.921fb4p+0f, 0x1.4442d0p-24f}};
+  if (x >= 0x1p34f) return kReferences[3].high + kReferences[3].low;
+  if (x < 0x1p-29f) return x;
+  const Reference* from = nullptr;
+  if (x >= 2.4375f)
+    from = &kReferences[3], x = -1.0f / x;
+  else if (x >= 1.1875f)
+    from = &kReferences[2], x = (x - 1.5f) / (1.0f + 1.5f * x);
+  else if (x >= 0.6875f)
+    from = &kReferences[1], x = (x - 1.0f) / (x + 1.0f);
+  else if (x >= 0.4375f)
+    from = &kReferences[0], x = (2.0f * x - 1.0f) / (2.0f + x);
+  constexpr float kSeries[] = {0x1.555556p-2f, -0x1.99999ap-3f, 0x1.24924ap-3f, -0x1.c71c70p-4f,
+                               0x1.745cdcp-4f, -0x1.3b0f2ap-4f, 0x1.10d66ap-4f, -0x1.dde2d6p-5f,
+                               0x1.97b4b2p-5f, -0x1.2b4442p-5f, 0x1.0ad3aep-6f};
+  const float x2 = x * x, x4 = x2 * x2;
+  float even = kSeries[10], odd = kSeries[9];
+  for (int i = 8; i >= 0; i -= 2) even = kSeries[i] + x4 * even;
+  for (int i = 7; i >= 1; i -= 2) odd = kSeries[i] + x4 * odd;
+  const float less = x * (x2 * even + x4 * odd);
+  return from ? from->high - ((less - from->low) - x) : x - less;
+}
+
 } // namespace
+
+float angle_of(float y, float x) {
+  constexpr float kPi = 0x1.921fb6p+1f, kPiRest = -0x1.777a5cp-24f, kHalfPi = 0x1.921fb6p+0f;
+  const bool below = bits_of(y) >> 31, left = bits_of(x) >> 31;
+  const float height = below ? -y : y, width = left ? -x : x;
+  float angle = height >= width * 0x1p25f ? kHalfPi : arctangent(height / width);
+  if (left && width != 0) angle = kPi - (angle - kPiRest);
+  return below ? -angle : angle;
+}
 
 float sine(float x) {
   const uint32_t bits = bits_of(x), magnitude = bits & 0x7fffffffu;

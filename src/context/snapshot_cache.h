@@ -9,6 +9,7 @@ namespace softgl {
 
 struct RasterConstants;
 struct FragmentProgram;
+struct SmoothPrograms;
 
 struct SnapshotCache {
   // Values of the draw call.
@@ -28,6 +29,7 @@ struct SnapshotCache {
   const LightingConstants* lighting = nullptr;
   const VertexProgram* vertex = nullptr;
   const FragmentProgram* fragment_of_draw = nullptr; // `fragment`; where it lights fragments, with the lights
+  const SmoothPrograms* smooth = nullptr;            // of `fragment_of_draw`, for antialiased primitives
 };
 
 } // namespace softgl

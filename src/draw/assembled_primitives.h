@@ -19,6 +19,8 @@ constexpr int kAssemblyBatch = 64;
 /// in the chunk's arena.
 struct AssembledTriangles {
   int32_t count = 0;
+  uint64_t inner[3] = {}; // bit i of inner[k]: the edge of triangle i that begins at corner k lies inside its
+                          // polygon; known where polygons are antialiased
   const ShadedVertices::Slot* corner[3][kAssemblyBatch];
 };
 

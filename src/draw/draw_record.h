@@ -11,6 +11,7 @@ struct VertexProgram;   // geometry/vertex_program.h: key, constants and stages 
                         // vertices
 struct RasterConstants; // shaders/raster_constants.h: culling, offset, scissor, sizes
 struct FragmentProgram; // shaders/fragment_program.h: key, constants and stages of the fragments
+struct SmoothPrograms;
 
 /// A rectangle of the window whose fragments all have the attributes of one vertex.
 struct PixelRectangle {
@@ -33,6 +34,7 @@ struct DrawRecord {
   const PixelRectangle* rectangle =
       nullptr;                 // in place of the call's primitives; then there is no vertex program
   uint64_t* samples = nullptr; // where its fragments that pass all tests are counted; null: nowhere
+  const SmoothPrograms* smooth = nullptr; // of its antialiased primitives; null: there are none
   Diagonal diagonal = Diagonal::From0To2;
 };
 

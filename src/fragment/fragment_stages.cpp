@@ -20,4 +20,20 @@ void append_fragment_stages(FragmentProgram& program) {
                 static_cast<int32_t>(key.alpha_function));
 }
 
+FragmentProgram with_coverage(const FragmentProgram& program, Coverage coverage) {
+  const RasterKernels& k = *kernels().raster;
+  FragmentProgram smooth = program;
+  smooth.coverage = coverage;
+  const bool tests = static_cast<Compare>(program.key.alpha_function) != Compare::Always;
+  if (tests) --smooth.step_count;
+  smooth.add(coverage == Coverage::Point  ? k.point_coverage
+             : coverage == Coverage::Line ? k.line_coverage
+                                          : k.polygon_coverage);
+  if (tests) {
+    const FragmentStep& test = program.step[program.step_count - 1];
+    smooth.add(test.stage, test.unit);
+  }
+  return smooth;
+}
+
 } // namespace softgl

@@ -13,6 +13,7 @@
 #include "frame/tile_worker.h"
 #include "geometry/geometry.h"
 #include "raster/raster_draws.h"
+#include "raster/smooth_primitives.h"
 #include "raster/tile_binner.h"
 #include "shaders/fragment/fragment_program.h"
 
@@ -111,7 +112,8 @@ private:
     if (steps == 0 || (call.vertex_count == 0 && !draw.rectangle)) return;
     stencil_drawn_ = stencil_drawn_ || draw.fragment->key.stencil;
     samples_counted_ = samples_counted_ || draw.samples;
-    const auto* raster = frame_.arena_.make<RasterDraw>(make_raster_draw(draw));
+    auto* raster = frame_.arena_.make<RasterDraw>(make_raster_draw(draw));
+    if (draw.smooth) add_smooth_draws(draw, *raster, frame_.arena_);
     if (steps <= kSmallDraw && call.vertex_count <= kSmallDraw) {
       const bool before = !draw.rectangle && !takes(FastPath::OrderedVertices);
       pieces_.push_back({&draw, raster, before ? shade_before(draw) : nullptr, 0, 0, 0});

@@ -199,7 +199,7 @@ private:
               begins = i == 0;
               boundary = begins ? 5 : 3;
             }
-            clip_triangle(v0, v1, v2, boundary & flagged(v0, v1, v2),
+            clip_triangle(v0, v1, v2, polygons.fills() ? boundary : boundary & flagged(v0, v1, v2),
                           [&](const Slot* a, const Slot* b, const Slot* c, uint32_t edges, int part) {
                             polygons.triangle({{a, b, c}, edges, part < 0 ? begins : part == 0});
                           });

@@ -3,18 +3,19 @@
 #include <cmath>
 #include <cstring>
 
+#include "shaders/fragment/fragment_program.h"
 #include "shaders/raster/raster_constants.h"
 #include "shaders/vertex/vertex_program.h"
 
 namespace softgl {
 
 LineStipple::LineStipple(const DrawRecord& draw, Arena& arena)
-    : draw_(draw), arena_(arena), pattern_(draw.vertex->stipple_pattern),
-      factor_(draw.vertex->stipple_factor) {}
+    : draw_(draw), arena_(arena), smooth_(draw.smooth && draw.smooth->line),
+      pattern_(draw.vertex->stipple_pattern), factor_(draw.vertex->stipple_factor) {}
 
 float LineStipple::length_of(const Slot* const end[2]) const {
   const float dx = std::fabs(end[0]->v[0] - end[1]->v[0]), dy = std::fabs(end[0]->v[1] - end[1]->v[1]);
-  return dx > dy ? dx : dy;
+  return smooth_ ? std::sqrt(dx * dx + dy * dy) : dx > dy ? dx : dy;
 }
 
 uint32_t LineStipple::steps_of(float length) const {
@@ -22,7 +23,10 @@ uint32_t LineStipple::steps_of(float length) const {
   return length >= 0 && length < 1e6f ? uint32_t(std::ceil(length)) : 0;
 }
 
-void LineStipple::skip(const Slot* const end[2]) { counter_ += steps_of(length_of(end)); }
+void LineStipple::skip(const Slot* const end[2]) {
+  const float length = length_of(end);
+  advance(length, steps_of(length));
+}
 
 const LineStipple::Slot* LineStipple::between(float t, const Slot* const end[2]) {
   const ShadedLayout& l = draw_.layout;

@@ -73,7 +73,10 @@ void PolygonStage::triangle(const PolygonTriangle& t) {
   case PolygonMode::Fill:
     if (counting_) break;
     begin(Pending::Triangles, triangles_.count);
-    for (int i = 0; i < 3; ++i) triangles_.corner[i][triangles_.count] = corner[i];
+    for (int i = 0; i < 3; ++i) {
+      triangles_.corner[i][triangles_.count] = corner[i];
+      triangles_.inner[i] |= uint64_t(~t.boundary >> i & 1) << triangles_.count;
+    }
     ++triangles_.count;
     break;
   case PolygonMode::Line:
@@ -127,6 +130,7 @@ void PolygonStage::finish() {
   }
   pending_ = Pending::None;
   triangles_.count = 0;
+  for (uint64_t& edges : triangles_.inner) edges = 0;
   lines_.count = 0, lines_.back = 0, lines_.begins = 0;
   points_.count = 0, points_.back = 0;
 }

@@ -30,6 +30,10 @@ public:
     return draw_.vertex->line_stipple &&
            (constants_.mode[0] == PolygonMode::Line || constants_.mode[1] == PolygonMode::Line);
   }
+  /// True where polygons are filled whichever way they face: then nobody asks which edges have a flag.
+  bool fills() const {
+    return constants_.mode[0] == PolygonMode::Fill && constants_.mode[1] == PolygonMode::Fill;
+  }
   /// Hands over what is left.
   void finish();
 

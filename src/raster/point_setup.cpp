@@ -41,9 +41,15 @@ void set_constant_planes(const RasterDraw& draw, const ShadedVertices::Slot* cor
 
 } // namespace
 
+bool setup_box(const RasterDraw& draw, const ShadedVertices::Slot* corner, const WindowBox& box,
+               RasterPrimitive& out) {
+  if (!set_box(*draw.raster, box, out)) return false;
+  set_constant_planes(draw, corner, out);
+  return true;
+}
+
 bool setup_rectangle(const RasterDraw& draw, const PixelRectangle& rectangle, RasterPrimitive& out) {
-  if (!set_box(*draw.raster, rectangle.box, out)) return false;
-  set_constant_planes(draw, rectangle.corner, out);
+  if (!setup_box(draw, rectangle.corner, rectangle.box, out)) return false;
   out.back = false;
   return true;
 }
@@ -71,8 +77,7 @@ bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, boo
     y0 = n & 1 ? (y >> 8) - (n - 1) / 2 : ((y + 128) >> 8) - n / 2;
     x1 = x0 + n, y1 = y0 + n;
   }
-  if (!set_box(r, {x0, y0, x1, y1}, out)) return false;
-  set_constant_planes(draw, corner, out);
+  if (!setup_box(draw, corner, {x0, y0, x1, y1}, out)) return false;
   out.back = back;
   const float w = v[3];
   for (int u = 0; u < kMaxTextureUnits; ++u) {

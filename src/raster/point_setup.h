@@ -6,9 +6,14 @@
 namespace softgl {
 
 struct PixelRectangle; // frame/draw_record.h
+struct WindowBox;      // draw/draw_call.h
 
 /// False: the point covers nothing.
 bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, bool back, RasterPrimitive& out);
+
+/// A box of pixels whose fragments all have the values of one vertex, but for `back`. False: it is empty.
+bool setup_box(const RasterDraw& draw, const ShadedVertices::Slot* corner, const WindowBox& box,
+               RasterPrimitive& out);
 
 /// False: the rectangle covers nothing.
 bool setup_rectangle(const RasterDraw& draw, const PixelRectangle& rectangle, RasterPrimitive& out);

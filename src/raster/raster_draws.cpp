@@ -65,9 +65,18 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
     if (constant && !(draw.call.source->present >> (kTexCoord0 + u) & 1) && !draw.vertex->coordinates[u])
       d.flat_units |= uint8_t(1u << u);
   }
-  d.plane_count = static_cast<uint8_t>(planes);
+  switch (draw.fragment->coverage) {
+  case Coverage::None: break;
+  case Coverage::Line: // in the slot behind all others
+    vary(offsetof(FragmentBlock, coverage), static_cast<int8_t>(l.slots), -1, 0, 4, false);
+    break;
+  case Coverage::Point: d.coverage_numbers = 3; break;
+  case Coverage::Polygon: d.coverage_numbers = 9; break;
+  }
+  d.plane_count = static_cast<uint8_t>(planes + d.coverage_numbers);
   const auto format = static_cast<ColorFormat>(key.color_format);
-  d.opaque = draw.vertex && is_opaque(*draw.vertex) && takes(FastPath::OpaqueColors);
+  d.opaque = draw.fragment->coverage == Coverage::None && draw.vertex && is_opaque(*draw.vertex) &&
+             takes(FastPath::OpaqueColors);
   // Depths that are floats are tested by strips alone.
   const bool depth_floats = static_cast<DepthFormat>(key.depth_format) == DepthFormat::Z32F;
   d.small = is_enabled(FastPath::Small) && (format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565) &&

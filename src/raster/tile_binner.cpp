@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <utility>
 
 #include "base/assert.h"
 #include "base/fast_paths.h"
 #include "raster/line_setup.h"
 #include "raster/point_setup.h"
+#include "raster/smooth_primitives.h"
 
 namespace softgl {
 
@@ -112,6 +114,14 @@ void TileBinner::bin_further(const SmallTriangle& t, uint32_t tile, uint32_t fur
 
 void TileBinner::triangles(const DrawRecord&, const AssembledTriangles& batch) {
   SOFTGL_ASSERT(draw_ && batch.count > 0 && batch.count <= kSetupBatch);
+  if (draw_->smooth_polygon) [[unlikely]] {
+    smooth_triangles(batch);
+  } else {
+    bin_triangles(batch);
+  }
+}
+
+void TileBinner::bin_triangles(const AssembledTriangles& batch) {
   if (draw_->raster->cull == 3) return;
   const TriangleInput in = {batch.count,
                             tiles_x_,
@@ -157,8 +167,55 @@ void TileBinner::triangles(const DrawRecord&, const AssembledTriangles& batch) {
   }
 }
 
+void TileBinner::smooth_triangles(const AssembledTriangles& batch) {
+  const RasterDraw* const plain = std::exchange(draw_, draw_->smooth_polygon);
+  const TriangleInput in = {
+      batch.count, tiles_x_, 0, false, {batch.corner[0], batch.corner[1], batch.corner[2]}};
+  TriangleOutput& out = scratch_.output;
+  out.large = out.negative = 0;
+  SmoothTriangle triangle[kSetupBatch];
+  RasterPrimitive* record[kSetupBatch];
+  int count = 0;
+  for (int i = 0; i < batch.count; ++i) {
+    const ShadedVertices::Slot* const corner[3] = {batch.corner[0][i], batch.corner[1][i],
+                                                   batch.corner[2][i]};
+    if (!snap_smooth_triangle(*draw_, corner, triangle[count])) continue;
+    out.large |= uint64_t(1) << i;
+    out.negative |= uint64_t(triangle[count].negative) << i;
+    record[count++] = new_primitive();
+  }
+  if (count) kernels_.raster->setup_triangles(*draw_, in, out, record);
+  uint64_t left = out.large;
+  for (int n = 0; n < count; ++n, left &= left - 1) {
+    const int i = std::countr_zero(left);
+    uint32_t inner = 0;
+    for (int k = 0; k < 3; ++k) inner |= uint32_t(batch.inner[k] >> i & 1) << k;
+    widen_smooth_triangle(*draw_, triangle[n], inner, *record[n]);
+    bin(*record[n]);
+  }
+  draw_ = plain;
+}
+
+void TileBinner::smooth_lines(const AssembledLines& batch) {
+  const RasterDraw* const plain = std::exchange(draw_, draw_->smooth_line);
+  AssembledTriangles two;
+  two.count = 2;
+  for (int32_t i = 0; i < batch.count; ++i) {
+    const ShadedVertices::Slot *const end[2] = {batch.corner[0][i], batch.corner[1][i]}, *corner[4];
+    if (!smooth_line_corners(*draw_, end, arena_, corner)) continue;
+    // Their areas are positive, and those that are not are back-facing: set-up exchanges these corners again.
+    const int first = batch.back >> i & 1, second = 1 - first;
+    two.corner[first][0] = corner[2], two.corner[second][0] = corner[1], two.corner[2][0] = corner[0];
+    two.corner[first][1] = corner[3], two.corner[second][1] = corner[1], two.corner[2][1] = corner[2];
+    bin_triangles(two);
+  }
+  draw_ = plain;
+}
+
 void TileBinner::lines(const DrawRecord&, const AssembledLines& batch) {
   SOFTGL_ASSERT(draw_ && batch.count > 0 && batch.count <= kAssemblyBatch);
+  if (draw_->smooth_line) [[unlikely]]
+    return smooth_lines(batch);
   for (int32_t i = 0; i < batch.count; ++i) {
     RasterPrimitive* p = new_primitive();
     if (setup_line(*draw_, batch.corner[0][i], batch.corner[1][i], batch.back >> i & 1, *p)) bin(*p);
@@ -167,10 +224,14 @@ void TileBinner::lines(const DrawRecord&, const AssembledLines& batch) {
 
 void TileBinner::points(const DrawRecord&, const AssembledPoints& batch) {
   SOFTGL_ASSERT(draw_ && batch.count > 0 && batch.count <= kAssemblyBatch);
+  const RasterDraw* const plain = draw_;
+  const auto setup = plain->smooth_point ? setup_smooth_point : setup_point;
+  if (plain->smooth_point) draw_ = plain->smooth_point;
   for (int32_t i = 0; i < batch.count; ++i) {
     RasterPrimitive* p = new_primitive();
-    if (setup_point(*draw_, batch.corner[i], batch.back >> i & 1, *p)) bin(*p);
+    if (setup(*draw_, batch.corner[i], batch.back >> i & 1, *p)) bin(*p);
   }
+  draw_ = plain;
 }
 
 void TileBinner::rectangle(const PixelRectangle& rectangle) {

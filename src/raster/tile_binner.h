@@ -41,6 +41,9 @@ public:
   void rectangle(const PixelRectangle& rectangle);
 
 private:
+  void bin_triangles(const AssembledTriangles& batch);
+  void smooth_triangles(const AssembledTriangles& batch);
+  void smooth_lines(const AssembledLines& batch);
   RasterPrimitive* new_primitive();
   void bin(const RasterPrimitive& primitive);
   void bin_small(const AssembledTriangles& batch, const TriangleOutput& out, uint64_t small);

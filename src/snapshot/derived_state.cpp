@@ -32,6 +32,7 @@ constexpr uint64_t kClipPlanes = derived_bit(8);
 constexpr uint64_t kCoordinates = derived_bit(9);
 constexpr uint64_t kShadedLayout = derived_bit(10);
 constexpr uint64_t kLightingConstants = derived_bit(11);
+constexpr uint64_t kDrawFragmentProgram = derived_bit(12);
 constexpr uint64_t kNobodysInput = 0;
 
 constexpr uint64_t kDirtySnapshots = kDirtyAll & ~(kDirtyCurrent | kDirtyArrays);
@@ -131,6 +132,10 @@ bool make_draw_fragment_program(const Making& m, SnapshotCache& cache) {
   return set(cache.fragment_of_draw, copy);
 }
 
+bool make_smooth(const Making& m, SnapshotCache& cache) {
+  return set(cache.smooth, make_smooth_programs(m.state, *cache.fragment_of_draw, m.arena));
+}
+
 struct DerivedRow {
   const char* name;
   uint64_t inputs; // DirtyBits and DerivedBits: a change of one of them makes the row anew
@@ -181,8 +186,10 @@ constexpr DerivedRow kRows[] = {
          kDirtyPolygon | kFragmentInputs | kLightingSpace | kTransformConstants | kClipPlanes | kCoordinates |
          kShadedLayout | kLightingConstants,
      kNobodysInput, make_vertex, difference_of<&SnapshotCache::vertex>},
-    {"fragment program of the draw", kStateFragmentProgram | kLightingConstants, kNobodysInput,
+    {"fragment program of the draw", kStateFragmentProgram | kLightingConstants, kDrawFragmentProgram,
      make_draw_fragment_program, difference_of<&SnapshotCache::fragment_of_draw>},
+    {"programs of antialiased primitives", kDirtyPoint | kDirtyLine | kDirtyPolygon | kDrawFragmentProgram,
+     kNobodysInput, make_smooth, difference_of<&SnapshotCache::smooth>},
 };
 
 bool draws_points(const DrawCall& call, const PolygonState& polygon) {

@@ -158,6 +158,17 @@ const FragmentProgram* make_fragment_program(Context& context, Arena& arena, con
   return &program;
 }
 
+const SmoothPrograms* make_smooth_programs(const State& s, const FragmentProgram& program, Arena& arena) {
+  // The squares of point sprites are not antialiased (GL_ARB_point_sprite).
+  const bool points = s.point.smooth && !s.point.sprite;
+  if (!points && !s.line.smooth && !s.polygon.smooth) return nullptr;
+  auto with = [&](bool smooth, Coverage coverage) {
+    return smooth ? arena.make<FragmentProgram>(with_coverage(program, coverage)) : nullptr;
+  };
+  return arena.make<SmoothPrograms>(with(points, Coverage::Point), with(s.line.smooth, Coverage::Line),
+                                    with(s.polygon.smooth, Coverage::Polygon));
+}
+
 namespace {
 
 /// A program whose only stage fetches the elements of the image.

@@ -8,12 +8,16 @@ namespace softgl {
 
 struct Context;
 struct PixelImage; // pixel_image.h
+struct State;      // context/state.h
 
 /// The program that the context's state asks for, in `arena`. `key` tells which inputs the vertices must
 /// carry: secondary color, fog coordinate and the texture coordinates of the units in texture_units.
 /// `image`: of a pixel rectangle, whose fragments have been lit.
 const FragmentProgram* make_fragment_program(Context& context, Arena& arena,
                                              const PixelImage* image = nullptr);
+/// The programs of antialiased primitives (GL 1.5, 3.11) beside that of others; null where none is
+/// antialiased.
+const SmoothPrograms* make_smooth_programs(const State& state, const FragmentProgram& program, Arena& arena);
 /// Sets the stencil values of an image's bits to `value`, under the mask, whatever the tests are
 /// (GL 1.5, 3.6.4, 4.3.3).
 const FragmentProgram* make_stencil_program(Context& context, Arena& arena, const PixelImage& image,

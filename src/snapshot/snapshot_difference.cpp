@@ -32,7 +32,9 @@ MEMBERS(FragmentConstants, fog_color, fog_scale, fog_offset, alpha_reference, al
         blend_color_8, stencil_reference, stencil_value_mask, stencil_write_mask, lighting, texture, combiner,
         image)
 MEMBERS(FragmentStep, stage, unit)
-MEMBERS(FragmentProgram, key, constants, step_count, step, r_units, lod_units, writes_depth, reads_quads)
+MEMBERS(FragmentProgram, key, constants, step_count, step, r_units, lod_units, writes_depth, reads_quads,
+        coverage)
+MEMBERS(SmoothPrograms, point, line, polygon)
 MEMBERS(RasterConstants, x0, y0, x1, y1, cull, back, flat, two_sided, offset, point_sprite, sprite_units,
         sprite_lower_left, top_edge_rule, offset_floats, offset_units, offset_factor, line_width, point_size,
         stipple)
@@ -155,6 +157,7 @@ template <class T> std::string difference(const T& a, const T& b) {
 std::string snapshot_difference(const FragmentProgram* a, const FragmentProgram* b) {
   return difference(a, b);
 }
+std::string snapshot_difference(const SmoothPrograms* a, const SmoothPrograms* b) { return difference(a, b); }
 std::string snapshot_difference(const RasterConstants* a, const RasterConstants* b) {
   return difference(a, b);
 }

@@ -13,6 +13,7 @@ namespace softgl {
 /// Pointers are compared by what they point to; those to texels by themselves, since images do not change
 /// while a frame keeps them.
 std::string snapshot_difference(const FragmentProgram* a, const FragmentProgram* b);
+std::string snapshot_difference(const SmoothPrograms* a, const SmoothPrograms* b);
 std::string snapshot_difference(const RasterConstants* a, const RasterConstants* b);
 std::string snapshot_difference(const TransformConstants* a, const TransformConstants* b);
 std::string snapshot_difference(const ClipPlaneConstants* a, const ClipPlaneConstants* b);

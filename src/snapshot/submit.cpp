@@ -40,7 +40,7 @@ void submit(Context& c, const DrawCall& call) {
   const SnapshotCache& cache = c.snapshots;
   uint64_t* const samples = active_counter(c);
   c.frame.append(c.frame.arena().make<DrawRecord>(
-      call, cache.layout, cache.vertex, cache.raster, cache.fragment_of_draw, nullptr, samples,
+      call, cache.layout, cache.vertex, cache.raster, cache.fragment_of_draw, nullptr, samples, cache.smooth,
       diagonal_of_quadrilaterals(c, call, *cache.fragment_of_draw)));
   if (c.frame.over_budget()) flush_frame(c);
 }

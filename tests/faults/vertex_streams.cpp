@@ -80,6 +80,19 @@ void small_runs(Player& p) {
   p.picture();
 }
 
+/// Antialiased points, lines and polygons.
+void antialiased(Player& p) {
+  const Gl& gl = p.gl;
+  for (GLenum smooth : {GL_POINT_SMOOTH, GL_LINE_SMOOTH, GL_POLYGON_SMOOTH}) gl.Enable(smooth);
+  for (GLenum primitive : {GL_POINTS, GL_LINES, GL_TRIANGLES}) {
+    gl.Begin(primitive);
+    for (int i = 0; i < 600; ++i) random_vertex(p);
+    gl.End();
+    gl.Finish();
+    p.check();
+  }
+}
+
 /// Clipped and culled polygons in line mode, stippled lines that may not be cut, user clip planes.
 void clipped_and_stippled(Player& p) {
   const Gl& gl = p.gl;
@@ -152,11 +165,10 @@ void evaluators(Player& p) {
 } // namespace
 
 const std::vector<Stream>& vertex_streams() {
-  static const std::vector<Stream> streams = {{"vertices.many", many_vertices},
-                                              {"vertices.late_attributes", late_attributes},
-                                              {"vertices.small_runs", small_runs},
-                                              {"vertices.clipped", clipped_and_stippled},
-                                              {"vertices.evaluators", evaluators}};
+  static const std::vector<Stream> streams = {
+      {"vertices.many", many_vertices},           {"vertices.late_attributes", late_attributes},
+      {"vertices.small_runs", small_runs},        {"vertices.antialiased", antialiased},
+      {"vertices.clipped", clipped_and_stippled}, {"vertices.evaluators", evaluators}};
   return streams;
 }
 
