@@ -62,11 +62,11 @@ struct FourTexels {
   alignas(64) float v[4][4][kLanes];
 };
 
-/// Four bytes of texel (x, y).
-static inline int32_t texel_word(const TextureLevel& level, int32_t face, int32_t x, int32_t y) {
-  int32_t word;
-  __builtin_memcpy(&word, level.face[face] + 4 * (size_t(y) * size_t(level.row) + size_t(x)), 4);
-  return word;
+typedef int32_t AliasedTexel __attribute__((may_alias));
+
+/// Texel (x, y) of four bytes.
+static inline const AliasedTexel* texel_word(const TextureLevel& level, int32_t face, int32_t x, int32_t y) {
+  return reinterpret_cast<const AliasedTexel*>(level.face[face]) + size_t(y) * size_t(level.row) + size_t(x);
 }
 
 /// Where `beside` is negative a texel of the lane is beside the lane's face.
@@ -88,20 +88,28 @@ static inline void fetch_seamless(const FragmentBlock& block, const BlockCoordin
       }
     return;
   }
-  for (int n = 0; n < 4; ++n) {
-    alignas(64) int32_t word[kLanes];
-    for (int32_t i = 0; i < block.lanes; ++i) {
-      const CubeTexel from = texel(i, n);
-      word[i] = texel_word(*level[i], from.face, from.x, from.y);
+  alignas(64) int32_t word[4][kLanes];
+  for (int32_t i = 0; i < block.lanes; ++i) {
+    if (beside[i] < 0) {
+      for (int n = 0; n < 4; ++n) {
+        const CubeTexel from = texel(i, n);
+        word[n][i] = *texel_word(*level[i], from.face, from.x, from.y);
+      }
+      continue;
     }
+    const AliasedTexel* upper = texel_word(*level[i], face_of(c, i), x.first[i], y.first[i]);
+    const AliasedTexel* lower = upper + level[i]->row;
+    word[0][i] = upper[0], word[1][i] = upper[1], word[2][i] = lower[0], word[3][i] = lower[1];
+  }
+  for (int n = 0; n < 4; ++n)
     for (int k = 0; k < 4; ++k) {
       const int shift = 8 * k + t.shift[k];
       const int32_t mask = 255 >> t.shift[k];
       const float scale = t.scale[k];
-      SOFTGL_FOR_LANES(block, i)
-      out.v[n][k][i] = float(int32_t(uint32_t(word[i]) >> shift) & mask) * scale;
+      const int32_t* __restrict from = word[n];
+      float* __restrict to = out.v[n][k];
+      SOFTGL_FOR_LANES(block, i) to[i] = float(int32_t(uint32_t(from[i]) >> shift) & mask) * scale;
     }
-  }
 }
 
 /// As sample_float_level(), of a cube map with linear filtering. Operation order as in OSMesa 22.3.6: where

@@ -95,6 +95,7 @@ RenderPlane::RenderPlane(const RenderFormat& f, int w, int h)
   const bool words = !f.is_color() || f.color == ColorFormat::Rgba8; // the others' tiles do not wait
   const uint32_t first = f.is_color() && !f.has_alpha() ? 0xff000000u : 0;
   tile.assign(tiles(), TileWords{first, words ? ~0u : 0u, words});
+  stored.resize(tiles());
   const uint32_t step = f.has_stencil_words() ? 2 : 1;
   for (uint32_t i = 0; i < tiles(); ++i) tile[i].place = i * step;
   bytes = size_t(tiles()) * step * kTilePixels * size_t(pixel_bytes());

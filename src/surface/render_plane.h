@@ -44,6 +44,13 @@ struct RenderPlane {
   void* memory = nullptr;
   size_t bytes = 0;
   std::vector<TileWords> tile;
+  /// Of an image's tile, whose texels are all the same: the word they were made of. A shadow map that is
+  /// cleared and drawn anew for every frame is stored where it is drawn on.
+  struct StoredWord {
+    bool known = false;
+    uint32_t word = 0;
+  };
+  std::vector<StoredWord> stored;
 
   /// Zeros; alpha 1 where there is none. Throws std::bad_alloc.
   RenderPlane(const RenderFormat& format, int width, int height);

@@ -75,23 +75,36 @@ void load_tile(RenderPlane& p, const TextureImage& image, int z, uint32_t tile) 
   });
   words.waits = words.changed = false;
   words.known = 0;
+  p.stored[tile].known = false;
 }
 
 void store_tile(RenderPlane& p, TextureImage& image, int z, uint32_t tile) {
   TileWords& words = p.tile[tile];
   if (!words.changed) return;
   words.changed = false;
+  RenderPlane::StoredWord& stored = p.stored[tile];
+  if (words.waits && stored.known && stored.word == words.word) return;
+  stored = {words.waits && !p.format.has_stencil_words(), words.word};
   uint32_t same[kRun];
   std::fill_n(same, kRun, words.word);
   const unsigned char* pixels = p.pixels(tile);
   const size_t texel_bytes = size_t(image.format->bytes());
   const bool bytes = p.format.is_color() && p.format.color == ColorFormat::Rgba8;
+  const bool depth_alone = !p.format.is_color() && !p.format.has_floats() && image.stencils.empty();
+  const int depth_bits = image.format->bits[0];
   for_each_run(p, tile, [&](int x, int y, size_t at, int count) {
     unsigned char* texels = image.at(x, y, z);
     const unsigned char* from =
         words.waits ? reinterpret_cast<const unsigned char*>(same) : pixels + at * size_t(p.pixel_bytes());
     if (bytes) {
       std::memcpy(texels, from, 4 * size_t(count));
+      return;
+    }
+    if (depth_alone) {
+      alignas(32) uint32_t word[kRun] = {};
+      std::memcpy(word, from, 4 * size_t(count));
+      for (uint32_t& z : word) z = stored_depth(z, depth_bits);
+      std::memcpy(texels, word, 4 * size_t(count));
       return;
     }
     for (int i = 0; i < count; ++i, texels += texel_bytes) {
