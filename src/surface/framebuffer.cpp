@@ -68,6 +68,7 @@ bool Framebuffer::allocate(int width, int height, ColorFormat color_format) {
       !plane_bytes(s.tiles_x, s.tiles_y, sizeof(uint32_t), depth_bytes))
     return false;
   s.place_step = 1;
+  s.samples = 1;
   if (depth_bytes && color_format == ColorFormat::Rgba8)
     s.place_step = 2, color_bytes += std::exchange(depth_bytes, 0);
   s.color = map_pages(color_bytes);
