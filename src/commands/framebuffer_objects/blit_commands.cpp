@@ -11,6 +11,7 @@
 #include "snapshot/render_targets.h"
 #include "snapshot/submit.h"
 #include "surface/read_surface.h"
+#include "surface/sample_resolve.h"
 
 namespace softgl {
 namespace {
@@ -115,18 +116,6 @@ struct BlitSamples {
   Surface from;
   unsigned to;
 };
-
-/// Adds the samples of a row, and divides (as OSMesa 22.3.6, in floats).
-void average_samples(const Surface& s, int x, int y, int count, unsigned char* row, float (*sample)[4],
-                     float (*pixels)[4]) {
-  for (int i = 0; i < s.samples; ++i) {
-    copy_color_row(sample_surface(s, i), x, y, count, row);
-    color_row_to_floats(s.color_format, row, count, i == 0 ? pixels : sample);
-    if (i == 0) continue;
-    for (int k = 0; k < 4 * count; ++k) pixels[0][k] += sample[0][k];
-  }
-  for (int k = 0; k < 4 * count; ++k) pixels[0][k] *= 1.0f / float(s.samples);
-}
 
 void blit_resolved_colors(Context& c, const Blit& blit, const BlitSamples& samples) {
   Arena& arena = c.frame.arena();
