@@ -9,7 +9,8 @@ namespace softgl {
 
 constexpr int kTileSize = 64; // pixels; one worker owns a tile
 constexpr int kTilePixels = kTileSize * kTileSize;
-constexpr int kLanes = 64; // lanes of a block: measured, 16 costs 26 % more, 128 gains nothing
+constexpr int kSamples = 4; // of the pixels of a multisampled surface
+constexpr int kLanes = 64;  // lanes of a block: measured, 16 costs 26 % more, 128 gains nothing
 constexpr int kStripLanes =
     16; // a strip is 8x2 pixels: whole 2x2 quads, and the unit in which dead lanes are skipped
 
@@ -26,6 +27,8 @@ enum class DepthFormat : uint8_t { None, Z16, Z24S8, Z32F };
 constexpr uint32_t largest_depth(DepthFormat f) {
   return f == DepthFormat::Z16 ? 0xffff : f == DepthFormat::Z32F ? ~uint32_t(0) : 0xffffff;
 }
+/// Tiles of words from the depths of a sample to those of the next one.
+constexpr int depth_step(DepthFormat f) { return f == DepthFormat::Z32F ? 2 : 1; }
 /// Stencil values lie in the upper bits of the words of depths.
 constexpr bool has_stencil_bits(DepthFormat f) { return f == DepthFormat::Z24S8; }
 
@@ -34,9 +37,10 @@ inline int pixel_in_tile(int x, int y) {
   return ((y & 56) << 6) | ((x & 56) << 3) | ((y & 7) << 3) | (x & 7);
 }
 
-/// What is known of a plane in a tile, and where its pixels are: from place * kTilePixels on. While it waits,
-/// all words are `word`, and the plane's memory does not have them yet: so a tile that is cleared and never
-/// drawn on costs nothing. Only planes of 32-bit words may wait.
+/// What is known of a plane in a tile, and where its pixels are: from place * kTilePixels on. The pixels'
+/// further samples, if there are any, follow in the next places. While it waits, all words are `word`, and
+/// the plane's memory does not have them yet: so a tile that is cleared and never drawn on costs nothing.
+/// Only planes of 32-bit words may wait.
 struct TileWords {
   uint32_t word = 0;
   uint32_t known = 0;   // bits that are those of `word` at all pixels
@@ -64,7 +68,9 @@ struct Surface {
   TileWords *color_tile, *depth_tile;   // of each tile of the planes; null where there is no plane
   int32_t color_columns, depth_columns; // tiles in a row of each plane
   uint32_t* next_place;                 // of the window: places before it are taken
-  uint32_t place_step;                  // places from tile to tile: 2 where the planes share memory, else 1
+  uint32_t
+      place_step;  // places from tile to tile: as many as samples, twice as many where planes share memory
+  int32_t samples; // of a pixel: 1 or kSamples
 };
 
 /// Number of tile `tile` of the surface in a plane that has `columns` tiles in a row.
@@ -77,6 +83,15 @@ inline TileWords& color_words(const Surface& s, uint32_t tile) {
 }
 inline TileWords& depth_words(const Surface& s, uint32_t tile) {
   return s.depth_tile[tile_of_plane(s, s.depth_columns, tile)];
+}
+
+/// The surface of one of the samples of each pixel.
+inline Surface sample_surface(Surface s, int sample) {
+  const size_t pixels = size_t(sample) * kTilePixels;
+  if (s.color) s.color = static_cast<char*>(s.color) + pixels * size_t(bytes_per_pixel(s.color_format));
+  if (s.depth_stencil) s.depth_stencil += pixels * size_t(depth_step(s.depth_format));
+  s.samples = 1;
+  return s;
 }
 
 inline size_t pixel_index(const TileWords* tiles, int32_t columns, int x, int y) {

@@ -34,12 +34,12 @@ static void classify_triangles(const RasterDraw& draw, const TriangleInput& in, 
       else
         load_transposed(
             [&](int i) __attribute__((always_inline)) { return corner[i < lanes ? i : 0]->v; }, p);
-      const FloatV sx = snap_scaled(p[0]), sy = snap_scaled(p[1]);
+      const FloatV sx = snap_scaled(p[0], r.pixel_center), sy = snap_scaled(p[1], r.pixel_center);
       valid &= (sx < kMaxSnapped) & (sx > -kMaxSnapped) & (sy < kMaxSnapped) & (sy > -kMaxSnapped);
       x[k] = round_to_int(sx) & valid,
       y[k] = round_to_int(sy) & valid; // no sums of lanes that are out of range
     }
-    const IntV column = max_(first_column(x), splat(r.x0)), row = max_(first_row(y, rule), splat(r.y0));
+    const IntV column = max_(first_column(x, rule), splat(r.x0)), row = max_(first_row(y, rule), splat(r.y0));
     const IntV w = min_(last_column(x), splat(r.x1 - 1)) - column,
                h = min_(last_row(y, rule), splat(r.y1 - 1)) - row;
     valid &= (w >= 0) & (h >= 0);

@@ -24,9 +24,10 @@ SOFTGL_INLINE void set_edge(TileEdges& t, int i, int32_t c, int32_t a, int32_t b
   t.block_max[i] = ((a < 0 ? -a : 0) + (b > 0 ? b : 0)) * 7;
 }
 
-/// False: no pixel of the tile is covered. Looks at the first `Edges` edges.
+/// False: no pixel of the tile is covered. Looks at the first `Edges` edges, whose constants are `edge_c`.
 template <int Edges> SOFTGL_INLINE bool clip_to_tile(const RasterDraw& draw, const RasterPrimitive& p,
-                                                     int32_t tile_x, int32_t tile_y, TileEdges& t) {
+                                                     const int64_t* edge_c, int32_t tile_x, int32_t tile_y,
+                                                     TileEdges& t) {
   t.x0 = p.x0 > tile_x ? p.x0 - tile_x : 0;
   t.y0 = p.y0 > tile_y ? p.y0 - tile_y : 0;
   t.x1 = p.x1 < tile_x + kTileSize ? p.x1 - tile_x : kTileSize;
@@ -36,13 +37,18 @@ template <int Edges> SOFTGL_INLINE bool clip_to_tile(const RasterDraw& draw, con
   t.least = draw.whole_blocks ? 0 : -1;
   for (int i = 0; i < Edges; ++i) {
     const int32_t a = p.a[i], b = p.b[i];
-    int64_t c = p.c[i] - int64_t(a) * tile_x + int64_t(b) * tile_y;
+    int64_t c = edge_c[i] - int64_t(a) * tile_x + int64_t(b) * tile_y;
     c = c > (1 << 30) ? 1 << 30 : c < -(1 << 30) ? -(1 << 30) : c;
     set_edge(t, i, int32_t(c), a, b);
     if (t.c[i] + t.block_max[i] * 9 < 0) return false;
     t.inside = t.inside && t.c[i] + t.block_min[i] * 9 >= 0;
   }
   return true;
+}
+
+template <int Edges> SOFTGL_INLINE bool clip_to_tile(const RasterDraw& draw, const RasterPrimitive& p,
+                                                     int32_t tile_x, int32_t tile_y, TileEdges& t) {
+  return clip_to_tile<Edges>(draw, p, p.c, tile_x, tile_y, t);
 }
 
 /// The pixels (bit 8 * dy + dx) of the block whose first pixel is (x, y) in the tile.

@@ -65,7 +65,8 @@ constexpr int kMaxPlanes = 2 + 3 + 3 + 2 * (4 * 4 + 1) + 1 + 4 * kMaxTextureUnit
 /// A set-up triangle, line or point: convex, 3 or 4 edges or, for points, none but the box (unused edges
 /// accept all). A pixel is covered iff c - a * px + b * py >= 0 for all edges; a and b are in 1/256 pixel, c
 /// = floor((c' - 1) / 256) of the exact edge function c' (with its tie rule), which is the same test because
-/// a * 256 * px is a multiple of 256.
+/// a * 256 * px is a multiple of 256. With multisampling c is c' - 1, and each sample point makes its own c
+/// of it.
 struct alignas(16) RasterPrimitive {
   int64_t c[4];
   int32_t a[4], b[4];
@@ -74,6 +75,7 @@ struct alignas(16) RasterPrimitive {
   float depth_offset;
   bool w_is_one; // the plane of 1/w is exactly 1 everywhere, so the division changes nothing
   bool back;     // a back-facing triangle
+  bool round; // with multisampling: a circle around (c[0], c[1]) in 1/256 pixel, whose radius squared is c[2]
   Plane plane[]; // plane_count of them
 };
 
@@ -99,6 +101,7 @@ struct TileTarget {
   bool one_stencil; // all its words have the same bits above depth:
   uint32_t stencil_bits;
   uint64_t* samples = nullptr; // where fragments that pass all tests are counted; null: nowhere
+  size_t color_step = 0;       // bytes from the colors of a sample to those of the next one
 };
 
 } // namespace softgl

@@ -48,13 +48,15 @@ template <int n> struct Count {
 };
 
 /// Fills the inputs of lanes [0, block.lanes), which are strips of one primitive; block.x and block.y are
-/// set.
+/// set. `FromCorner`: planes count from the corner of the first pixel, not from its center.
+template <bool FromCorner = false>
 static void interpolate_block(const RasterDraw& draw, const RasterPrimitive& p, FragmentBlock& block) {
   const FragmentProgram& program = *draw.program;
   const int lanes = block.lanes;
   alignas(64) float x[kLanes], y[kLanes], w[kLanes];
   for (int i = 0; i < lanes; i += kWidth) {
-    const FloatV vx = to_float(load(block.x + i)), vy = to_float(load(block.y + i));
+    FloatV vx = to_float(load(block.x + i)), vy = to_float(load(block.y + i));
+    if constexpr (FromCorner) vx += 0.5f, vy += 0.5f;
     store(x + i, vx), store(y + i, vy);
     store(w + i, p.w_is_one ? splat(1.0f) : splat(1.0f) / at(p.plane[kPlaneW], vx, vy));
   }

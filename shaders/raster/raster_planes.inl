@@ -11,11 +11,12 @@ namespace SOFTGL_ISA {
 
 /// Deltas of the corners' window positions, scaled by 1 / area; the base of every plane.
 struct PlaneBasis {
-  FloatV dx01, dy01, dx20, dy20, x0, y0; // x0, y0: corner 0 minus half a pixel
+  FloatV dx01, dy01, dx20, dy20, x0, y0; // x0, y0: corner 0 from the planes' origin
   FloatV inverse_area, raw_dx01, raw_dy01, raw_dx20, raw_dy20;
 };
 
-SOFTGL_INLINE PlaneBasis plane_basis(const FloatV p0[4], const FloatV p1[4], const FloatV p2[4]) {
+SOFTGL_INLINE PlaneBasis plane_basis(const FloatV p0[4], const FloatV p1[4], const FloatV p2[4],
+                                     float center) {
   PlaneBasis b;
   b.raw_dx01 = p0[0] - p1[0], b.raw_dy01 = p0[1] - p1[1];
   b.raw_dx20 = p2[0] - p0[0], b.raw_dy20 = p2[1] - p0[1];
@@ -23,7 +24,7 @@ SOFTGL_INLINE PlaneBasis plane_basis(const FloatV p0[4], const FloatV p1[4], con
   b.inverse_area = r;
   b.dx01 = b.raw_dx01 * r, b.dy01 = b.raw_dy01 * r;
   b.dx20 = b.raw_dx20 * r, b.dy20 = b.raw_dy20 * r;
-  b.x0 = p0[0] - 0.5f, b.y0 = p0[1] - 0.5f;
+  b.x0 = p0[0] - center, b.y0 = p0[1] - center;
   return b;
 }
 
@@ -91,9 +92,10 @@ struct CornerPlanes {
   FloatV position[3][4], slot[3][4];
   PlaneBasis basis;
 
-  SOFTGL_MEMBER explicit CornerPlanes(const SmallTriangle* t) : triangle(t) {
+  /// `center`: RasterConstants::pixel_center.
+  SOFTGL_MEMBER explicit CornerPlanes(const SmallTriangle* t, float center = 0.5f) : triangle(t) {
     load_slot(t, 0, 0, position);
-    basis = plane_basis(position[0], position[1], position[2]);
+    basis = plane_basis(position[0], position[1], position[2], center);
   }
   SOFTGL_MEMBER PlaneV z() const { return plane_of(basis, position[0][2], position[1][2], position[2][2]); }
   SOFTGL_MEMBER PlaneV w() const { return plane_of(basis, position[0][3], position[1][3], position[2][3]); }

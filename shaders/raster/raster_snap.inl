@@ -12,8 +12,8 @@ namespace SOFTGL_ISA {
 /// dropped.
 constexpr float kMaxSnapped = 16777216.0f;
 
-/// (v - 0.5) * 256, to be rounded to nearest even.
-SOFTGL_INLINE FloatV snap_scaled(FloatV v) { return (v - 0.5f) * 256.0f; }
+/// (v - center) * 256, to be rounded to nearest even.
+SOFTGL_INLINE FloatV snap_scaled(FloatV v, float center = 0.5f) { return (v - center) * 256.0f; }
 
 SOFTGL_INLINE IntV least(const IntV v[3]) { return min_(min_(v[0], v[1]), v[2]); }
 SOFTGL_INLINE IntV greatest(const IntV v[3]) { return max_(max_(v[0], v[1]), v[2]); }
@@ -23,8 +23,10 @@ SOFTGL_INLINE IntV greatest(const IntV v[3]) { return max_(max_(v[0], v[1]), v[2
 struct EdgeRule {
   IntV flip;     // all ones: the sign of a level edge means the other thing
   IntV last_row; // 1 where centers on the last row's level edge are inside, else 0
+  IntV to_first; // RasterConstants::to_first_pixel
   SOFTGL_MEMBER explicit EdgeRule(const RasterConstants& r)
-      : flip(splat(r.top_edge_rule ? -1 : 0)), last_row(splat(r.top_edge_rule ? 0 : 1)) {}
+      : flip(splat(r.top_edge_rule ? -1 : 0)), last_row(splat(r.top_edge_rule ? 0 : 1)),
+        to_first(splat(r.to_first_pixel)) {}
 };
 
 /// All ones where centers on the edge (a, b) are inside.
@@ -33,10 +35,12 @@ SOFTGL_INLINE IntV edge_included(IntV a, IntV b, const EdgeRule& rule) {
 }
 
 // The box of pixels that a triangle may cover: centers on its left border are inside.
-SOFTGL_INLINE IntV first_column(const IntV x[3]) { return (least(x) + 255) >> 8; }
+SOFTGL_INLINE IntV first_column(const IntV x[3], const EdgeRule& rule) {
+  return (least(x) + rule.to_first) >> 8;
+}
 SOFTGL_INLINE IntV last_column(const IntV x[3]) { return (greatest(x) - 1) >> 8; }
 SOFTGL_INLINE IntV first_row(const IntV y[3], const EdgeRule& rule) {
-  return (least(y) + (rule.last_row + 255)) >> 8;
+  return (least(y) + (rule.last_row + rule.to_first)) >> 8;
 }
 SOFTGL_INLINE IntV last_row(const IntV y[3], const EdgeRule& rule) {
   return (greatest(y) + (rule.last_row - 1)) >> 8;

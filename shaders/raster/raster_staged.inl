@@ -13,40 +13,47 @@ struct StripBatch {
   int32_t pixel[kLanes / kStripLanes]; // pixel_in_tile of the strip's first pixel
 };
 
+/// Merges a strip of `block` whose colors are final, lanes from `first` on, with the pixels from `pixel` on.
+/// `live` and `depth` are the strip's.
+SOFTGL_INLINE void merge_strip(const Merger& merger, const TileTarget& tile, const FragmentBlock& block,
+                               int first, int pixel, uint32_t* live, const uint32_t* depth) {
+  const auto format = ColorFormat(merger.key.color_format);
+  if (tile.depth_stencil)
+    for (int i = 0; i < kStripLanes; i += kWidth)
+      store(live + i,
+            merger.depth_stencil(load(live + i), load(depth + i), tile.depth_stencil + (pixel + i)));
+  if (tile.samples)
+    for (int i = 0; i < kStripLanes; i += kWidth) *tile.samples += count_lanes(load(live + i));
+  if (format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565) {
+    uint32_t expanded[kStripLanes];
+    uint32_t* words = format == ColorFormat::Rgba8 ? static_cast<uint32_t*>(tile.color) + pixel : expanded;
+    uint16_t* halves = static_cast<uint16_t*>(tile.color) + pixel;
+    if (format == ColorFormat::Rgb565)
+      for (int i = 0; i < kStripLanes; ++i) expanded[i] = expand_565(halves[i]);
+    for (int i = 0; i < kStripLanes; i += kWidth)
+      merger.color(load(live + i),
+                   pack_color(load(block.color[0] + first + i), load(block.color[1] + first + i),
+                              load(block.color[2] + first + i), load(block.color[3] + first + i)),
+                   words + i);
+    if (format == ColorFormat::Rgb565)
+      for (int i = 0; i < kStripLanes; ++i) halves[i] = cut_565(expanded[i]);
+    return;
+  }
+  for (int i = 0; i < kStripLanes; ++i) {
+    if (!live[i]) continue;
+    const float color[4] = {block.color[0][first + i], block.color[1][first + i], block.color[2][first + i],
+                            block.color[3][first + i]};
+    store_wide(merger.program, format, color, tile.color, size_t(pixel + i));
+  }
+}
+
 /// Merges the strips of `block` whose colors are final.
 static void merge_strips(const RasterDraw& draw, const TileTarget& tile, FragmentBlock& block,
                          const StripBatch& batch) {
   const Merger merger{*draw.program};
-  const auto format = ColorFormat(merger.key.color_format);
   for (int s = 0; s < batch.strips; ++s) {
-    const int first = s * kStripLanes, pixel = batch.pixel[s];
-    if (tile.depth_stencil)
-      for (int i = first; i < first + kStripLanes; i += kWidth)
-        store(block.live + i, merger.depth_stencil(load(block.live + i), load(block.depth + i),
-                                                   tile.depth_stencil + (pixel + i - first)));
-    if (tile.samples)
-      for (int i = first; i < first + kStripLanes; i += kWidth)
-        *tile.samples += count_lanes(load(block.live + i));
-    if (format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565) {
-      uint32_t expanded[kStripLanes];
-      uint32_t* words = format == ColorFormat::Rgba8 ? static_cast<uint32_t*>(tile.color) + pixel : expanded;
-      uint16_t* halves = static_cast<uint16_t*>(tile.color) + pixel;
-      if (format == ColorFormat::Rgb565)
-        for (int i = 0; i < kStripLanes; ++i) expanded[i] = expand_565(halves[i]);
-      for (int i = first; i < first + kStripLanes; i += kWidth)
-        merger.color(load(block.live + i),
-                     pack_color(load(block.color[0] + i), load(block.color[1] + i), load(block.color[2] + i),
-                                load(block.color[3] + i)),
-                     words + (i - first));
-      if (format == ColorFormat::Rgb565)
-        for (int i = 0; i < kStripLanes; ++i) halves[i] = cut_565(expanded[i]);
-      continue;
-    }
-    for (int i = first; i < first + kStripLanes; ++i) {
-      if (!block.live[i]) continue;
-      const float color[4] = {block.color[0][i], block.color[1][i], block.color[2][i], block.color[3][i]};
-      store_wide(*draw.program, format, color, tile.color, size_t(pixel + i - first));
-    }
+    const int first = s * kStripLanes;
+    merge_strip(merger, tile, block, first, batch.pixel[s], block.live + first, block.depth + first);
   }
 }
 

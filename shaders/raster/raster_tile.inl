@@ -3,6 +3,7 @@
 #pragma once
 
 #include "shaders/raster/raster_direct.inl"
+#include "shaders/raster/raster_multisample.inl"
 #include "shaders/raster/raster_small.inl"
 #include "shaders/raster/raster_spans.inl"
 #include "shaders/raster/raster_staged.inl"
@@ -16,6 +17,13 @@ static void tile_primitives(const TileTarget& tile, const RasterDraw& draw,
   const FragmentKey& key = draw.program->key;
   const bool depth = tile.depth_stencil &&
                      (Compare(key.depth_function) != Compare::Always || key.depth_write || key.stencil);
+  if (draw.raster->samples > 1) {
+    if (depth)
+      multisampled_primitives<true>(tile, draw, primitive, count, block);
+    else
+      multisampled_primitives<false>(tile, draw, primitive, count, block);
+    return;
+  }
   if (draw.direct) {
     if (depth)
       direct_primitives<true>(tile, draw, primitive, count);

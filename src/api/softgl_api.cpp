@@ -44,9 +44,10 @@ SOFTGL_EXPORT uint64_t softgl_frame_hash() {
   if (c.guard & kNoContext) return 0;
   try {
     flush_rendering(c);
+    resolve_samples(c.framebuffer);
     write_tiles(c.framebuffer);
   } catch (...) { set_error(c, GL_OUT_OF_MEMORY); }
-  const Surface& s = c.framebuffer.surface;
+  const Surface& s = c.framebuffer.seen().surface;
   uint64_t hash = mixed(uint64_t(s.width) << 32 | uint32_t(s.height), uint64_t(s.color_format));
   const size_t bytes = size_t(bytes_per_pixel(s.color_format));
   const auto* color = static_cast<const unsigned char*>(s.color);

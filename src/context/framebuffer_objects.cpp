@@ -20,6 +20,8 @@ int Attachment::height() const {
   return image() ? image()->height : 0;
 }
 
+int Attachment::samples() const { return renderbuffer ? renderbuffer->samples : 1; }
+
 namespace {
 
 /// Whether the image may be attached there (4.4.4.1). Formats that cannot be drawn to but are renderable by
@@ -47,10 +49,20 @@ GLenum FramebufferObject::status() const {
   if (!is_complete(depth, false, true, false) || !is_complete(stencil, false, false, true))
     return GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
   if (!any) return GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT;
+  for (const Attachment& a : color)
+    if (!a.empty() && a.samples() != samples()) return GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE;
+  for (const Attachment* a : {&depth, &stencil})
+    if (!a->empty() && a->samples() != samples()) return GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE;
   // GL_ARB_ES2_compatibility and OpenGL 4.1 took back that draw and read buffers need an image.
   // Depths and stencil values lie in one plane.
   const bool two_planes = !depth.empty() && !stencil.empty() && !depth.same_image(stencil);
   return drawable && !two_planes ? GL_FRAMEBUFFER_COMPLETE : GL_FRAMEBUFFER_UNSUPPORTED;
+}
+
+int FramebufferObject::samples() const {
+  for (const Attachment& a : color)
+    if (!a.empty()) return a.samples();
+  return depth.empty() ? stencil.samples() : depth.samples();
 }
 
 int bits_of_color(const RenderTarget& target, int component) {

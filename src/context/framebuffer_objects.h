@@ -14,13 +14,12 @@ struct Context;
 
 constexpr int kMaxColorAttachments = 8;
 constexpr int kMaxRenderbufferSize = 16384;
-constexpr int kMaxSamples = 0; // there is no multisampling
 
 struct Renderbuffer {
   explicit Renderbuffer(GLuint name) : name(name) {}
   GLuint name;
   GLenum internal_format = GL_RGBA;
-  int width = 0, height = 0;
+  int width = 0, height = 0, samples = 1; // samples: 1 or kSamples
   RenderFormat format;
   std::shared_ptr<RenderPlane> plane; // null before glRenderbufferStorage
 };
@@ -40,7 +39,7 @@ struct Attachment {
   TextureImage* image() const { return texture ? texture->image[face][level].get() : nullptr; }
   /// Kind::None for nothing, and for images that are missing or cannot be drawn to.
   RenderFormat format() const;
-  int width() const, height() const;
+  int width() const, height() const, samples() const;
 };
 
 struct FramebufferObject {
@@ -63,6 +62,8 @@ struct FramebufferObject {
   /// GL_ARB_ES2_compatibility took back).
   GLenum status() const;
   bool complete() const { return status() == GL_FRAMEBUFFER_COMPLETE; }
+  /// Samples of a pixel of a complete framebuffer.
+  int samples() const;
 };
 
 /// The surface of a framebuffer object, and its planes, which it keeps alive.

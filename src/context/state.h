@@ -142,7 +142,7 @@ struct PolygonStippleState {
   }
 };
 
-/// Multisampling (table 6.14): OSMesa has no sample buffers, so this is only remembered.
+/// Multisampling (table 6.14).
 struct MultisampleState {
   bool enabled = true, alpha_to_coverage = false, alpha_to_one = false, coverage = false,
        coverage_invert = false;
@@ -353,7 +353,8 @@ enum DirtyBit : uint32_t {
   kDirtyFramebuffer = 1u << 20, // its size and formats
   kDirtyCurrent = 1u << 21,     // current attributes below kMaterial0; cleared by commands/vertices/
   kDirtyArrays = 1u << 22,      // vertex arrays and the contents of buffers; cleared by commands/vertices/
-  kDirtyAll = (1u << 23) - 1
+  kDirtyMultisample = 1u << 23,
+  kDirtyAll = (1u << 24) - 1
 };
 
 /// The dirty bits of a group of State; none where no snapshot reads it.
@@ -368,6 +369,7 @@ template <> inline constexpr uint32_t kDirtyBitsOf<&State::line> = kDirtyLine;
 template <> inline constexpr uint32_t kDirtyBitsOf<&State::polygon> = kDirtyPolygon;
 template <> inline constexpr uint32_t kDirtyBitsOf<&State::polygon_stipple> = kDirtyPolygonStipple;
 template <> inline constexpr uint32_t kDirtyBitsOf<&State::texture> = kDirtyTexture | kDirtyTextureGeneration;
+template <> inline constexpr uint32_t kDirtyBitsOf<&State::multisample> = kDirtyMultisample;
 template <> inline constexpr uint32_t kDirtyBitsOf<&State::scissor> = kDirtyScissor;
 template <> inline constexpr uint32_t kDirtyBitsOf<&State::color_buffer> = kDirtyColorBuffer;
 template <> inline constexpr uint32_t kDirtyBitsOf<&State::depth> = kDirtyDepth;

@@ -4,6 +4,7 @@
 
 #include "frame/parallel.h"
 #include "frame/tile_worker.h"
+#include "surface/sample_resolve.h"
 
 namespace softgl {
 namespace {
@@ -44,8 +45,28 @@ void write_tiles(RenderTarget& f) {
 }
 
 void accumulate(Framebuffer& f, const Accumulation& accumulation) {
-  const Surface& s = f.surface;
+  if (accumulation.operation == AccumulationOperation::Return) { // to all samples alike
+    f.samples_changed = true;
+    for (int i = 0; i < f.surface.samples; ++i) {
+      const Surface s = sample_surface(f.surface, i);
+      for_each_tile(s, [&](uint32_t tile) { accumulate_tile(s, f.accumulation, accumulation, tile); });
+    }
+    return;
+  }
+  resolve_samples(f);
+  const Surface& s = f.seen().surface;
   for_each_tile(s, [&](uint32_t tile) { accumulate_tile(s, f.accumulation, accumulation, tile); });
+}
+
+void resolve_samples(Framebuffer& f) {
+  if (!f.resolved || !f.samples_changed) return;
+  const Surface &from = f.surface, &to = f.resolved->surface;
+  for_each_tile(from, [&](uint32_t tile) {
+    write_tile(from, tile);
+    write_tile(to, tile);
+    resolve_samples(from, to, tile);
+  });
+  f.samples_changed = false;
 }
 
 void resolve(const Surface& s, const ClientBuffer& client) {

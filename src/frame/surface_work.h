@@ -20,6 +20,9 @@ bool has_changed(const RenderPlane& plane);
 /// may wait to be written to the planes.
 void accumulate(Framebuffer& framebuffer, const Accumulation& accumulation);
 
+/// Brings the pixels up to date that are read of a window with several samples a pixel. No draws may wait.
+void resolve_samples(Framebuffer& framebuffer);
+
 /// Writes the surface to the caller's buffer.
 void resolve(const Surface& surface, const ClientBuffer& client);
 

@@ -89,6 +89,30 @@ Ends move_y_major(const float* v1, const float* v2, float dx, float dy) {
   return e;
 }
 
+/// Corners of a line's body, in 1/256 of a pixel.
+struct Body {
+  int32_t x[4], y[4];
+};
+
+/// The corners go round from the right (x-major) or upper end.
+Body parallelogram(const float* v1, const float* v2, float dx, float dy, bool x_major, float width) {
+  const int32_t half_width = static_cast<int32_t>(width + 0.5f) * 128;
+  const Ends e = x_major ? move_x_major(v1, v2, dx, dy) : move_y_major(v1, v2, dx, dy);
+  int32_t ax = snap(v1[0] + e.x1 - 0.5f), ay = snap(v1[1] + e.y1 - 0.5f);
+  int32_t bx = snap(v2[0] + e.x2 - 0.5f), by = snap(v2[1] + e.y2 - 0.5f);
+  if (x_major ? dx < 0 : dy > 0) std::swap(ax, bx), std::swap(ay, by);
+  const int32_t hx = x_major ? 0 : half_width, hy = x_major ? half_width : 0;
+  return {{ax - hx, bx - hx, bx + hx, ax + hx}, {ay - hy, by - hy, by + hy, ay + hy}};
+}
+
+/// The body with multisampling (3.4.4): as wide as the line, at right angles to it.
+Body rectangle(const float* v1, const float* v2, float dx, float dy, float length2, float width) {
+  const float scale = (width * 0.5f) / std::sqrt(length2);
+  const int32_t hx = snap(-dy * scale), hy = snap(dx * scale);
+  const int32_t ax = snap(v1[0]), ay = snap(v1[1]), bx = snap(v2[0]), by = snap(v2[1]);
+  return {{ax - hx, bx - hx, bx + hx, ax + hx}, {ay - hy, by - hy, by + hy, ay + hy}};
+}
+
 } // namespace
 
 bool setup_line(const RasterDraw& draw, const ShadedVertices::Slot* corner0,
@@ -100,16 +124,9 @@ bool setup_line(const RasterDraw& draw, const ShadedVertices::Slot* corner0,
   const float length2 = dx * dx + dy * dy;
   if (length2 == 0) return false;
   const float inverse = 1.0f / length2;
-  const int32_t half_width = static_cast<int32_t>(r.line_width + 0.5f) * 128;
-
   const bool x_major = std::fabs(dx) >= std::fabs(dy);
-  const Ends e = x_major ? move_x_major(v1, v2, dx, dy) : move_y_major(v1, v2, dx, dy);
-  int32_t ax = snap(v1[0] + e.x1 - 0.5f), ay = snap(v1[1] + e.y1 - 0.5f);
-  int32_t bx = snap(v2[0] + e.x2 - 0.5f), by = snap(v2[1] + e.y2 - 0.5f);
-  // The body's corners go round from the right (x-major) or upper end.
-  if (x_major ? dx < 0 : dy > 0) std::swap(ax, bx), std::swap(ay, by);
-  const int32_t hx = x_major ? 0 : half_width, hy = x_major ? half_width : 0;
-  const int32_t x[4] = {ax - hx, bx - hx, bx + hx, ax + hx}, y[4] = {ay - hy, by - hy, by + hy, ay + hy};
+  const auto [x, y] = r.per_sample ? rectangle(v1, v2, dx, dy, length2, r.line_width)
+                                   : parallelogram(v1, v2, dx, dy, x_major, r.line_width);
 
   out.edges = 4;
   for (int i = 0; i < 4; ++i) {
@@ -117,19 +134,21 @@ bool setup_line(const RasterDraw& draw, const ShadedVertices::Slot* corner0,
     const int32_t a = y[i] - y[j], b = x[i] - x[j];
     const bool included = a < 0 || (a == 0 && (r.top_edge_rule ? b > 0 : b < 0));
     const int64_t c = int64_t(a) * x[i] - int64_t(b) * y[i] + (included ? 1 : 0);
-    out.a[i] = a, out.b[i] = b, out.c[i] = (c - 1) >> 8;
+    out.a[i] = a, out.b[i] = b, out.c[i] = (c - 1) >> r.edge_shift;
   }
   const auto [min_x, max_x] = std::minmax({x[0], x[1], x[2], x[3]});
   const auto [min_y, max_y] = std::minmax({y[0], y[1], y[2], y[3]});
-  out.x0 = std::max((min_x + 255) >> 8, r.x0), out.x1 = std::min(((max_x - 1) >> 8) + 1, r.x1);
+  out.x0 = std::max((min_x + r.to_first_pixel) >> 8, r.x0), out.x1 = std::min(((max_x - 1) >> 8) + 1, r.x1);
   const int32_t bottom = r.top_edge_rule ? 0 : 1; // centers on the last row's level edge are inside
-  out.y0 = std::max((min_y + 255 + bottom) >> 8, r.y0),
+  out.y0 = std::max((min_y + r.to_first_pixel + bottom) >> 8, r.y0),
   out.y1 = std::min(((max_y - 1 + bottom) >> 8) + 1, r.y1);
   if (out.x0 >= out.x1 || out.y0 >= out.y1) return false;
 
-  // Planes: the gradient is along the major axis only.
+  // Planes: the gradient is along the line where that is a rectangle, else along the major axis only.
   float along_x = 0, along_y = 0;
-  if (x_major) {
+  if (r.per_sample) {
+    along_x = dx, along_y = dy;
+  } else if (x_major) {
     const float m = dy / dx;
     along_x = dx * (1 + m * m);
   } else {
@@ -141,7 +160,7 @@ bool setup_line(const RasterDraw& draw, const ShadedVertices::Slot* corner0,
     const float d = a1 - a2;
     p.gx = d * along_x * inverse;
     p.gy = d * along_y * inverse;
-    p.a = a1 - (p.gx * (v1[0] - 0.5f) + p.gy * (v1[1] - 0.5f));
+    p.a = a1 - (p.gx * (v1[0] - r.pixel_center) + p.gy * (v1[1] - r.pixel_center));
     return p;
   };
   const float w1 = v1[3], w2 = v2[3];
@@ -160,6 +179,7 @@ bool setup_line(const RasterDraw& draw, const ShadedVertices::Slot* corner0,
   out.w_is_one = w.a == 1.0f && w.gx == 0.0f && w.gy == 0.0f;
   out.depth_offset = 0;
   out.back = back;
+  out.round = false;
   return true;
 }
 

@@ -1,5 +1,6 @@
 // Points follow OSMesa 22.3.6 (llvmpipe): whole numbers of pixels with halves rounded down, or, as sprites,
-// squares of the exact size filled by the edge rule of triangles.
+// squares of the exact size filled by the edge rule of triangles. With multisampling those that are not
+// sprites are circles (3.3.3).
 #include "raster/point_setup.h"
 
 #include <algorithm>
@@ -18,6 +19,7 @@ bool set_box(const RasterConstants& r, const WindowBox& box, RasterPrimitive& ou
   out.y0 = std::max(box.y0, r.y0), out.y1 = std::min(box.y1, r.y1);
   out.edges = 0; // the box is all
   for (int i = 0; i < 4; ++i) out.a[i] = out.b[i] = 0, out.c[i] = 0;
+  out.round = false;
   return out.x0 < out.x1 && out.y0 < out.y1;
 }
 
@@ -37,6 +39,22 @@ void set_constant_planes(const RasterDraw& draw, const ShadedVertices::Slot* cor
     if (draw.unit_plane[u] >= 0) attributes(coordinates_of_unit(draw, u));
   out.w_is_one = w == 1.0f;
   out.depth_offset = 0;
+}
+
+/// The sample points of the pixels in the box that lie in a square: those on its left and lower sides do.
+void set_square(int32_t left, int32_t top, int32_t width, bool top_edge_rule, RasterPrimitive& out) {
+  out.edges = 4;
+  const int32_t first = top_edge_rule ? top : top + 1;
+  const int32_t a[4] = {-1, 1, 0, 0}, b[4] = {0, 0, 1, -1};
+  const int32_t c[4] = {-left, left + width - 1, -first, first + width - 1};
+  for (int i = 0; i < 4; ++i) out.a[i] = a[i], out.b[i] = b[i], out.c[i] = c[i];
+}
+
+/// Sample points within half the size of the center.
+void set_circle(const float* center, float size, RasterPrimitive& out) {
+  const auto radius = static_cast<int64_t>(size * 128.0f);
+  out.round = true;
+  out.c[0] = snap(center[0]), out.c[1] = snap(center[1]), out.c[2] = radius * radius;
 }
 
 } // namespace
@@ -63,12 +81,12 @@ bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, boo
   float size = draw.layout.point >= 0 ? corner[draw.layout.point].v[0] : r.point_size;
   size = size > 0.0f ? std::min(size, 255.0f) : 0.0f;
   const int32_t bottom = r.top_edge_rule ? 0 : 1; // centers on the lowest row's edge are inside
-  int32_t x0, y0, x1, y1, fixed_width;
-  if (r.point_sprite) {
+  int32_t x0, y0, x1, y1, fixed_width, left = 0, top = 0;
+  if (r.point_sprite || r.per_sample) {
     fixed_width = std::max(256, snap(size));
-    const int32_t left = snap(v[0] - 0.5f) - fixed_width / 2, top = snap(v[1] - 0.5f) - fixed_width / 2;
-    x0 = (left + 255) >> 8, x1 = (left + fixed_width + 255) >> 8;
-    y0 = (top + 255 + bottom) >> 8, y1 = (top + fixed_width + 255 + bottom) >> 8;
+    left = snap(v[0] - r.pixel_center) - fixed_width / 2, top = snap(v[1] - r.pixel_center) - fixed_width / 2;
+    x0 = (left + r.to_first_pixel) >> 8, x1 = (left + fixed_width + 255) >> 8;
+    y0 = (top + r.to_first_pixel + bottom) >> 8, y1 = (top + fixed_width + 255 + bottom) >> 8;
   } else {
     const int32_t x = snap(v[0]), y = snap(v[1]) - bottom;
     fixed_width = std::max(256, (snap(size) + 127) & ~255);
@@ -78,6 +96,8 @@ bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, boo
     x1 = x0 + n, y1 = y0 + n;
   }
   if (!setup_box(draw, corner, {x0, y0, x1, y1}, out)) return false;
+  if (r.per_sample && r.point_sprite) set_square(left, top, fixed_width, r.top_edge_rule, out);
+  if (r.per_sample && !r.point_sprite) set_circle(v, std::max(size, 1.0f), out);
   out.back = back;
   const float w = v[3];
   for (int u = 0; u < kMaxTextureUnits; ++u) {
@@ -85,7 +105,7 @@ bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, boo
     // Across the square s and t go from 0 to 1.
     const float gradient = 256.0f / static_cast<float>(fixed_width),
                 gy = r.sprite_lower_left ? -gradient : gradient;
-    const float x = v[0] - 0.5f, y = v[1] - 0.5f;
+    const float x = v[0] - r.pixel_center, y = v[1] - r.pixel_center;
     Plane* p = out.plane + draw.unit_plane[u];
     p[0] = {(0.5f - (gradient * x + 0.0f * y)) * w, gradient * w, 0};
     p[1] = {(0.5f - (0.0f * x + gy * y)) * w, 0, gy * w};

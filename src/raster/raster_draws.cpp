@@ -77,13 +77,13 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
   const auto format = static_cast<ColorFormat>(key.color_format);
   d.opaque = draw.fragment->coverage == Coverage::None && draw.vertex && is_opaque(*draw.vertex) &&
              takes(FastPath::OpaqueColors);
-  // Depths that are floats are tested by strips alone.
-  const bool depth_floats = static_cast<DepthFormat>(key.depth_format) == DepthFormat::Z32F;
+  // Depths that are floats are tested by strips alone, and so are samples.
+  const bool depth_floats = static_cast<DepthFormat>(key.depth_format) == DepthFormat::Z32F,
+             strips = depth_floats || draw.raster->samples > 1;
   d.small = is_enabled(FastPath::Small) && (format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565) &&
-            !d.program->reads_quads && !d.raster->stipple && !depth_floats;
+            !d.program->reads_quads && !d.raster->stipple && !strips;
   d.direct = draw.fragment->step_count == 0 && !d.raster->stipple && format == ColorFormat::Rgba8 &&
-             !key.stencil && !depth_floats && (!draw.samples || key.color_mask == 0) &&
-             takes(FastPath::Direct);
+             !key.stencil && !strips && (!draw.samples || key.color_mask == 0) && takes(FastPath::Direct);
   d.early_depth =
       !key.stencil && !depth_floats && !draw.fragment->writes_depth && takes(FastPath::EarlyDepth);
   d.whole_blocks = takes(FastPath::WholeBlocks);

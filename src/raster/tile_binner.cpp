@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdlib>
 #include <cstring>
 #include <utility>
 
@@ -38,7 +39,10 @@ void TileBinner::bin(const RasterPrimitive& p) {
         bool outside = false;
         for (int i = 0; i < p.edges; ++i) {
           const int64_t a = p.a[i], b = p.b[i];
-          const int64_t best = p.c[i] - a * (tx * kTileSize) + b * (ty * kTileSize) +
+          // No sample point lies more than a pixel from the corner.
+          const int64_t c =
+              draw_->raster->per_sample ? (p.c[i] >> 8) + std::abs(a) + std::abs(b) + 1 : p.c[i];
+          const int64_t best = c - a * (tx * kTileSize) + b * (ty * kTileSize) +
                                (kTileSize - 1) * ((a < 0 ? -a : 0) + (b > 0 ? b : 0));
           outside = outside || best < 0;
         }

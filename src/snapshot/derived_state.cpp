@@ -159,7 +159,7 @@ constexpr DerivedRow kRows[] = {
      difference_of<&SnapshotCache::fragment_inputs>},
     {"raster constants",
      kDirtyFramebuffer | kDirtyLighting | kDirtyPoint | kDirtyLine | kDirtyPolygon | kDirtyPolygonStipple |
-         kDirtyScissor,
+         kDirtyScissor | kDirtyMultisample,
      kNobodysInput, make_raster, difference_of<&SnapshotCache::raster>},
     {"space of lighting",
      kDirtyModelview | kDirtyLighting | kDirtyLights | kDirtyPoint | kDirtyTextureGeneration |

@@ -17,7 +17,7 @@ void mark_drawn(Context& c) {
       if (a.texture) a.texture->drawn_to = true;
     });
   else
-    c.framebuffer.unresolved = true;
+    c.framebuffer.unresolved = c.framebuffer.samples_changed = true;
 }
 
 } // namespace

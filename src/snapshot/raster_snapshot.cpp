@@ -34,6 +34,24 @@ const uint64_t* make_stipple(const PolygonStippleState& stipple, const Surface& 
   return block;
 }
 
+/// GL 1.5, 3.2.1 and 4.1.3.
+void set_multisampling(const MultisampleState& m, RasterConstants& r) {
+  r.per_sample = m.enabled && r.samples > 1;
+  r.pixel_center = r.per_sample ? 0.0f : 0.5f;
+  r.to_first_pixel = r.per_sample ? 0 : 255;
+  r.edge_shift = r.per_sample ? 0 : 8;
+  const unsigned all = (1u << kSamples) - 1;
+  unsigned mask = all;
+  if (r.per_sample) {
+    r.alpha_to_coverage = m.alpha_to_coverage;
+    r.alpha_to_one = m.alpha_to_one;
+    // OSMesa 22.3.6: as many of the first samples as the value asks for.
+    if (m.coverage) mask = (1u << int(m.coverage_value * float(kSamples))) - 1;
+    if (m.coverage && m.coverage_invert) mask = ~mask & all;
+  }
+  r.sample_mask = uint8_t(mask);
+}
+
 } // namespace
 
 const RasterConstants* make_raster_constants(const Context& context, Arena& arena) {
@@ -49,6 +67,8 @@ const RasterConstants* make_raster_constants(const Context& context, Arena& aren
   r.back = positive_is_front ? 0 : 1;
   r.cull = static_cast<uint8_t>((s.polygon.culls(!positive_is_front) ? 1 : 0) |
                                 (s.polygon.culls(positive_is_front) ? 2 : 0));
+  r.samples = surface.samples;
+  set_multisampling(s.multisample, r);
   r.flat = s.lighting.shade_model == GL_FLAT;
   const bool before = polygons_before_raster(s); // geometry has colored and offset polygons
   r.two_sided = s.lighting.enabled && s.lighting.two_side &&

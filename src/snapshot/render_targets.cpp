@@ -13,7 +13,7 @@ void framebuffers_changed(Context& c) {
   FramebufferBindings& b = c.bindings;
   b.draw_current = b.read_current = false; // the old ones may still be in use
   c.draw = b.draw ? static_cast<RenderTarget*>(&b.draw_target) : &c.framebuffer;
-  c.read = b.read ? static_cast<RenderTarget*>(&b.read_target) : &c.framebuffer;
+  c.read = b.read ? static_cast<RenderTarget*>(&b.read_target) : &c.framebuffer.seen();
   c.dirty |= kDirtyAll;
 }
 
@@ -122,6 +122,7 @@ bool prepare_read_target(Context& c) {
     b.read_current = true;
     b.read_target.unwritten = true; // by draws to another object with the same images
   }
+  if (!b.read) resolve_samples(c.framebuffer);
   write_tiles(*c.read);
   return true;
 }

@@ -36,8 +36,9 @@ MEMBERS(FragmentProgram, key, constants, step_count, step, r_units, lod_units, w
         coverage)
 MEMBERS(SmoothPrograms, point, line, polygon)
 MEMBERS(RasterConstants, x0, y0, x1, y1, cull, back, flat, two_sided, offset, point_sprite, sprite_units,
-        sprite_lower_left, top_edge_rule, offset_floats, offset_units, offset_factor, line_width, point_size,
-        stipple)
+        sprite_lower_left, top_edge_rule, per_sample, sample_mask, alpha_to_coverage, alpha_to_one, samples,
+        pixel_center, to_first_pixel, edge_shift, offset_floats, offset_units, offset_factor, line_width,
+        point_size, stipple)
 MEMBERS(TransformConstants, mvp, modelview, normal_matrix, normal_scale, window_scale, window_offset)
 MEMBERS(ClipPlaneConstants, count, index, plane)
 MEMBERS(CoordinateConstants, mode, transform, plane, matrix)

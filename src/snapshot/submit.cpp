@@ -48,7 +48,8 @@ void submit(Context& c, const DrawCall& call) {
 namespace {
 
 /// One vertex with the raster position's attributes stands for all fragments of the rectangle.
-void append_rectangle(Context& c, const FragmentProgram* program, const WindowBox& box, uint64_t* samples) {
+void append_rectangle(Context& c, const FragmentProgram* program, const RasterConstants* raster,
+                      const WindowBox& box, uint64_t* samples) {
   Arena& arena = c.frame.arena();
   const RasterPosition& p = c.state.raster_position;
   const int8_t no_source[5][2] = {};
@@ -65,25 +66,35 @@ void append_rectangle(Context& c, const FragmentProgram* program, const WindowBo
   for (int at : {layout.secondary, layout.back_secondary}) set(at, Vec4(Vec3(p.secondary_color), p.distance));
   for (int u = 0; u < kMaxTextureUnits; ++u) set(layout.texcoord[u], p.texcoord[u]);
   const auto* rectangle = arena.make<PixelRectangle>(slot, box);
-  c.frame.append(arena.make<DrawRecord>(DrawCall{}, layout, nullptr, make_raster_constants(c, arena), program,
-                                        rectangle, samples));
+  c.frame.append(arena.make<DrawRecord>(DrawCall{}, layout, nullptr, raster, program, rectangle, samples));
   if (c.frame.over_budget()) flush_frame(c);
+}
+
+/// Of pixels that are stored, which are no fragments: what state does to coverage is not done to them.
+const RasterConstants* make_constants_of_copy(Context& c, unsigned samples) {
+  auto* raster = c.frame.arena().make<RasterConstants>(*make_raster_constants(c, c.frame.arena()));
+  raster->sample_mask = uint8_t(samples);
+  raster->alpha_to_coverage = raster->alpha_to_one = false;
+  return raster;
 }
 
 } // namespace
 
 void submit_pixels(Context& c, const PixelImage& image, const WindowBox& box) {
-  append_rectangle(c, make_fragment_program(c, c.frame.arena(), &image), box, active_counter(c));
+  append_rectangle(c, make_fragment_program(c, c.frame.arena(), &image),
+                   make_raster_constants(c, c.frame.arena()), box, active_counter(c));
 }
 
 void submit_stencil(Context& c, const PixelImage& image, uint8_t value, const WindowBox& box,
-                    uint32_t write_mask) {
+                    uint32_t write_mask, unsigned samples) {
   // These are no fragments (4.3.1), so no query counts them.
-  append_rectangle(c, make_stencil_program(c, c.frame.arena(), image, value, write_mask), box, nullptr);
+  append_rectangle(c, make_stencil_program(c, c.frame.arena(), image, value, write_mask),
+                   make_constants_of_copy(c, samples), box, nullptr);
 }
 
-void submit_copy(Context& c, const PixelImage& image, const WindowBox& box) {
-  append_rectangle(c, make_copy_program(c, c.frame.arena(), image), box, nullptr);
+void submit_copy(Context& c, const PixelImage& image, const WindowBox& box, unsigned samples) {
+  append_rectangle(c, make_copy_program(c, c.frame.arena(), image), make_constants_of_copy(c, samples), box,
+                   nullptr);
 }
 
 } // namespace softgl

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "draw/draw_call.h"
+#include "shaders/common/surface.h"
 
 namespace softgl {
 
@@ -15,10 +16,12 @@ void submit(Context& context, const DrawCall& call);
 /// Draws a rectangle of pixels whose fragments have the raster position's attributes, but for what the image
 /// gives them. The image lies in the frame's arena. May flush the frame as submit() does.
 void submit_pixels(Context& context, const PixelImage& image, const WindowBox& box);
-/// Sets stencil values: those of the bits that are set, under the mask.
+constexpr unsigned kAllSamples = (1u << kSamples) - 1;
+/// Sets stencil values: those of the bits that are set, under the mask. `samples`: bit s is set for sample s.
 void submit_stencil(Context& context, const PixelImage& image, uint8_t value, const WindowBox& box,
-                    uint32_t write_mask);
+                    uint32_t write_mask, unsigned samples = kAllSamples);
 /// Stores colors, or depths, whatever the tests and masks are but for the scissor test.
-void submit_copy(Context& context, const PixelImage& image, const WindowBox& box);
+void submit_copy(Context& context, const PixelImage& image, const WindowBox& box,
+                 unsigned samples = kAllSamples);
 
 } // namespace softgl

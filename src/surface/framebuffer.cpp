@@ -38,6 +38,16 @@ void Framebuffer::make_accumulation() {
   accumulation_bytes_ = bytes;
 }
 
+void Framebuffer::set_samples(int count) {
+  samples = count;
+  resolved.reset();
+  if (count == 1) return;
+  resolved = std::make_unique<Framebuffer>();
+  resolved->has_alpha = has_alpha;
+  resolved->depth_bits = depth_bits;
+  resolved->stencil_bits = stencil_bits;
+}
+
 bool Framebuffer::allocate(int width, int height, ColorFormat color_format) {
   Surface s{};
   s.width = width;
@@ -52,7 +62,9 @@ bool Framebuffer::allocate(int width, int height, ColorFormat color_format) {
                    : depth_bits == 16 && stencil_bits == 0 ? DepthFormat::Z16
                                                            : DepthFormat::Z24S8;
   size_t color_bytes = 0, depth_bytes = 0;
-  if (!plane_bytes(s.tiles_x, s.tiles_y, size_t(bytes_per_pixel(color_format)), color_bytes)) return false;
+  const auto n = size_t(samples);
+  if (!plane_bytes(s.tiles_x, s.tiles_y, n * size_t(bytes_per_pixel(color_format)), color_bytes))
+    return false;
   const bool waits = color_format == ColorFormat::Rgba8;
   const size_t tiles = size_t(s.tiles_x) * size_t(s.tiles_y);
   std::vector<TileWords> color_tiles(tiles, TileWords{has_alpha ? 0 : 0xff000000u, ~0u, waits}), depth_tiles;
@@ -62,17 +74,19 @@ bool Framebuffer::allocate(int width, int height, ColorFormat color_format) {
     for (size_t i = 0; i < tiles; ++i) {
       color_tiles[i].place = places;
       if (!depth_tiles.empty()) depth_tiles[i].place = places;
-      ++places;
+      places += uint32_t(samples);
     }
   if (s.depth_format != DepthFormat::None &&
-      !plane_bytes(s.tiles_x, s.tiles_y, sizeof(uint32_t), depth_bytes))
+      !plane_bytes(s.tiles_x, s.tiles_y, n * sizeof(uint32_t), depth_bytes))
     return false;
-  s.place_step = 1;
+  s.samples = samples;
+  s.place_step = uint32_t(samples);
   if (depth_bytes && color_format == ColorFormat::Rgba8)
-    s.place_step = 2, color_bytes += std::exchange(depth_bytes, 0);
+    s.place_step *= 2, color_bytes += std::exchange(depth_bytes, 0);
   s.color = map_pages(color_bytes);
   if (!s.color) return false;
-  if (s.place_step == 2) s.depth_stencil = static_cast<uint32_t*>(s.color) + kTilePixels;
+  if (s.place_step == 2 * uint32_t(samples))
+    s.depth_stencil = static_cast<uint32_t*>(s.color) + n * kTilePixels;
   if (depth_bytes) {
     s.depth_stencil = static_cast<uint32_t*>(map_pages(depth_bytes));
     if (!s.depth_stencil) {
@@ -87,6 +101,11 @@ bool Framebuffer::allocate(int width, int height, ColorFormat color_format) {
     if (color_format == ColorFormat::RgbaFloat)
       for (size_t i = 0; i < pixels; ++i) static_cast<float*>(s.color)[4 * i + 3] = 1.0f;
   }
+  if (resolved && !resolved->allocate(width, height, color_format)) {
+    unmap_pages(s.color, color_bytes);
+    if (depth_bytes) unmap_pages(s.depth_stencil, depth_bytes);
+    return false;
+  }
   release();
   color_tiles_ = std::move(color_tiles);
   depth_tiles_ = std::move(depth_tiles);
@@ -95,7 +114,7 @@ bool Framebuffer::allocate(int width, int height, ColorFormat color_format) {
   next_place_ = places;
   s.next_place = &next_place_;
   surface = s;
-  unwritten = true;
+  unwritten = samples_changed = true;
   color_bytes_ = color_bytes;
   depth_bytes_ = depth_bytes;
   return true;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "base/gl_types.h"
@@ -37,6 +38,11 @@ struct RenderTarget {
 /// The window. Its surface is empty before the first MakeCurrent.
 struct Framebuffer : RenderTarget {
   bool unresolved = false; // something was drawn that the caller's buffer does not show
+  int samples = 1;         // of a pixel: 1 or kSamples
+  /// What is seen of pixels with several samples: their means (resolve_samples() in frame/surface_work.h);
+  /// else null.
+  std::unique_ptr<Framebuffer> resolved;
+  bool samples_changed = true; // since they were resolved
   ClientBuffer client;
   FramebufferCounts counts;
   int16_t* accumulation = nullptr;       // accumulation.h; null, and all zeros, until it is first written
@@ -47,6 +53,12 @@ struct Framebuffer : RenderTarget {
   Framebuffer(const Framebuffer&) = delete;
   Framebuffer& operator=(const Framebuffer&) = delete;
 
+  /// The pixels that are read: one sample each.
+  Framebuffer& seen() { return resolved ? *resolved : *this; }
+  const Framebuffer& seen() const { return resolved ? *resolved : *this; }
+
+  /// Before allocate(), when bits and alpha are known. Throws std::bad_alloc.
+  void set_samples(int count);
   /// New planes of zeros (alpha 1 where there is none). False, and nothing changed, when memory does not
   /// suffice.
   bool allocate(int width, int height, ColorFormat color_format);
@@ -77,7 +89,8 @@ private:
 
 /// Bytes of a value in depth_copy: 4 (24 bits, stencil in the top byte), 2 (16 bits) or 0 (no depth).
 int depth_copy_bytes(const Framebuffer& framebuffer);
-/// Fills depth_copy from the surface, bottom row first. Nothing may wait to be written (write_tiles).
+/// Fills depth_copy from the surface that is read, bottom row first. Nothing may wait to be written
+/// (write_tiles).
 void copy_depth(Framebuffer& framebuffer);
 
 } // namespace softgl

@@ -89,16 +89,16 @@ RenderFormat render_format(const TexelFormat& t) {
   }
 }
 
-RenderPlane::RenderPlane(const RenderFormat& f, int w, int h)
-    : format(f), width(w), height(h), tiles_x((w + kTileSize - 1) / kTileSize),
+RenderPlane::RenderPlane(const RenderFormat& f, int w, int h, int n)
+    : format(f), width(w), height(h), samples(n), tiles_x((w + kTileSize - 1) / kTileSize),
       tiles_y((h + kTileSize - 1) / kTileSize) {
   const bool words = !f.is_color() || f.color == ColorFormat::Rgba8; // the others' tiles do not wait
   const uint32_t first = f.is_color() && !f.has_alpha() ? 0xff000000u : 0;
   tile.assign(tiles(), TileWords{first, words ? ~0u : 0u, words});
   stored.resize(tiles());
-  const uint32_t step = f.has_stencil_words() ? 2 : 1;
-  for (uint32_t i = 0; i < tiles(); ++i) tile[i].place = i * step;
-  bytes = size_t(tiles()) * step * kTilePixels * size_t(pixel_bytes());
+  const uint32_t step = f.has_stencil_words() || (n > 1 && f.has_floats()) ? 2 : 1;
+  for (uint32_t i = 0; i < tiles(); ++i) tile[i].place = i * step * uint32_t(n);
+  bytes = size_t(tiles()) * step * size_t(n) * kTilePixels * size_t(pixel_bytes());
   memory = map_pages(bytes);
   if (!memory) throw std::bad_alloc();
   if (f.is_color() && !f.has_alpha() && f.color == ColorFormat::Rgba16)
@@ -119,6 +119,7 @@ void assemble(GLuint name, int width, int height, RenderPlane* color, RenderPlan
   s.height = s.plane_height = height;
   for (const RenderPlane* plane : {color, depth_stencil}) {
     if (!plane) continue;
+    s.samples = plane->samples;
     s.plane_width = std::max(s.plane_width, plane->width);
     s.plane_height = std::max(s.plane_height, plane->height);
   }
@@ -126,7 +127,7 @@ void assemble(GLuint name, int width, int height, RenderPlane* color, RenderPlan
   s.tiles_y = (s.height + kTileSize - 1) / kTileSize;
   s.name = name;
   s.y_up = true;
-  s.place_step = 1;
+  s.place_step = uint32_t(s.samples);
   s.color_columns = s.depth_columns = s.tiles_x;
   if (color) {
     s.color_format = color->format.color;

@@ -37,10 +37,10 @@ RenderFormat renderbuffer_format(GLenum internal_format);
 /// The format in which images of texels are drawn to; Kind::None where they cannot be.
 RenderFormat render_format(const TexelFormat& texels);
 
-/// Memory of one plane. Its tiles have fixed places.
+/// Memory of one plane, with one or kSamples samples a pixel. Its tiles have fixed places.
 struct RenderPlane {
   RenderFormat format;
-  int width = 0, height = 0, tiles_x = 0, tiles_y = 0;
+  int width = 0, height = 0, samples = 1, tiles_x = 0, tiles_y = 0;
   void* memory = nullptr;
   size_t bytes = 0;
   std::vector<TileWords> tile;
@@ -53,19 +53,20 @@ struct RenderPlane {
   std::vector<StoredWord> stored;
 
   /// Zeros; alpha 1 where there is none. Throws std::bad_alloc.
-  RenderPlane(const RenderFormat& format, int width, int height);
+  RenderPlane(const RenderFormat& format, int width, int height, int samples = 1);
   ~RenderPlane();
   RenderPlane(const RenderPlane&) = delete;
   RenderPlane& operator=(const RenderPlane&) = delete;
 
   uint32_t tiles() const { return uint32_t(tiles_x) * uint32_t(tiles_y); }
-  /// The plane's pixels from those of tile `i` on; stencil words are behind those of the tile.
+  /// The plane's pixels from those of tile `i` on, of the first sample; stencil words are behind those of the
+  /// tile.
   unsigned char* pixels(uint32_t i) const;
   int pixel_bytes() const { return format.is_color() ? bytes_per_pixel(format.color) : 4; }
 };
 
-/// A surface of width x height pixels, which lie in both planes; each may be null. Its rows go up. `depth`
-/// and `stencil`: those values of the plane count.
+/// A surface of width x height pixels, which lie in both planes; each may be null, but they have equally many
+/// samples. Its rows go up. `depth` and `stencil`: those values of the plane count.
 void assemble(GLuint name, int width, int height, RenderPlane* color, RenderPlane* depth_stencil, bool depth,
               bool stencil, RenderTarget& target);
 

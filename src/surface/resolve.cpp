@@ -168,7 +168,7 @@ int depth_copy_bytes(const Framebuffer& f) {
 }
 
 void copy_depth(Framebuffer& f) {
-  const Surface& s = f.surface;
+  const Surface& s = f.seen().surface;
   const size_t bytes = size_t(depth_copy_bytes(f));
   f.depth_copy.resize(size_t(s.width) * size_t(s.height) * bytes);
   unsigned char* out = f.depth_copy.data();

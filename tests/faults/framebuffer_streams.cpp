@@ -70,10 +70,50 @@ void attachments(Player& p) {
   p.picture();
 }
 
+/// Four samples a pixel, copied to others, and resolved.
+void samples(Player& p) {
+  const Gl& gl = p.gl;
+  GLuint framebuffer[3] = {}, renderbuffer[6] = {};
+  gl.GenFramebuffers(3, framebuffer);
+  gl.GenRenderbuffers(6, renderbuffer);
+  p.check();
+  for (int i = 0; i < 3; ++i) {
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer[i]);
+    for (int k = 0; k < 2; ++k) {
+      const GLuint name = renderbuffer[2 * i + k];
+      gl.BindRenderbuffer(GL_RENDERBUFFER, name);
+      gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, i < 2 ? 4 : 0, k ? GL_DEPTH24_STENCIL8 : GL_RGBA8,
+                                        90, 70);
+      p.check();
+      gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, k ? GL_DEPTH_STENCIL_ATTACHMENT : GL_COLOR_ATTACHMENT0,
+                                 GL_RENDERBUFFER, name);
+    }
+  }
+  gl.Viewport(0, 0, 90, 70);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer[0]);
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+  scribble(p);
+  p.check();
+  const GLbitfield all = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
+  for (int i = 1; i < 3; ++i) {
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer[i]);
+    gl.BlitFramebuffer(0, 0, 90, 70, 0, 0, 90, 70, all, GL_NEAREST);
+    p.check();
+    scribble(p);
+  }
+  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  gl.Viewport(0, 0, 64, 64);
+  gl.DeleteRenderbuffers(6, renderbuffer);
+  gl.DeleteFramebuffers(3, framebuffer);
+  p.check();
+  p.picture();
+}
+
 } // namespace
 
 const std::vector<Stream>& framebuffer_streams() {
-  static const std::vector<Stream> streams = {{"framebuffers.attachments", attachments}};
+  static const std::vector<Stream> streams = {{"framebuffers.attachments", attachments},
+                                              {"framebuffers.samples", samples}};
   return streams;
 }
 

@@ -212,7 +212,7 @@ const BadCall bad_calls[] = {
     BAD(INVALID_ENUM, RenderbufferStorage(GL_RENDERBUFFER, 4, 4, 4)),
     BAD(INVALID_VALUE, RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, -1, 4)),
     BAD(INVALID_VALUE, RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, 4, 16385)),
-    BAD(INVALID_VALUE, RenderbufferStorageMultisample(GL_RENDERBUFFER, 1, GL_RGBA8, 4, 4)),
+    BAD(INVALID_VALUE, RenderbufferStorageMultisample(GL_RENDERBUFFER, 5, GL_RGBA8, 4, 4)),
     BAD(INVALID_VALUE, RenderbufferStorageMultisample(GL_RENDERBUFFER, -1, GL_RGBA8, 4, 4)),
     BAD(INVALID_ENUM, GetRenderbufferParameteriv(GL_FRAMEBUFFER, GL_RENDERBUFFER_WIDTH, values)),
     BAD(INVALID_ENUM, GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_TEXTURE_WIDTH, values)),

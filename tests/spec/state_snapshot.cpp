@@ -66,9 +66,8 @@ void add_rows(const Gl& gl, StateSnapshot& out) {
   for (const StateRow& row : state_rows()) {
     if (row.name.ends_with("_WIN") || row.name.ends_with("_SOFTGL")) continue; // extensions that OSMesa lacks
     if (row.name.find("COMPRESSED_TEXTURE_FORMATS") != std::string::npos)
-      continue; // OSMesa has 12, softgl three
-    if (row.token == GL_MAX_DRAW_BUFFERS || row.token == GL_MAX_SAMPLES)
-      continue; // OSMesa has 8 and 4, softgl 1 and no multisampling
+      continue;                                     // OSMesa has 12, softgl three
+    if (row.token == GL_MAX_DRAW_BUFFERS) continue; // OSMesa has 8, softgl 1
     if (row.token == GL_TRANSPOSE_TEXTURE_MATRIX && active != GL_TEXTURE0) continue; // OSMesa gives unit 0's
     double v[16];
     int count = 0;

@@ -1,8 +1,11 @@
 // The 13 functions of OSMesa, as OSMesa 22.3.6 answers them.
 #include <GL/osmesa.h>
+#include <softgl/softgl.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <memory>
 #include <new>
 
 #include "api/call_trace.h"
@@ -57,9 +60,15 @@ bool choose_color_format(GLenum format, GLenum type, ColorFormat& chosen) {
   }
 }
 
+/// Samples of a pixel of the window where the program does not say.
+int default_samples() {
+  const char* samples = std::getenv("SOFTGL_SAMPLES");
+  return samples && std::strcmp(samples, "4") == 0 ? kSamples : 0;
+}
+
 struct ContextRequest {
   GLenum format = OSMESA_RGBA;
-  int depth = 0, stencil = 0, accumulation = 0, major = 1, minor = 0;
+  int depth = 0, stencil = 0, accumulation = 0, major = 1, minor = 0, samples = default_samples();
   int osmesa_quadrilaterals = osmesa_quadrilaterals_by_environment();
 };
 
@@ -79,6 +88,7 @@ bool read_attributes(const int* list, ContextRequest& request) {
       // The pipeline of a core profile has no fixed functions: there is none here.
       if (value != OSMESA_COMPAT_PROFILE) return false;
       break;
+    case SOFTGL_SAMPLES: request.samples = value; break;
     case OSMESA_CONTEXT_MAJOR_VERSION: request.major = value; break;
     case OSMESA_CONTEXT_MINOR_VERSION: request.minor = value; break;
     case SOFTGL_OSMESA_QUADS:
@@ -91,7 +101,7 @@ bool read_attributes(const int* list, ContextRequest& request) {
     }
   }
   return request.depth >= 0 && request.stencil >= 0 && request.accumulation >= 0 && request.major >= 1 &&
-         request.minor >= 0;
+         request.minor >= 0 && (request.samples == 0 || request.samples == kSamples);
 }
 
 /// The picture goes to the caller's buffer before the thread takes another context. False: there was no
@@ -158,7 +168,8 @@ SOFTGL_EXPORT OSMesaContext OSMesaCreateContextAttribs(const int* attribList, OS
   // What GL 1.5 can be asked for: OSMesa answers with the newest compatible version, which here is 1.5.
   if (request.major > 1 || request.minor > 5) return nullptr;
   try {
-    auto* c = new osmesa_context;
+    auto context = std::make_unique<osmesa_context>();
+    osmesa_context* c = context.get();
     c->format = request.format;
     c->osmesa_quadrilaterals = request.osmesa_quadrilaterals != 0;
     Framebuffer& f = c->framebuffer;
@@ -170,8 +181,10 @@ SOFTGL_EXPORT OSMesaContext OSMesaCreateContextAttribs(const int* attribList, OS
                                                                 : 0;
     f.accumulation_bits = request.accumulation > 0 ? 16 : 0;
     f.client.format = request.format;
+    f.set_samples(request.samples ? request.samples : 1);
+    c->read = &f.seen();
     if (sharelist) c->shared = sharelist->shared;
-    return c;
+    return context.release();
   } catch (...) { return nullptr; }
 }
 
@@ -259,6 +272,7 @@ SOFTGL_EXPORT GLboolean OSMesaGetDepthBuffer(OSMesaContext c, GLint* width, GLin
     try {
       if (f.depth_copy.empty()) {
         flush_rendering(*c);
+        resolve_samples(f);
         write_tiles(f);
         copy_depth(f);
       }

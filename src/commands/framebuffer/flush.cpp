@@ -41,12 +41,13 @@ void finish_and_resolve(Context& c) {
   const VerticesAside aside(c); // a context may leave its thread between Begin and End
   Framebuffer& f = c.framebuffer;
   const Resolver resolver(f.surface, f.client);
-  if (!c.frame.empty() && c.draw == &f && takes(FastPath::EarlyCopies)) {
+  if (!c.frame.empty() && c.draw == &f && !f.resolved && takes(FastPath::EarlyCopies)) {
     execute_frame(c, &resolver);
   } else {
     if (!c.frame.empty()) flush_frame(c);
     if (!f.unresolved) return;
-    resolve(f.surface, f.client);
+    resolve_samples(f);
+    resolve(f.seen().surface, f.client);
   }
   f.unresolved = false;
   if (!f.depth_copy.empty()) {

@@ -109,8 +109,9 @@ void Scissor(Context& c, GLint x, GLint y, GLsizei width, GLsizei height) {
 }
 
 void SampleCoverage(Context& c, GLfloat value, GLboolean invert) {
-  c.state.multisample.coverage_value = value > 0.0f ? (value > 1.0f ? 1.0f : value) : 0.0f;
-  c.state.multisample.coverage_invert = invert != 0;
+  MultisampleState& multisample = edit<&State::multisample>(c);
+  multisample.coverage_value = value > 0.0f ? (value > 1.0f ? 1.0f : value) : 0.0f;
+  multisample.coverage_invert = invert != 0;
 }
 
 void AlphaFunc(Context& c, GLenum func, GLfloat ref) {

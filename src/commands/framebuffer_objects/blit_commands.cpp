@@ -11,6 +11,7 @@
 #include "snapshot/render_targets.h"
 #include "snapshot/submit.h"
 #include "surface/read_surface.h"
+#include "surface/sample_resolve.h"
 
 namespace softgl {
 namespace {
@@ -110,8 +111,27 @@ template <class T, class Number> void mix_pixels(const Blit& blit, const T (*fro
   }
 }
 
-void blit_colors(Context& c, const Blit& blit) {
-  const Surface& s = c.read->surface;
+/// What is read, and the samples that are drawn (bit s: sample s).
+struct BlitSamples {
+  Surface from;
+  unsigned to;
+};
+
+void blit_resolved_colors(Context& c, const Blit& blit, const BlitSamples& samples) {
+  Arena& arena = c.frame.arena();
+  const auto width = size_t(blit.source_width());
+  std::vector<unsigned char> row(width * 16);
+  std::vector<PixelFloats> sample(width);
+  auto* pixels = arena.allocate_array<PixelFloats>(blit.source_pixels());
+  for (int y = 0; y < blit.source_height(); ++y)
+    average_samples(samples.from, blit.columns.source_first, blit.rows.source_first + y, int(width),
+                    row.data(), &sample[0].rgba, &pixels[size_t(y) * width].rgba);
+  submit_copy(c, blit.image(PixelElement::Floats, pixels, arena), blit.box(), samples.to);
+}
+
+void blit_colors(Context& c, const Blit& blit, const BlitSamples& samples) {
+  const Surface& s = samples.from;
+  if (s.samples > 1) return blit_resolved_colors(c, blit, samples);
   Arena& arena = c.frame.arena();
   std::vector<unsigned char> row(size_t(blit.source_width()) * 16);
   const auto read = [&](auto* pixels, auto convert) {
@@ -130,7 +150,7 @@ void blit_colors(Context& c, const Blit& blit) {
       mix_pixels<uint8_t, int>(blit, pixels, mixed);
       pixels = mixed;
     }
-    return submit_copy(c, blit.image(PixelElement::Bytes, pixels, arena), blit.box());
+    return submit_copy(c, blit.image(PixelElement::Bytes, pixels, arena), blit.box(), samples.to);
   }
   auto* pixels = reinterpret_cast<float(*)[4]>(arena.allocate_array<PixelFloats>(blit.source_pixels()));
   read(pixels, color_row_to_floats);
@@ -139,34 +159,36 @@ void blit_colors(Context& c, const Blit& blit) {
     mix_pixels<float, float>(blit, pixels, mixed);
     pixels = mixed;
   }
-  submit_copy(c, blit.image(PixelElement::Floats, pixels, arena), blit.box());
+  submit_copy(c, blit.image(PixelElement::Floats, pixels, arena), blit.box(), samples.to);
 }
 
-/// The words that copy_row reads.
-template <class CopyRow> uint32_t* read_words(Context& c, const Blit& blit, CopyRow copy_row) {
+/// The words that copy_row reads: where pixels have samples, of the first one.
+template <class CopyRow>
+uint32_t* read_words(Context& c, const Blit& blit, const Surface& from, CopyRow copy_row) {
   auto* words = c.frame.arena().allocate_array<uint32_t>(blit.source_pixels());
   for (int y = 0; y < blit.source_height(); ++y)
-    copy_row(c.read->surface, blit.columns.source_first, blit.rows.source_first + y, blit.source_width(),
+    copy_row(from, blit.columns.source_first, blit.rows.source_first + y, blit.source_width(),
              words + size_t(y) * size_t(blit.source_width()));
   return words;
 }
 
-void blit_depths(Context& c, const Blit& blit) {
-  uint32_t* words = read_words(c, blit, copy_depth_stencil_row);
-  const uint32_t mask = largest_depth(c.read->surface.depth_format);
+void blit_depths(Context& c, const Blit& blit, const BlitSamples& samples) {
+  uint32_t* words = read_words(c, blit, samples.from, copy_depth_stencil_row);
+  const uint32_t mask = largest_depth(samples.from.depth_format);
   for (size_t i = 0; i < blit.source_pixels(); ++i) words[i] &= mask;
-  submit_copy(c, blit.image(PixelElement::Depth, words, c.frame.arena()), blit.box());
+  submit_copy(c, blit.image(PixelElement::Depth, words, c.frame.arena()), blit.box(), samples.to);
 }
 
-void blit_stencils(Context& c, const Blit& blit) {
-  const uint32_t* words = read_words(c, blit, copy_stencil_row);
+void blit_stencils(Context& c, const Blit& blit, const BlitSamples& samples) {
+  const uint32_t* words = read_words(c, blit, samples.from, copy_stencil_row);
   bool used[256] = {};
   for (size_t i = 0; i < blit.source_pixels(); ++i) used[words[i]] = true;
   for (uint32_t v = 0; v < 256; ++v) {
     if (!used[v]) continue;
     auto* bit = c.frame.arena().allocate_array<uint8_t>(blit.source_pixels());
     for (size_t i = 0; i < blit.source_pixels(); ++i) bit[i] = words[i] == v;
-    submit_stencil(c, blit.image(PixelElement::Bit, bit, c.frame.arena()), uint8_t(v), blit.box(), 0xff);
+    submit_stencil(c, blit.image(PixelElement::Bit, bit, c.frame.arena()), uint8_t(v), blit.box(), 0xff,
+                   samples.to);
   }
 }
 
@@ -192,23 +214,33 @@ void gl::BlitFramebuffer(Context& c, GLint srcX0, GLint srcY0, GLint srcX1, GLin
   if ((depth && from.depth_bits != to.depth_bits) || (stencil && mixes_floats))
     return set_error(c, GL_INVALID_OPERATION);
   if (color && is_float(from.surface) != is_float(to.surface)) return set_error(c, GL_INVALID_OPERATION);
-  if (!color && !depth && !stencil) return;
+  const Surface &s = from.surface, &t = to.surface;
+  const bool multisampled = s.samples > 1 || t.samples > 1;
+  if (multisampled && color && (s.color_format != t.color_format || from.has_alpha != to.has_alpha))
+    return set_error(c, GL_INVALID_OPERATION);
   // Ends so far away are not met by any surface, and their differences fit an integer.
   constexpr GLint kFar = 1 << 28;
   for (GLint* v : {&srcX0, &srcY0, &srcX1, &srcY1, &dstX0, &dstY0, &dstX1, &dstY1})
     *v = std::clamp(*v, -kFar, kFar);
   const bool same_size = std::abs(srcX1 - srcX0) == std::abs(dstX1 - dstX0) &&
                          std::abs(srcY1 - srcY0) == std::abs(dstY1 - dstY0);
-  const Surface &s = from.surface, &t = to.surface;
+  if (multisampled && !same_size) return set_error(c, GL_INVALID_OPERATION);
+  if (!color && !depth && !stencil) return;
   Blit blit;
   blit.linear = filter == GL_LINEAR && !same_size;
   blit.columns = make_axis(srcX0, srcX1, s.width, false, dstX0, dstX1, t.width, false, blit.linear);
   blit.rows = make_axis(srcY0, srcY1, s.height, !s.y_up, dstY0, dstY1, t.height, !t.y_up, blit.linear);
   if (!blit.visible()) return;
   if (!c.bindings.draw) c.framebuffer.unresolved = true;
-  if (color) blit_colors(c, blit);
-  if (depth) blit_depths(c, blit);
-  if (stencil) blit_stencils(c, blit);
+  const auto copy = [&](const BlitSamples& samples) {
+    if (color) blit_colors(c, blit, samples);
+    if (depth) blit_depths(c, blit, samples);
+    if (stencil) blit_stencils(c, blit, samples);
+  };
+  if (s.samples > 1 && t.samples > 1)
+    for (int i = 0; i < kSamples; ++i) copy({sample_surface(s, i), 1u << i});
+  else
+    copy({s, kAllSamples});
 }
 
 } // namespace softgl

@@ -60,16 +60,19 @@ void RenderbufferStorageMultisample(Context& c, GLenum target, GLsizei samples, 
   const RenderFormat format = renderbuffer_format(internalformat);
   if (format.kind == RenderFormat::Kind::None) return set_error(c, GL_INVALID_ENUM);
   if (width < 0 || height < 0 || width > kMaxRenderbufferSize || height > kMaxRenderbufferSize ||
-      samples < 0 || samples > kMaxSamples)
+      samples < 0 || samples > kSamples)
     return set_error(c, GL_INVALID_VALUE);
   const auto renderbuffer = c.bindings.renderbuffer;
   if (!renderbuffer) return set_error(c, GL_INVALID_OPERATION);
-  auto plane = width > 0 && height > 0 ? std::make_shared<RenderPlane>(format, width, height) : nullptr;
+  const int stored = samples == 0 ? 1 : kSamples; // at least as many as are asked for
+  auto plane =
+      width > 0 && height > 0 ? std::make_shared<RenderPlane>(format, width, height, stored) : nullptr;
   const bool attached = is_attached(c, *renderbuffer);
   if (attached) draw_what_waits(c);
   renderbuffer->internal_format = internalformat;
   renderbuffer->width = width;
   renderbuffer->height = height;
+  renderbuffer->samples = stored;
   renderbuffer->format = format;
   renderbuffer->plane = std::move(plane);
   if (attached) framebuffers_changed(c);
@@ -87,7 +90,7 @@ void GetRenderbufferParameteriv(Context& c, GLenum target, GLenum pname, GLint* 
   case GL_RENDERBUFFER_WIDTH: *params = r->width; return;
   case GL_RENDERBUFFER_HEIGHT: *params = r->height; return;
   case GL_RENDERBUFFER_INTERNAL_FORMAT: *params = GLint(r->internal_format); return;
-  case GL_RENDERBUFFER_SAMPLES: *params = 0; return;
+  case GL_RENDERBUFFER_SAMPLES: *params = r->samples == 1 ? 0 : r->samples; return;
   case GL_RENDERBUFFER_RED_SIZE: *params = r->format.bits[0]; return;
   case GL_RENDERBUFFER_GREEN_SIZE: *params = r->format.bits[1]; return;
   case GL_RENDERBUFFER_BLUE_SIZE: *params = r->format.bits[2]; return;

@@ -321,7 +321,7 @@ void CopyPixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLe
     if (!ready_to_draw(c)) return;
     if (!flush_for_reading(c)) return set_error(c, GL_INVALID_FRAMEBUFFER_OPERATION);
   }
-  if (!has_buffer(*c.draw, type) || !has_buffer(*c.read, type) ||
+  if (c.read->surface.samples > 1 || !has_buffer(*c.draw, type) || !has_buffer(*c.read, type) ||
       (type == GL_COLOR && !reads_color(c)))
     return set_error(c, GL_INVALID_OPERATION);
   if (!c.state.raster_position.valid) return;

@@ -206,6 +206,7 @@ void read_stencils(const Context& c, const Target& t) {
 /// The error that the arguments call for (4.3.2).
 GLenum check(const Context& c, GLsizei width, GLsizei height, GLenum format, GLenum type) {
   if (width < 0 || height < 0) return GL_INVALID_VALUE;
+  if (c.read->surface.samples > 1) return GL_INVALID_OPERATION;
   // A buffer that is missing comes before a type that does not fit, as in OSMesa.
   if (format == GL_COLOR_INDEX) return GL_INVALID_OPERATION; // there are no color index buffers
   if (format == GL_DEPTH_COMPONENT && c.read->depth_bits == 0) return GL_INVALID_OPERATION;

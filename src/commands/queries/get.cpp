@@ -62,6 +62,12 @@ FramebufferBits framebuffer_bits(const Context& c) {
   return bits;
 }
 
+/// Samples of a pixel of what is drawn to; 1 where it is not complete.
+int framebuffer_samples(const Context& c) {
+  const FramebufferObject* f = c.bindings.draw.get();
+  return !f ? std::max(c.framebuffer.surface.samples, 1) : f->complete() ? f->samples() : 1;
+}
+
 /// The name of a bound object, 0 for none.
 template <class Object> GLuint name_of(const std::shared_ptr<Object>& object) {
   return object ? object->name : 0;

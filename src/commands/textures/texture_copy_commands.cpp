@@ -102,6 +102,7 @@ void copy_image(Context& c, int dimensions, GLenum target, GLint level, GLenum i
       height < 0)
     return set_error(c, GL_INVALID_VALUE);
   if (!flush_for_reading(c)) return set_error(c, GL_INVALID_FRAMEBUFFER_OPERATION);
+  if (c.read->surface.samples > 1) return set_error(c, GL_INVALID_OPERATION);
   // The numbers 1 to 4 are no formats here (3.8.2).
   const TexelFormat* chosen =
       internal_format <= 4 ? nullptr : choose_texel_format(GLint(internal_format), 0, 0, false);
@@ -134,6 +135,7 @@ void copy_sub_image(Context& c, int dimensions, GLenum target, GLint level, GLin
     return set_error(c, GL_INVALID_VALUE);
   // A frame that still samples the image is done then, so no copy has to be made of it.
   if (!flush_for_reading(c)) return set_error(c, GL_INVALID_FRAMEBUFFER_OPERATION);
+  if (c.read->surface.samples > 1) return set_error(c, GL_INVALID_OPERATION);
   const auto object = target_object(c, t);
   const TextureImage* image = object->image[t.face][level].get();
   if (!image) return set_error(c, GL_INVALID_OPERATION);
