@@ -80,7 +80,7 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
   // Depths that are floats are tested by strips alone.
   const bool depth_floats = static_cast<DepthFormat>(key.depth_format) == DepthFormat::Z32F;
   d.small = is_enabled(FastPath::Small) && (format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565) &&
-            !d.program->reads_quads && !d.raster->stipple && !depth_floats;
+            !d.program->reads_quads && !d.program->writes_depth && !d.raster->stipple && !depth_floats;
   d.direct = draw.fragment->step_count == 0 && !d.raster->stipple && format == ColorFormat::Rgba8 &&
              !key.stencil && !depth_floats && (!draw.samples || key.color_mask == 0) &&
              takes(FastPath::Direct);
