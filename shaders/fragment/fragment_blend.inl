@@ -79,7 +79,7 @@ SOFTGL_INLINE Halves factor_of(BlendFactor factor, const Halves& s, const Halves
   return both(ShortV{});
 }
 
-/// The rgb factor's halves with alpha taken from another factor.
+/// The halves of rgb with alpha taken from others.
 SOFTGL_INLINE Halves with_alpha(const Halves& rgb, const Halves& alpha) {
   return {rgb.rb, (ShortV)(((IntV)rgb.ga & 0xffff) | ((IntV)alpha.ga & int32_t(0xffff0000)))};
 }
@@ -90,7 +90,8 @@ SOFTGL_INLINE ShortV combine(BlendEquation equation, ShortV s, ShortV sf, ShortV
   case BlendEquation::Max: return greater(s, d);
   case BlendEquation::Subtract: return difference(multiply_8(s, sf), multiply_8(d, df));
   case BlendEquation::ReverseSubtract: return difference(multiply_8(d, df), multiply_8(s, sf));
-  case BlendEquation::Add: break;
+  case BlendEquation::Add:
+  case BlendEquation::Separate: break; // the latter is none
   }
   return lesser(multiply_8(s, sf) + multiply_8(d, df), ShortV{} + uint16_t(255));
 }
@@ -104,8 +105,13 @@ static IntV blend_words(const FragmentKey& key, const FragmentConstants& k, IntV
     sf = with_alpha(sf, factor_of(BlendFactor(key.blend_source_alpha), s, d, k.blend_color_8));
   if (key.blend_destination_alpha != key.blend_destination_rgb)
     df = with_alpha(df, factor_of(BlendFactor(key.blend_destination_alpha), s, d, k.blend_color_8));
+  auto blended = [&](BlendEquation equation) {
+    return Halves{combine(equation, s.rb, sf.rb, d.rb, df.rb), combine(equation, s.ga, sf.ga, d.ga, df.ga)};
+  };
   const auto equation = BlendEquation(key.blend_equation);
-  return join({combine(equation, s.rb, sf.rb, d.rb, df.rb), combine(equation, s.ga, sf.ga, d.ga, df.ga)});
+  if (equation == BlendEquation::Separate)
+    return join(with_alpha(blended(k.blend_equation[0]), blended(k.blend_equation[1])));
+  return join(blended(equation));
 }
 
 /// SRC_ALPHA, ONE_MINUS_SRC_ALPHA with ADD, the blending that is used most.

@@ -4,6 +4,7 @@
 #include <stdint.h>
 
 #include "shaders/fragment/fragment_block.h"
+#include "shaders/fragment/fragment_key.h"
 
 namespace softgl {
 
@@ -19,8 +20,10 @@ struct FragmentConstants {
   int32_t alpha_reference_8;   // the same in 1/255, rounded
   float blend_color[4];
   uint8_t blend_color_8[4];
+  BlendEquation blend_equation[2]; // of rgb and of alpha, where the key says BlendEquation::Separate
   uint8_t stencil_reference, stencil_value_mask, stencil_write_mask;
-  const LightingConstants* lighting;                     // null where fragments are not lit
+  uint32_t least_depth, greatest_depth; // of the stage that clamps depths, in the depth buffer's integers
+  const LightingConstants* lighting;    // null where fragments are not lit
   const TextureUnitConstants* texture[kMaxTextureUnits]; // null where a unit is off
   const CombinerProgram* combiner; // null where every environment has a stage of its own
   const PixelImage* image;         // of pixel rectangles; else null

@@ -38,7 +38,8 @@ enum class BlendFactor : uint8_t {
   ConstantAlpha,
   OneMinusConstantAlpha
 };
-enum class BlendEquation : uint8_t { Add, Subtract, ReverseSubtract, Min, Max };
+/// Separate: the constants have one for rgb and another one for alpha.
+enum class BlendEquation : uint8_t { Add, Subtract, ReverseSubtract, Min, Max, Separate };
 
 struct FragmentKey {
   // Which interpolated inputs the stages read.

@@ -182,10 +182,13 @@ SOFTGL_INLINE int64_t product(int64_t a, int64_t b) {
 }
 
 /// Blending of one pixel of a float (T = float) or 16-bit (T = int64_t) surface.
-template <class T>
-static void blend_wide(const FragmentKey& key, const T* constant, T one, const T* s, const T* d, T* out) {
-  const auto equation = BlendEquation(key.blend_equation);
+template <class T> static void blend_wide(const FragmentProgram& program, const T* constant, T one,
+                                          const T* s, const T* d, T* out) {
+  const FragmentKey& key = program.key;
+  const bool separate = BlendEquation(key.blend_equation) == BlendEquation::Separate;
   for (int c = 0; c < 4; ++c) {
+    const auto equation =
+        separate ? program.constants->blend_equation[c == 3] : BlendEquation(key.blend_equation);
     if (equation == BlendEquation::Min) {
       out[c] = s[c] < d[c] ? s[c] : d[c];
       continue;
@@ -236,7 +239,7 @@ static void store_wide(const FragmentProgram& program, ColorFormat format, const
     int64_t s[4], d[4], out[4], constant[4];
     for (int c = 0; c < 4; ++c)
       out[c] = s[c] = unorm_16(source[c]), d[c] = target[c], constant[c] = unorm_16(k.blend_color[c]);
-    if (key.blend) blend_wide<int64_t>(key, constant, 65535, s, d, out);
+    if (key.blend) blend_wide<int64_t>(program, constant, 65535, s, d, out);
     for (int c = 0; c < 4; ++c) {
       if (!(key.color_mask >> c & 1)) continue;
       target[c] = key.logic_op ? logic_16(unsigned(key.blend_source_rgb), uint16_t(out[c]), target[c])
@@ -246,7 +249,7 @@ static void store_wide(const FragmentProgram& program, ColorFormat format, const
   }
   float* target = static_cast<float*>(color) + 4 * pixel;
   float out[4] = {source[0], source[1], source[2], source[3]};
-  if (key.blend) blend_wide<float>(key, k.blend_color, 1.0f, source, target, out);
+  if (key.blend) blend_wide<float>(program, k.blend_color, 1.0f, source, target, out);
   for (int c = 0; c < 4; ++c)
     if (key.color_mask >> c & 1) target[c] = out[c];
 }

@@ -61,6 +61,17 @@ static void stage_fog_exp2(FragmentBlock& block, const FragmentConstants& consta
   mix_fog(block, constants, f);
 }
 
+/// GL_ARB_depth_clamp: depths stay within those of glDepthRange.
+static void stage_clamp_depth(FragmentBlock& block, const FragmentConstants& constants, int) {
+  const int lanes = block.lanes;
+  const auto least = int32_t(constants.least_depth), greatest = int32_t(constants.greatest_depth);
+  for (int i = 0; i < lanes; ++i) {
+    const auto depth = int32_t(block.depth[i]);
+    const int32_t raised = select(mask_of(depth < least), least, depth);
+    block.depth[i] = uint32_t(select(mask_of(raised > greatest), greatest, raised));
+  }
+}
+
 /// Compares in place: live[i] stays where value[i] `function` reference holds.
 template <class T>
 SOFTGL_INLINE void keep_if(Compare function, uint32_t* live, const T* value, T reference, int lanes) {

@@ -46,6 +46,7 @@ struct RasterDraw {
   bool whole_blocks;   // no edge is looked at in blocks that lie inside all of them
   uint32_t color_mask; // of an RGBA8 word
   uint64_t* samples;   // DrawRecord::samples
+  const RasterDraw* back_face;                                   // of back-facing polygons; null: as others
   const RasterDraw *smooth_point, *smooth_line, *smooth_polygon; // of antialiased primitives; null: as others
 };
 constexpr int kPlaneZ = 0, kPlaneW = 1, kPlaneColor = 2;

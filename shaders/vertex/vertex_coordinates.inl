@@ -20,6 +20,23 @@ static inline void eye_depth(const VertexBlock& b, const VertexProgram& p, bool 
   SOFTGL_FOR_LANES(i, n) out[i] = absolute(out[i]);
 }
 
+/// GL 1.5, 3.10, and GL_NV_fog_distance.
+static inline void fog_distances(VertexBlock& b, const VertexProgram& p, int n) {
+  float* out = b.fog;
+  const float *x = b.lighting.eye[0], *y = b.lighting.eye[1], *z = b.lighting.eye[2];
+  switch (p.fog_distance) {
+  case FogDistance::PlaneAbsolute: return eye_depth(b, p, p.eye_position, out, n);
+  case FogDistance::Plane: {
+    SOFTGL_FOR_LANES(i, n) out[i] = z[i];
+    return;
+  }
+  case FogDistance::Radial: {
+    SOFTGL_FOR_LANES(i, n) out[i] = __builtin_sqrtf(dot3(x[i], y[i], z[i], x[i], y[i], z[i]));
+    return;
+  }
+  }
+}
+
 /// r = u - 2 (n.u) n with u the normalized eye position; out[3] = rz + 1. Where rz is of no other use
 /// (`z_is_read`: it is, in any unit), OSMesa's compiler adds the 1 first.
 static inline void reflection(const VertexBlock& b, bool z_is_read, float (*out)[kLanes], int n) {

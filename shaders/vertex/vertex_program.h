@@ -38,6 +38,9 @@ struct PointConstants {
   float size, minimum, maximum, attenuation[3];
 };
 
+/// What the distance of fog is (GL_NV_fog_distance).
+enum class FogDistance : uint8_t { PlaneAbsolute, Plane, Radial };
+
 enum class PolygonMode : uint8_t { Fill, Line, Point };
 
 /// What becomes of polygons before they come to the raster (GL 1.5, 3.5.1, 3.5.4, 3.5.5).
@@ -58,6 +61,8 @@ struct VertexProgram {
   bool unit_normal; // made a unit vector; a normal of zero stays zero, and so does the eye's
   bool lit;
   bool fog, fog_from_attribute;
+  FogDistance fog_distance; // Radial: needs the eye position
+  bool depth_clamp;         // the near and the far plane clip nothing
   bool point_attenuated;
   const TransformConstants* transform;
   const ClipPlaneConstants* clip_planes;                    // null: none enabled

@@ -77,7 +77,7 @@ static inline void shade_block(VertexBlock& b, const VertexJob& job, uint32_t fi
 
   fetch_attribute(job, kPosition, first, count, n, 4, b.position);
   transform_points(b.position, p.transform->mvp, b.clip, n);
-  clip_masks(b, p.clip_planes, n);
+  clip_masks(b, p, n);
   window_positions(b, *p.transform, n);
   store_slot(b.window[0], b.window[1], b.window[2], b.window[3], out, slots, count);
   for (int i = 0; i < count; ++i) mask[i] = uint16_t(b.mask[i]);
@@ -115,7 +115,7 @@ static inline void shade_block(VertexBlock& b, const VertexJob& job, uint32_t fi
       fetch_attribute(job, kFogCoordinate, first, count, n, 1, &b.fog);
       SOFTGL_FOR_LANES(i, n) b.fog[i] = absolute(b.fog[i]);
     } else {
-      eye_depth(b, p, p.eye_position, b.fog, n);
+      fog_distances(b, p, n);
     }
     const bool separate = p.lit && p.lighting->separate_specular;
     for (int face = 0; face < 2; ++face) {

@@ -60,13 +60,16 @@ static inline void transform_normals(VertexBlock& b, const VertexProgram& p, int
 }
 
 /// Bits of violated planes; a coordinate that is not a number is outside.
-static inline void clip_masks(VertexBlock& b, const ClipPlaneConstants* planes, int n) {
+static inline void clip_masks(VertexBlock& b, const VertexProgram& p, int n) {
+  const ClipPlaneConstants* planes = p.clip_planes;
+  const int32_t clipped = p.depth_clamp ? ~(kClipNear | kClipFar) : ~0;
   const float *x = b.clip[0], *y = b.clip[1], *z = b.clip[2], *w = b.clip[3];
   int32_t* mask = b.mask;
   SOFTGL_FOR_LANES(i, n) {
-    mask[i] = (~mask_of(x[i] <= w[i]) & kClipRight) | (~mask_of(x[i] + w[i] >= 0.0f) & kClipLeft) |
-              (~mask_of(y[i] <= w[i]) & kClipTop) | (~mask_of(y[i] + w[i] >= 0.0f) & kClipBottom) |
-              (~mask_of(z[i] + w[i] >= 0.0f) & kClipNear) | (~mask_of(z[i] <= w[i]) & kClipFar);
+    mask[i] = ((~mask_of(x[i] <= w[i]) & kClipRight) | (~mask_of(x[i] + w[i] >= 0.0f) & kClipLeft) |
+               (~mask_of(y[i] <= w[i]) & kClipTop) | (~mask_of(y[i] + w[i] >= 0.0f) & kClipBottom) |
+               (~mask_of(z[i] + w[i] >= 0.0f) & kClipNear) | (~mask_of(z[i] <= w[i]) & kClipFar)) &
+              clipped;
   }
   if (!planes) return;
   for (int j = 0; j < planes->count; ++j) {

@@ -100,7 +100,8 @@ size_t count_of(CountTable table, GLenum pname) {
     case GL_FOG_START:
     case GL_FOG_END:
     case GL_FOG_INDEX:
-    case GL_FOG_COORDINATE_SOURCE: return 1;
+    case GL_FOG_COORDINATE_SOURCE:
+    case GL_FOG_DISTANCE_MODE_NV: return 1;
     default: return 0;
     }
   }

@@ -16,6 +16,7 @@ struct SnapshotCache {
   uint32_t present = 0; // its streams
   float color[4] = {};  // its constant color, where it feeds the material
   bool draws_points = false;
+  uint32_t least_depth = 0, greatest_depth = 0; // what depths are clamped to
   // What is made of the state and of them, in this order.
   const FragmentProgram* fragment = nullptr; // as the state asks for it
   uint32_t fragment_inputs = 0;              // what vertices must carry for it
@@ -30,6 +31,9 @@ struct SnapshotCache {
   const VertexProgram* vertex = nullptr;
   const FragmentProgram* fragment_of_draw = nullptr; // `fragment`; where it lights fragments, with the lights
   const SmoothPrograms* smooth = nullptr;            // of `fragment_of_draw`, for antialiased primitives
+  // Of back-facing polygons, where their stencil test is another one.
+  const FragmentProgram* back_fragment = nullptr;
+  const SmoothPrograms* back_smooth = nullptr;
 };
 
 } // namespace softgl

@@ -65,6 +65,7 @@ struct RasterPosition {
 struct TransformState {
   GLenum matrix_mode = GL_MODELVIEW;
   bool normalize = false, rescale_normal = false;
+  bool depth_clamp = false;             // GL_ARB_depth_clamp
   uint32_t clip_plane_enabled = 0;      // bit i = GL_CLIP_PLANEi
   Vec4 clip_plane[kMaxClipPlanes] = {}; // eye coordinates (2.11)
 };
@@ -80,6 +81,7 @@ struct FogState {
   Vec4 color{0, 0, 0, 0};
   float density = 1, start = 0, end = 1, index = 0;
   GLenum mode = GL_EXP, coordinate_source = GL_FRAGMENT_DEPTH;
+  GLenum distance_mode = GL_EYE_PLANE_ABSOLUTE_NV; // GL_NV_fog_distance
 };
 
 /// GL_LIGHTING_BIT (tables 6.10, 6.11) without the material, which is in CurrentAttributes.
@@ -193,7 +195,7 @@ struct ColorBufferState {
   bool blend = false;
   GLenum blend_source_rgb = GL_ONE, blend_source_alpha = GL_ONE;
   GLenum blend_destination_rgb = GL_ZERO, blend_destination_alpha = GL_ZERO;
-  GLenum blend_equation = GL_FUNC_ADD;
+  GLenum blend_equation = GL_FUNC_ADD, blend_equation_alpha = GL_FUNC_ADD;
   Vec4 blend_color{0, 0, 0, 0};
   bool dither = true, logic_op = false, index_logic_op = false;
   GLenum logic_op_mode = GL_COPY;
@@ -208,12 +210,24 @@ struct DepthState {
   GLenum function = GL_LESS;
   double clear = 1;
 };
-struct StencilState {
-  bool test = false;
+struct StencilFace {
   GLenum function = GL_ALWAYS, fail = GL_KEEP, depth_fail = GL_KEEP, depth_pass = GL_KEEP;
   GLint reference = 0;
   GLuint value_mask = 0xff, write_mask = 0xff; // all ones of the 8 bits there may be, as OSMesa answers
+
+  bool operator==(const StencilFace&) const = default;
+};
+struct StencilState {
+  bool test = false;
+  bool two_side = false;         // GL_EXT_stencil_two_side
+  GLenum active_face = GL_FRONT; // its glActiveStencilFace
+  // That of GL_EXT_stencil_two_side is another one than that of glStencilFuncSeparate.
+  StencilFace front, back, two_side_back;
   GLint clear = 0;
+
+  /// What the commands without a face set and ask for; `back` follows the front.
+  const StencilFace& active() const { return active_face == GL_BACK ? two_side_back : front; }
+  const StencilFace& seen_back() const { return two_side ? two_side_back : back; }
 };
 struct AccumulationState {
   Vec4 clear{0, 0, 0, 0};

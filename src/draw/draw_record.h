@@ -36,6 +36,9 @@ struct DrawRecord {
   uint64_t* samples = nullptr; // where its fragments that pass all tests are counted; null: nowhere
   const SmoothPrograms* smooth = nullptr; // of its antialiased primitives; null: there are none
   Diagonal diagonal = Diagonal::From0To2;
+  // Of its back-facing polygons; null: as of the others.
+  const FragmentProgram* back_fragment = nullptr;
+  const SmoothPrograms* back_smooth = nullptr;
 };
 
 } // namespace softgl

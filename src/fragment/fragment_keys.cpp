@@ -26,7 +26,8 @@ const char* const factor_names[] = {"zero",
                                     "constant_alpha",
                                     "one_minus_constant_alpha",
                                     "?"};
-const char* const equation_names[] = {"add", "subtract", "reverse_subtract", "min", "max", "?", "?", "?"};
+const char* const equation_names[] = {"add", "subtract", "reverse_subtract", "min", "max", "separate",
+                                      "?",   "?"};
 const char* const color_names[] = {"rgba8", "rgba16", "rgba_float", "rgb565"};
 const char* const depth_names[] = {"no_depth", "z16", "z24s8", "z32f"};
 
@@ -50,9 +51,10 @@ FragmentKey simplify(FragmentKey k) {
   if (k.logic_op && k.blend_source_rgb == 3) k.logic_op = k.blend_source_rgb = 0; // GL_COPY
   if (k.blend) {
     const uint64_t one = value(BlendFactor::One), zero = value(BlendFactor::Zero);
-    if (k.blend_equation >= value(BlendEquation::Min)) // factors are not used
+    if (k.blend_equation == value(BlendEquation::Min) ||
+        k.blend_equation == value(BlendEquation::Max)) // factors are not used
       k.blend_source_rgb = k.blend_source_alpha = k.blend_destination_rgb = k.blend_destination_alpha = one;
-    else if (k.blend_equation != value(BlendEquation::ReverseSubtract) && k.blend_source_rgb == one &&
+    else if (k.blend_equation <= value(BlendEquation::Subtract) && k.blend_source_rgb == one &&
              k.blend_source_alpha == one && k.blend_destination_rgb == zero &&
              k.blend_destination_alpha == zero)
       k.blend = 0;

@@ -110,10 +110,10 @@ private:
     uint64_t steps = draw.rectangle ? 1 : 0;
     for (uint32_t i = 0; i < call.primitive_count; ++i) steps += assembly_steps(call.primitives[i]);
     if (steps == 0 || (call.vertex_count == 0 && !draw.rectangle)) return;
-    stencil_drawn_ = stencil_drawn_ || draw.fragment->key.stencil;
+    stencil_drawn_ = stencil_drawn_ || draw.fragment->key.stencil ||
+                     (draw.back_fragment && draw.back_fragment->key.stencil);
     samples_counted_ = samples_counted_ || draw.samples;
-    auto* raster = frame_.arena_.make<RasterDraw>(make_raster_draw(draw));
-    if (draw.smooth) add_smooth_draws(draw, *raster, frame_.arena_);
+    const RasterDraw* raster = raster_draw(draw);
     if (steps <= kSmallDraw && call.vertex_count <= kSmallDraw) {
       const bool before = !draw.rectangle && !takes(FastPath::OrderedVertices);
       pieces_.push_back({&draw, raster, before ? shade_before(draw) : nullptr, 0, 0, 0});
@@ -133,6 +133,17 @@ private:
       }
     }
     close_portion();
+  }
+
+  const RasterDraw* raster_draw(const DrawRecord& draw) {
+    auto* raster = frame_.arena_.make<RasterDraw>(make_raster_draw(draw));
+    if (draw.smooth) add_smooth_draws(draw, *raster, frame_.arena_);
+    if (draw.back_fragment) {
+      DrawRecord back = draw;
+      back.fragment = draw.back_fragment, back.smooth = draw.back_smooth, back.back_fragment = nullptr;
+      raster->back_face = raster_draw(back);
+    }
+    return raster;
   }
 
   /// Plans the shading of all vertices of a draw before its primitives are assembled.

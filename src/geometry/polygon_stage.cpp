@@ -58,15 +58,16 @@ void PolygonStage::triangle(const PolygonTriangle& t) {
   const bool front = determinant != 0 && (determinant < 0) == k.ccw_is_front;
   if (front ? k.cull_front : k.cull_back) return;
   const PolygonMode mode = k.mode[determinant >= 0];
-  back_ = k.two_sided && (k.ccw_is_front ? determinant > 0 : determinant < 0);
+  back_ = k.ccw_is_front ? determinant > 0 : determinant < 0;
+  const bool back_colors = k.two_sided && back_;
   const bool offset = k.offset[int(mode)];
   PolygonTriangle own = t;
-  if (!counting_ && (offset || back_ || draw_.raster->flat)) {
+  if (!counting_ && (offset || back_colors || draw_.raster->flat)) {
     const RasterConstants& r = *draw_.raster;
     const float units = r.offset_floats ? float_step(v0[2], v1[2], v2[2]) * r.offset_units : r.offset_units;
     const float by = offset ? depth_offset(r, e, f, determinant, units) : 0.0f;
     for (const Slot*& corner : own.corner)
-      corner = own_copy(corner, t.corner[2], back_, offset ? &by : nullptr);
+      corner = own_copy(corner, t.corner[2], back_colors, offset ? &by : nullptr);
   }
   const auto& corner = own.corner;
   switch (mode) {

@@ -81,7 +81,7 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
   const bool depth_floats = static_cast<DepthFormat>(key.depth_format) == DepthFormat::Z32F,
              strips = depth_floats || draw.raster->samples > 1;
   d.small = is_enabled(FastPath::Small) && (format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565) &&
-            !d.program->reads_quads && !d.raster->stipple && !strips;
+            !d.program->reads_quads && !d.program->writes_depth && !d.raster->stipple && !strips;
   d.direct = draw.fragment->step_count == 0 && !d.raster->stipple && format == ColorFormat::Rgba8 &&
              !key.stencil && !strips && (!draw.samples || key.color_mask == 0) && takes(FastPath::Direct);
   d.early_depth =

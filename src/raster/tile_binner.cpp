@@ -118,11 +118,43 @@ void TileBinner::bin_further(const SmallTriangle& t, uint32_t tile, uint32_t fur
 
 void TileBinner::triangles(const DrawRecord&, const AssembledTriangles& batch) {
   SOFTGL_ASSERT(draw_ && batch.count > 0 && batch.count <= kSetupBatch);
-  if (draw_->smooth_polygon) [[unlikely]] {
+  if (draw_->back_face) [[unlikely]]
+    both_faces(batch);
+  else
+    triangles_of_face(batch);
+}
+
+void TileBinner::triangles_of_face(const AssembledTriangles& batch) {
+  if (draw_->smooth_polygon) [[unlikely]]
     smooth_triangles(batch);
-  } else {
+  else
     bin_triangles(batch);
+}
+
+/// Triangles that face the same way, one after the other, are a batch.
+void TileBinner::both_faces(const AssembledTriangles& batch) {
+  const RasterDraw* const front = draw_;
+  AssembledTriangles part;
+  auto finish = [&] {
+    if (part.count) triangles_of_face(part);
+    part = {};
+  };
+  for (int i = 0; i < batch.count; ++i) {
+    const ShadedVertices::Slot* const corner[3] = {batch.corner[0][i], batch.corner[1][i],
+                                                   batch.corner[2][i]};
+    SmoothTriangle snapped;
+    if (!snap_smooth_triangle(*front, corner, snapped)) continue;
+    const RasterDraw* face = front->raster->back != snapped.negative ? front->back_face : front;
+    if (face != draw_) finish();
+    draw_ = face;
+    for (int k = 0; k < 3; ++k) {
+      part.corner[k][part.count] = corner[k];
+      part.inner[k] |= (batch.inner[k] >> i & 1) << part.count;
+    }
+    ++part.count;
   }
+  finish();
+  draw_ = front;
 }
 
 void TileBinner::bin_triangles(const AssembledTriangles& batch) {
@@ -200,15 +232,14 @@ void TileBinner::smooth_triangles(const AssembledTriangles& batch) {
   draw_ = plain;
 }
 
-void TileBinner::smooth_lines(const AssembledLines& batch) {
+void TileBinner::smooth_line(const ShadedVertices::Slot* const end[2], bool back) {
   const RasterDraw* const plain = std::exchange(draw_, draw_->smooth_line);
-  AssembledTriangles two;
-  two.count = 2;
-  for (int32_t i = 0; i < batch.count; ++i) {
-    const ShadedVertices::Slot *const end[2] = {batch.corner[0][i], batch.corner[1][i]}, *corner[4];
-    if (!smooth_line_corners(*draw_, end, arena_, corner)) continue;
-    // Their areas are positive, and those that are not are back-facing: set-up exchanges these corners again.
-    const int first = batch.back >> i & 1, second = 1 - first;
+  const ShadedVertices::Slot* corner[4];
+  if (smooth_line_corners(*draw_, end, arena_, corner)) {
+    // Areas are positive, and those that are not are back-facing: set-up exchanges these corners again.
+    const int first = back, second = 1 - first;
+    AssembledTriangles two;
+    two.count = 2;
     two.corner[first][0] = corner[2], two.corner[second][0] = corner[1], two.corner[2][0] = corner[0];
     two.corner[first][1] = corner[3], two.corner[second][1] = corner[1], two.corner[2][1] = corner[2];
     bin_triangles(two);
@@ -218,24 +249,33 @@ void TileBinner::smooth_lines(const AssembledLines& batch) {
 
 void TileBinner::lines(const DrawRecord&, const AssembledLines& batch) {
   SOFTGL_ASSERT(draw_ && batch.count > 0 && batch.count <= kAssemblyBatch);
-  if (draw_->smooth_line) [[unlikely]]
-    return smooth_lines(batch);
+  const RasterDraw* const front = draw_;
   for (int32_t i = 0; i < batch.count; ++i) {
+    const ShadedVertices::Slot* const end[2] = {batch.corner[0][i], batch.corner[1][i]};
+    const bool back = batch.back >> i & 1;
+    draw_ = back && front->back_face ? front->back_face : front;
+    if (draw_->smooth_line) {
+      smooth_line(end, back);
+      continue;
+    }
     RasterPrimitive* p = new_primitive();
-    if (setup_line(*draw_, batch.corner[0][i], batch.corner[1][i], batch.back >> i & 1, *p)) bin(*p);
+    if (setup_line(*draw_, end[0], end[1], back, *p)) bin(*p);
   }
+  draw_ = front;
 }
 
 void TileBinner::points(const DrawRecord&, const AssembledPoints& batch) {
   SOFTGL_ASSERT(draw_ && batch.count > 0 && batch.count <= kAssemblyBatch);
-  const RasterDraw* const plain = draw_;
-  const auto setup = plain->smooth_point ? setup_smooth_point : setup_point;
-  if (plain->smooth_point) draw_ = plain->smooth_point;
+  const RasterDraw* const front = draw_;
   for (int32_t i = 0; i < batch.count; ++i) {
+    const bool back = batch.back >> i & 1;
+    draw_ = back && front->back_face ? front->back_face : front;
+    const auto setup = draw_->smooth_point ? setup_smooth_point : setup_point;
+    if (draw_->smooth_point) draw_ = draw_->smooth_point;
     RasterPrimitive* p = new_primitive();
-    if (setup(*draw_, batch.corner[i], batch.back >> i & 1, *p)) bin(*p);
+    if (setup(*draw_, batch.corner[i], back, *p)) bin(*p);
   }
-  draw_ = plain;
+  draw_ = front;
 }
 
 void TileBinner::rectangle(const PixelRectangle& rectangle) {

@@ -41,9 +41,11 @@ public:
   void rectangle(const PixelRectangle& rectangle);
 
 private:
+  void both_faces(const AssembledTriangles& batch);
+  void triangles_of_face(const AssembledTriangles& batch);
   void bin_triangles(const AssembledTriangles& batch);
   void smooth_triangles(const AssembledTriangles& batch);
-  void smooth_lines(const AssembledLines& batch);
+  void smooth_line(const ShadedVertices::Slot* const end[2], bool back);
   RasterPrimitive* new_primitive();
   void bin(const RasterPrimitive& primitive);
   void bin_small(const AssembledTriangles& batch, const TriangleOutput& out, uint64_t small);

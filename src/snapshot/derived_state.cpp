@@ -33,6 +33,8 @@ constexpr uint64_t kCoordinates = derived_bit(9);
 constexpr uint64_t kShadedLayout = derived_bit(10);
 constexpr uint64_t kLightingConstants = derived_bit(11);
 constexpr uint64_t kDrawFragmentProgram = derived_bit(12);
+constexpr uint64_t kBackProgram = derived_bit(13);
+constexpr uint64_t kDepthLimits = derived_bit(14);
 constexpr uint64_t kNobodysInput = 0;
 
 constexpr uint64_t kDirtySnapshots = kDirtyAll & ~(kDirtyCurrent | kDirtyArrays);
@@ -132,6 +134,15 @@ bool make_draw_fragment_program(const Making& m, SnapshotCache& cache) {
   return set(cache.fragment_of_draw, copy);
 }
 
+bool make_back(const Making& m, SnapshotCache& cache) {
+  return set(cache.back_fragment, make_back_program(m.context, *cache.fragment_of_draw, m.arena));
+}
+
+bool make_back_smooth(const Making& m, SnapshotCache& cache) {
+  const FragmentProgram* back = cache.back_fragment;
+  return set(cache.back_smooth, back ? make_smooth_programs(m.state, *back, m.arena) : nullptr);
+}
+
 bool make_smooth(const Making& m, SnapshotCache& cache) {
   return set(cache.smooth, make_smooth_programs(m.state, *cache.fragment_of_draw, m.arena));
 }
@@ -153,7 +164,7 @@ template <auto kMember> std::string difference_of(const SnapshotCache& a, const 
 constexpr DerivedRow kRows[] = {
     {"fragment program of the state",
      kDirtyFramebuffer | kDirtyLighting | kDirtyFog | kDirtyColorBuffer | kDirtyDepth | kDirtyStencil |
-         kDirtyTexture | kDirtyTextureObjects,
+         kDirtyTexture | kDirtyTextureObjects | kDepthLimits,
      kStateFragmentProgram, make_state_fragment_program, difference_of<&SnapshotCache::fragment>},
     {"inputs of fragments", kStateFragmentProgram, kFragmentInputs, make_fragment_inputs,
      difference_of<&SnapshotCache::fragment_inputs>},
@@ -190,6 +201,10 @@ constexpr DerivedRow kRows[] = {
      make_draw_fragment_program, difference_of<&SnapshotCache::fragment_of_draw>},
     {"programs of antialiased primitives", kDirtyPoint | kDirtyLine | kDirtyPolygon | kDrawFragmentProgram,
      kNobodysInput, make_smooth, difference_of<&SnapshotCache::smooth>},
+    {"program of back-facing polygons", kDirtyFramebuffer | kDirtyStencil | kDrawFragmentProgram,
+     kBackProgram, make_back, difference_of<&SnapshotCache::back_fragment>},
+    {"programs of antialiased back-facing polygons", kDirtyPoint | kDirtyLine | kDirtyPolygon | kBackProgram,
+     kNobodysInput, make_back_smooth, difference_of<&SnapshotCache::back_smooth>},
 };
 
 bool draws_points(const DrawCall& call, const PolygonState& polygon) {
@@ -205,6 +220,9 @@ uint64_t find_changes(Context& c, const DrawCall& call, SnapshotCache& cache) {
   settle_history(c.matrices.modelview.top());
   uint64_t changed = c.dirty;
   if (set(cache.present, call.source->present)) changed |= kPresentStreams;
+  const DepthLimits limits = depth_limits(c);
+  if (set(cache.least_depth, limits.least) | set(cache.greatest_depth, limits.greatest))
+    changed |= kDepthLimits;
   // Only attenuated points have a size in their vertices.
   if (set(cache.draws_points, s.point.attenuated() && draws_points(call, s.polygon))) changed |= kDrawnPoints;
   const float* color = &call.constant[kColor][0];

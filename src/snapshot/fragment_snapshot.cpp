@@ -1,9 +1,11 @@
 #include "snapshot/fragment_snapshot.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "base/kernel_table.h"
+#include "base/unit_range.h"
 #include "context/context.h"
 #include "fragment/fragment_keys.h"
 #include "fragment/fragment_stages.h"
@@ -64,6 +66,21 @@ uint8_t unorm8(float x) {
   return static_cast<uint8_t>(std::lrint(clamped * 255.0f));
 }
 
+bool tests_stencil(const Context& context) {
+  return context.state.stencil.test && context.draw->stencil_bits > 0;
+}
+
+void set_stencil(const StencilFace& face, FragmentKey& key, FragmentConstants& k) {
+  key.stencil = 1;
+  key.stencil_function = compare(face.function);
+  key.stencil_fail = stencil_operation(face.fail);
+  key.stencil_depth_fail = stencil_operation(face.depth_fail);
+  key.stencil_pass = stencil_operation(face.depth_pass);
+  k.stencil_reference = static_cast<uint8_t>(std::clamp(face.reference, 0, 255));
+  k.stencil_value_mask = static_cast<uint8_t>(face.value_mask);
+  k.stencil_write_mask = static_cast<uint8_t>(face.write_mask);
+}
+
 void set_fog(const FogState& fog, FragmentKey& key, FragmentConstants& k) {
   if (!fog.enabled) return;
   for (int i = 0; i < 4; ++i) k.fog_color[i] = fog.color[i];
@@ -115,19 +132,12 @@ const FragmentProgram* make_fragment_program(Context& context, Arena& arena, con
     key.depth_function = compare(s.depth.function);
     key.depth_write = s.depth.mask;
   }
-  if (s.stencil.test && context.draw->stencil_bits > 0) {
-    key.stencil = 1;
-    key.stencil_function = compare(s.stencil.function);
-    key.stencil_fail = stencil_operation(s.stencil.fail);
-    key.stencil_depth_fail = stencil_operation(s.stencil.depth_fail);
-    key.stencil_pass = stencil_operation(s.stencil.depth_pass);
-    k.stencil_reference = static_cast<uint8_t>(std::clamp(s.stencil.reference, 0, 255));
-    k.stencil_value_mask = static_cast<uint8_t>(s.stencil.value_mask);
-    k.stencil_write_mask = static_cast<uint8_t>(s.stencil.write_mask);
-  }
+  if (tests_stencil(context)) set_stencil(s.stencil.front, key, k);
   if (c.blend) {
     key.blend = 1;
-    key.blend_equation = blend_equation(c.blend_equation);
+    const auto equation = blend_equation(c.blend_equation), alpha = blend_equation(c.blend_equation_alpha);
+    key.blend_equation = equation == alpha ? equation : uint64_t(BlendEquation::Separate);
+    k.blend_equation[0] = BlendEquation(equation), k.blend_equation[1] = BlendEquation(alpha);
     key.blend_source_rgb = blend_factor(c.blend_source_rgb);
     key.blend_source_alpha = blend_factor(c.blend_source_alpha);
     key.blend_destination_rgb = blend_factor(c.blend_destination_rgb);
@@ -152,9 +162,41 @@ const FragmentProgram* make_fragment_program(Context& context, Arena& arena, con
     program.writes_depth = image->kind == PixelElement::Depth;
     program.add(kernels().raster->image[int(image->kind)]);
   }
+  const DepthLimits limits = depth_limits(context);
+  if (limits.least > 0 || limits.greatest < largest_depth(surface.depth_format)) {
+    k.least_depth = limits.least, k.greatest_depth = limits.greatest;
+    program.add(kernels().raster->clamp_depth);
+    program.writes_depth = true;
+  }
   if (key.lit) program.add(kernels().raster->light);
   append_texture_stages(context, arena, program, k);
   append_fragment_stages(program);
+  return &program;
+}
+
+DepthLimits depth_limits(const Context& context) {
+  const uint32_t largest = largest_depth(context.draw->surface.depth_format);
+  if (!context.state.transform.depth_clamp) return {0, largest};
+  const ViewportState& v = context.state.viewport;
+  const auto scale = float(0.5 * (v.far_depth - v.near_depth)),
+             offset = float(0.5 * (v.near_depth + v.far_depth));
+  const auto [low, high] = std::minmax({offset - scale, offset + scale});
+  const bool floats = context.draw->surface.depth_format == DepthFormat::Z32F;
+  const auto integer = [&](float depth) {
+    if (floats) return std::bit_cast<uint32_t>(unit_range(depth));
+    return static_cast<uint32_t>(std::lrint(unit_range(depth) * static_cast<float>(largest)));
+  };
+  return {integer(low), integer(high)};
+}
+
+const FragmentProgram* make_back_program(const Context& context, const FragmentProgram& front, Arena& arena) {
+  const StencilState& stencil = context.state.stencil;
+  if (!tests_stencil(context) || stencil.seen_back() == stencil.front) return nullptr;
+  auto& k = *arena.make<FragmentConstants>(*front.constants);
+  auto& program = *arena.make<FragmentProgram>(front);
+  set_stencil(stencil.seen_back(), program.key, k);
+  program.key = simplify(program.key);
+  program.constants = &k;
   return &program;
 }
 

@@ -15,6 +15,14 @@ struct State;      // context/state.h
 /// `image`: of a pixel rectangle, whose fragments have been lit.
 const FragmentProgram* make_fragment_program(Context& context, Arena& arena,
                                              const PixelImage* image = nullptr);
+/// What depths are clamped to, in the depth buffer's integers (GL_ARB_depth_clamp); where they are not: all.
+struct DepthLimits {
+  uint32_t least, greatest;
+};
+DepthLimits depth_limits(const Context& context);
+/// The program of back-facing polygons where their stencil test is another one than that of `front`; else
+/// null.
+const FragmentProgram* make_back_program(const Context& context, const FragmentProgram& front, Arena& arena);
 /// The programs of antialiased primitives (GL 1.5, 3.11) beside that of others; null where none is
 /// antialiased.
 const SmoothPrograms* make_smooth_programs(const State& state, const FragmentProgram& program, Arena& arena);

@@ -41,7 +41,7 @@ void submit(Context& c, const DrawCall& call) {
   uint64_t* const samples = active_counter(c);
   c.frame.append(c.frame.arena().make<DrawRecord>(
       call, cache.layout, cache.vertex, cache.raster, cache.fragment_of_draw, nullptr, samples, cache.smooth,
-      diagonal_of_quadrilaterals(c, call, *cache.fragment_of_draw)));
+      diagonal_of_quadrilaterals(c, call, *cache.fragment_of_draw), cache.back_fragment, cache.back_smooth));
   if (c.frame.over_budget()) flush_frame(c);
 }
 

@@ -31,6 +31,12 @@ PolygonMode polygon_mode(GLenum mode) {
   return mode == GL_POINT ? PolygonMode::Point : mode == GL_LINE ? PolygonMode::Line : PolygonMode::Fill;
 }
 
+FogDistance fog_distance(GLenum mode) {
+  return mode == GL_EYE_RADIAL_NV ? FogDistance::Radial
+         : mode == GL_EYE_PLANE   ? FogDistance::Plane
+                                  : FogDistance::PlaneAbsolute;
+}
+
 } // namespace
 
 bool needs_eye_space(const Context& c, uint32_t texture_units) {
@@ -174,6 +180,9 @@ const VertexProgram* make_vertex_program(const Context& c, const SnapshotCache& 
   p->lit = cache.lighting && !key.lit;
   p->fog = key.fog_coordinate;
   p->fog_from_attribute = s.fog.coordinate_source == GL_FOG_COORDINATE;
+  p->fog_distance = fog_distance(s.fog.distance_mode);
+  p->eye_position = p->fog && !p->fog_from_attribute && p->fog_distance != FogDistance::PlaneAbsolute;
+  p->depth_clamp = s.transform.depth_clamp;
   p->normal_to_eye = cache.eye_space;
   p->normalize = s.transform.normalize;
   p->unit_normal = p->normalize && key.lit;
@@ -184,7 +193,7 @@ const VertexProgram* make_vertex_program(const Context& c, const SnapshotCache& 
     bool positional = false;
     for (int i = 0; i < k.light_count; ++i) positional |= k.light[i].positional;
     p->eye_unit = p->lit && k.local_viewer && !k.shininess_zero && k.light_count > 0;
-    p->eye_position = positional || p->eye_unit || cache.layout.eye >= 0;
+    p->eye_position |= positional || p->eye_unit || cache.layout.eye >= 0;
     p->normal = k.light_count > 0;
   }
   for (int u = 0; u < kMaxTextureUnits; ++u) {

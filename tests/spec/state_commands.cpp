@@ -171,7 +171,11 @@ StateCommand fragment_command(Random& r) {
     return ANY(GL_ZERO, GL_ONE, GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR, GL_DST_COLOR, GL_ONE_MINUS_DST_ALPHA,
                GL_SRC_ALPHA, GL_CONSTANT_COLOR, GL_ONE_MINUS_CONSTANT_ALPHA);
   };
-  switch (r.integer(0, 24)) {
+  const auto equation = [&] {
+    return ANY(GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX);
+  };
+  const auto face = [&] { return ANY(GL_FRONT, GL_BACK, GL_FRONT_AND_BACK); };
+  switch (r.integer(0, 30)) {
   case 0: {
     float v = number(r);
     return CALL(AlphaFunc, comparison(), v);
@@ -193,8 +197,7 @@ StateCommand fragment_command(Random& r) {
     GLenum a = factor(), b = factor(), d = factor();
     return CALL(BlendFuncSeparate, a, b, d, factor());
   }
-  case 6:
-    return CALL(BlendEquation, ANY(GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX));
+  case 6: return CALL(BlendEquation, equation());
   case 7: {
     auto v = vector4(r);
     return CALL(BlendColor, v[0], v[1], v[2], v[3]);
@@ -226,8 +229,9 @@ StateCommand fragment_command(Random& r) {
     return CALLV(Fogfv, vector4(r),
                  ANY(GL_FOG_DENSITY, GL_FOG_START, GL_FOG_END, GL_FOG_INDEX, GL_FOG_COLOR));
   case 18:
-    return CALL(Fogi, ANY(GL_FOG_MODE, GL_FOG_COORDINATE_SOURCE),
-                GLint(ANY(GL_LINEAR, GL_EXP, GL_EXP2, GL_FOG_COORDINATE, GL_FRAGMENT_DEPTH)));
+    return CALL(Fogi, ANY(GL_FOG_MODE, GL_FOG_COORDINATE_SOURCE, GL_FOG_DISTANCE_MODE_NV),
+                GLint(ANY(GL_LINEAR, GL_EXP, GL_EXP2, GL_FOG_COORDINATE, GL_FRAGMENT_DEPTH, GL_EYE_PLANE,
+                          GL_EYE_RADIAL_NV, GL_EYE_PLANE_ABSOLUTE_NV)));
   case 19: return CALLV(Fogiv, integers4(r), ANY(GL_FOG_DENSITY, GL_FOG_START, GL_FOG_COLOR));
   case 20: {
     auto v = vector4(r);
@@ -236,6 +240,29 @@ StateCommand fragment_command(Random& r) {
   case 21: return CALL(ClearDepth, double(number(r)));
   case 22: return CALL(ClearStencil, whole(r));
   case 23: return CALL(ClearIndex, number(r));
+  case 24: {
+    GLenum rgb = equation();
+    return CALL(BlendEquationSeparate, rgb, equation());
+  }
+  case 25: {
+    GLenum f = face(), function = comparison();
+    GLint ref = whole(r);
+    return CALL(StencilFuncSeparate, f, function, ref, GLuint(r.bits()));
+  }
+  case 26: {
+    GLenum front = comparison(), back = comparison();
+    GLint ref = whole(r);
+    return CALL(StencilFuncSeparateATI, front, back, ref, GLuint(r.bits()));
+  }
+  case 27: {
+    GLenum f = face(), a = operation(), b = operation();
+    return CALL(StencilOpSeparate, f, a, b, operation());
+  }
+  case 28: {
+    GLenum f = face();
+    return CALL(StencilMaskSeparate, f, GLuint(r.bits()));
+  }
+  case 29: return CALL(ActiveStencilFaceEXT, ANY(GL_FRONT, GL_FRONT, GL_BACK));
   default: {
     auto v = vector4(r);
     return CALL(ClearAccum, v[0], v[1], v[2], v[3]);

@@ -15,12 +15,11 @@ Gl load_gl(const std::string& name, const std::string& path) {
   gl.path = path;
   auto find = [&](auto& pointer, const char* symbol) {
     void* address = dlsym(library, symbol);
+    if (!address && gl.OSMesaGetProcAddress) // of some extensions
+      address = reinterpret_cast<void*>(gl.OSMesaGetProcAddress(symbol));
     if (!address) throw std::runtime_error(path + " does not export " + symbol);
     pointer = reinterpret_cast<std::remove_reference_t<decltype(pointer)>>(address);
   };
-#define GL_FUNCTION(function) find(gl.function, "gl" #function);
-#include "support/gl_functions.inc"
-#undef GL_FUNCTION
 #define OSMESA_FUNCTION(function) find(gl.function, #function);
   OSMESA_FUNCTION(OSMesaCreateContext)
   OSMESA_FUNCTION(OSMesaCreateContextExt)
@@ -36,6 +35,9 @@ Gl load_gl(const std::string& name, const std::string& path) {
   OSMESA_FUNCTION(OSMesaColorClamp)
   OSMESA_FUNCTION(OSMesaPostprocess)
 #undef OSMESA_FUNCTION
+#define GL_FUNCTION(function) find(gl.function, "gl" #function);
+#include "support/gl_functions.inc"
+#undef GL_FUNCTION
   return gl;
 }
 

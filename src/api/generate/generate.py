@@ -221,7 +221,8 @@ def null_check(row, command):
 
 
 def plain_door(row, door, command, export_name):
-    head = (f"SOFTGL_EXPORT {command.returns} APIENTRY "
+    visible = "SOFTGL_EXPORT " if "gl" + export_name in exported_symbols() else ""
+    head = (f"{visible}{command.returns} APIENTRY "
             f"gl{export_name}({', '.join(p.declaration() for p in command.parameters)})")
     result = default_return(row.returns)
     if row.built == "no":
@@ -319,10 +320,15 @@ def playback_case(row):
     return "".join(lines)
 
 
+def exported_symbols():
+    return set(open(os.path.join(HERE, "symbols.txt")).read().split())
+
+
 def exports(commands, core, rows):
-    """What the library exports, sorted by name: (name, target, row), where the target is the command that the name leads to and
-    the row its row in overlay.tsv, None for the attribute families; (name, None, None) for a name that only exists."""
-    symbols = open(os.path.join(HERE, "symbols.txt")).read().split()
+    """The doors of the library, sorted by name: (name, target, row), where the target is the command that the name leads to and
+    the row its row in overlay.tsv, None for the attribute families; (name, None, None) for a name that only exists. Doors that
+    are no symbols of libOSMesa.so.8 are not exported: OSMesaGetProcAddress finds them."""
+    symbols = exported_symbols()
     door_of = {}
     for row in rows:
         for door in row.doors:
@@ -336,7 +342,9 @@ def exports(commands, core, rows):
     core_set = set(core)
     unseen = set(core)
     found = []
-    for export in sorted((s[2:] for s in symbols if s.startswith("gl")), key=lambda n: n.encode()):
+    names = {s[2:] for s in symbols if s.startswith("gl")}
+    names.update(row.doors[0] for row in rows)
+    for export in sorted(names, key=lambda n: n.encode()):
         unseen.discard(export)
         target = export if export in door_of else resolve(export, commands)
         known = target in door_of or (target in core_set and FAMILY.match(target))
@@ -346,11 +354,22 @@ def exports(commands, core, rows):
     return found
 
 
+def further_names(commands, rows, found):
+    """Aliases of gl.xml, and doors of rows that need no conversion, that are no symbols: (name, the door that
+    OSMesaGetProcAddress answers)."""
+    doors = {export: row for export, target, row in found if target is not None and (row is None or row.built != "no")}
+    known = {export for export, _, _ in found}
+    further = {name: resolve(name, commands) for name in commands}
+    further.update((door, row.doors[0]) for row in rows if row.convert == "plain" for door in row.doors[1:])
+    return [(name, door) for name, door in further.items() if name not in known and door in doors]
+
+
 def generate(registry):
     root, commands, core, enums = read_registry(registry)
     rows = read_overlay(commands)
     attribute_doors, command_doors, stubs, names = [], [], [], []
-    for export, target, row in exports(commands, core, rows):
+    found = exports(commands, core, rows)
+    for export, target, row in found:
         if target is None:
             stubs.append(export)
             continue
@@ -425,13 +444,14 @@ def generate(registry):
         "".join(compiler(r) for r in recorded) + "\n} // namespace softgl\n")
 
     # The doors are named by their symbols, because the prototypes of gl.h must not be contradicted.
-    real = [(n, row) for n, row, _ in names if row is None or row.built != "no"]
+    real = [n for n, row, _ in names if row is None or row.built != "no"]
+    named = sorted([(n, n) for n in real] + further_names(commands, rows, found), key=lambda entry: entry[0].encode())
     text = BANNER + "// Entry points by name, sorted, for OSMesaGetProcAddress; and tokens by value, for messages.\n\n" \
         "#include \"api/names.h\"\n\n#define DOOR(name) " \
         "extern \"C\" __attribute__((visibility(\"default\"))) void door_##name() __asm__(#name)\n"
-    text += "".join(f"DOOR(gl{n});\n" for n, _ in real) + "\nnamespace softgl {\n\nconst NamedDoor kNamedDoors[] = {\n"
-    for n, row in real:
-        text += f"    {{\"gl{n}\", door_gl{n}}},\n"
+    text += "".join(f"DOOR(gl{n});\n" for n in real) + "\nnamespace softgl {\n\nconst NamedDoor kNamedDoors[] = {\n"
+    for name, door in named:
+        text += f"    {{\"gl{name}\", door_gl{door}}},\n"
     text += "};\nconst size_t kNamedDoorCount = sizeof kNamedDoors / sizeof kNamedDoors[0];\n\n"
     text += "const NamedEnum kNamedEnums[] = {\n"
     text += "".join(f"    {{0x{v:04x}, \"{enums[v]}\"}},\n" for v in sorted(enums))

@@ -673,6 +673,38 @@ void compile_StencilOp(Context& c, GLenum fail, GLenum zfail, GLenum zpass) {
     if (may_execute(c)) gl::StencilOp(c, fail, zfail, zpass);
   }
 }
+void compile_StencilFuncSeparate(Context& c, GLenum face, GLenum func, GLint ref, GLuint mask) {
+  const StencilFuncSeparateArguments kept_call{face, func, ref, mask};
+  new (record(c, uint16_t(Opcode::StencilFuncSeparate), sizeof kept_call)) StencilFuncSeparateArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::StencilFuncSeparate(c, face, func, ref, mask);
+  }
+}
+void compile_StencilFuncSeparateATI(Context& c, GLenum frontfunc, GLenum backfunc, GLint ref, GLuint mask) {
+  const StencilFuncSeparateATIArguments kept_call{frontfunc, backfunc, ref, mask};
+  new (record(c, uint16_t(Opcode::StencilFuncSeparateATI), sizeof kept_call)) StencilFuncSeparateATIArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::StencilFuncSeparateATI(c, frontfunc, backfunc, ref, mask);
+  }
+}
+void compile_StencilOpSeparate(Context& c, GLenum face, GLenum sfail, GLenum dpfail, GLenum dppass) {
+  const StencilOpSeparateArguments kept_call{face, sfail, dpfail, dppass};
+  new (record(c, uint16_t(Opcode::StencilOpSeparate), sizeof kept_call)) StencilOpSeparateArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::StencilOpSeparate(c, face, sfail, dpfail, dppass);
+  }
+}
+void compile_ActiveStencilFaceEXT(Context& c, GLenum face) {
+  const ActiveStencilFaceEXTArguments kept_call{face};
+  new (record(c, uint16_t(Opcode::ActiveStencilFaceEXT), sizeof kept_call)) ActiveStencilFaceEXTArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::ActiveStencilFaceEXT(c, face);
+  }
+}
 void compile_DepthFunc(Context& c, GLenum func) {
   const DepthFuncArguments kept_call{func};
   new (record(c, uint16_t(Opcode::DepthFunc), sizeof kept_call)) DepthFuncArguments(kept_call);
@@ -703,6 +735,14 @@ void compile_BlendEquation(Context& c, GLenum mode) {
   if (execute_too(c)) {
     const ExecuteScope scope(c);
     if (may_execute(c)) gl::BlendEquation(c, mode);
+  }
+}
+void compile_BlendEquationSeparate(Context& c, GLenum modeRGB, GLenum modeAlpha) {
+  const BlendEquationSeparateArguments kept_call{modeRGB, modeAlpha};
+  new (record(c, uint16_t(Opcode::BlendEquationSeparate), sizeof kept_call)) BlendEquationSeparateArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::BlendEquationSeparate(c, modeRGB, modeAlpha);
   }
 }
 void compile_BlendColor(Context& c, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
@@ -775,6 +815,14 @@ void compile_StencilMask(Context& c, GLuint mask) {
   if (execute_too(c)) {
     const ExecuteScope scope(c);
     if (may_execute(c)) gl::StencilMask(c, mask);
+  }
+}
+void compile_StencilMaskSeparate(Context& c, GLenum face, GLuint mask) {
+  const StencilMaskSeparateArguments kept_call{face, mask};
+  new (record(c, uint16_t(Opcode::StencilMaskSeparate), sizeof kept_call)) StencilMaskSeparateArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::StencilMaskSeparate(c, face, mask);
   }
 }
 void compile_Clear(Context& c, GLbitfield mask) {

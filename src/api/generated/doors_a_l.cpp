@@ -22,6 +22,17 @@ SOFTGL_EXPORT void APIENTRY glAccum(GLenum op, GLfloat value) try {
 } catch (...) {
   out_of_memory();
 }
+void APIENTRY glActiveStencilFaceEXT(GLenum face) try {
+  SOFTGL_TRACED(glActiveStencilFaceEXT, face);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_ActiveStencilFaceEXT(c, face);
+    if (!may_execute(c)) return;
+  }
+  gl::ActiveStencilFaceEXT(c, face);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glActiveTexture(GLenum texture) try {
   SOFTGL_TRACED(glActiveTexture, texture);
   Context& c = *current_context;
@@ -233,6 +244,17 @@ SOFTGL_EXPORT void APIENTRY glBlendEquationEXT(GLenum mode) try {
     if (!may_execute(c)) return;
   }
   gl::BlendEquation(c, mode);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glBlendEquationSeparate(GLenum modeRGB, GLenum modeAlpha) try {
+  SOFTGL_TRACED(glBlendEquationSeparate, modeRGB, modeAlpha);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_BlendEquationSeparate(c, modeRGB, modeAlpha);
+    if (!may_execute(c)) return;
+  }
+  gl::BlendEquationSeparate(c, modeRGB, modeAlpha);
 } catch (...) {
   out_of_memory();
 }

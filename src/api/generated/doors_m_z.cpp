@@ -1247,6 +1247,28 @@ SOFTGL_EXPORT void APIENTRY glStencilFunc(GLenum func, GLint ref, GLuint mask) t
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glStencilFuncSeparate(GLenum face, GLenum func, GLint ref, GLuint mask) try {
+  SOFTGL_TRACED(glStencilFuncSeparate, face, func, ref, mask);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_StencilFuncSeparate(c, face, func, ref, mask);
+    if (!may_execute(c)) return;
+  }
+  gl::StencilFuncSeparate(c, face, func, ref, mask);
+} catch (...) {
+  out_of_memory();
+}
+void APIENTRY glStencilFuncSeparateATI(GLenum frontfunc, GLenum backfunc, GLint ref, GLuint mask) try {
+  SOFTGL_TRACED(glStencilFuncSeparateATI, frontfunc, backfunc, ref, mask);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_StencilFuncSeparateATI(c, frontfunc, backfunc, ref, mask);
+    if (!may_execute(c)) return;
+  }
+  gl::StencilFuncSeparateATI(c, frontfunc, backfunc, ref, mask);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glStencilMask(GLuint mask) try {
   SOFTGL_TRACED(glStencilMask, mask);
   Context& c = *current_context;
@@ -1258,6 +1280,17 @@ SOFTGL_EXPORT void APIENTRY glStencilMask(GLuint mask) try {
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glStencilMaskSeparate(GLenum face, GLuint mask) try {
+  SOFTGL_TRACED(glStencilMaskSeparate, face, mask);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_StencilMaskSeparate(c, face, mask);
+    if (!may_execute(c)) return;
+  }
+  gl::StencilMaskSeparate(c, face, mask);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glStencilOp(GLenum fail, GLenum zfail, GLenum zpass) try {
   SOFTGL_TRACED(glStencilOp, fail, zfail, zpass);
   Context& c = *current_context;
@@ -1266,6 +1299,17 @@ SOFTGL_EXPORT void APIENTRY glStencilOp(GLenum fail, GLenum zfail, GLenum zpass)
     if (!may_execute(c)) return;
   }
   gl::StencilOp(c, fail, zfail, zpass);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glStencilOpSeparate(GLenum face, GLenum sfail, GLenum dpfail, GLenum dppass) try {
+  SOFTGL_TRACED(glStencilOpSeparate, face, sfail, dpfail, dppass);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_StencilOpSeparate(c, face, sfail, dpfail, dppass);
+    if (!may_execute(c)) return;
+  }
+  gl::StencilOpSeparate(c, face, sfail, dpfail, dppass);
 } catch (...) {
   out_of_memory();
 }

@@ -8,6 +8,7 @@ namespace softgl {
 
 enum class TracedCall : uint16_t {
   glAccum,
+  glActiveStencilFaceEXT,
   glActiveTexture,
   glActiveTextureARB,
   glAlphaFunc,
@@ -30,6 +31,7 @@ enum class TracedCall : uint16_t {
   glBlendColorEXT,
   glBlendEquation,
   glBlendEquationEXT,
+  glBlendEquationSeparate,
   glBlendFunc,
   glBlendFuncSeparate,
   glBlendFuncSeparateEXT,
@@ -510,8 +512,12 @@ enum class TracedCall : uint16_t {
   glSelectBuffer,
   glShadeModel,
   glStencilFunc,
+  glStencilFuncSeparate,
+  glStencilFuncSeparateATI,
   glStencilMask,
+  glStencilMaskSeparate,
   glStencilOp,
+  glStencilOpSeparate,
   glTexCoord1d,
   glTexCoord1dv,
   glTexCoord1f,

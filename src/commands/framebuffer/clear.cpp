@@ -80,16 +80,16 @@ void Clear(Context& c, GLbitfield mask) {
     store_color(surface.color_format, s.color_buffer.clear_color, part || !all, record.color_value);
   }
   if ((mask & GL_DEPTH_BUFFER_BIT) && target.depth_bits > 0 && s.depth.mask) {
-    const GLuint stencil_mask = s.stencil.write_mask & 0xff;
+    const GLuint stencil_mask = s.stencil.front.write_mask & 0xff;
     const bool with_masked_stencil = (mask & GL_STENCIL_BUFFER_BIT) && target.stencil_bits > 0 &&
                                      stencil_mask != 0 && stencil_mask != 0xff;
     record.depth = true;
     record.depth_value = store_depth(surface.depth_format, s.depth.clear, part || with_masked_stencil);
   }
-  if ((mask & GL_STENCIL_BUFFER_BIT) && target.stencil_bits > 0 && (s.stencil.write_mask & 0xff) != 0) {
+  if ((mask & GL_STENCIL_BUFFER_BIT) && target.stencil_bits > 0 && (s.stencil.front.write_mask & 0xff) != 0) {
     record.stencil = true;
     record.stencil_value = uint32_t(s.stencil.clear) & 0xff;
-    record.stencil_write_mask = s.stencil.write_mask & 0xff;
+    record.stencil_write_mask = s.stencil.front.write_mask & 0xff;
   }
   if (record.color || record.depth || record.stencil) {
     ++c.framebuffer.counts.clears;

@@ -24,6 +24,39 @@ bool is_stencil_operation(GLenum operation) {
   }
 }
 
+bool is_face(GLenum face) { return face == GL_FRONT || face == GL_BACK || face == GL_FRONT_AND_BACK; }
+
+/// The faces that glStencilFunc, glStencilOp and glStencilMask set.
+template <class Set> void for_active_faces(Context& c, Set set) {
+  StencilState& stencil = edit<&State::stencil>(c);
+  if (stencil.active_face == GL_BACK) return set(stencil.two_side_back);
+  set(stencil.front);
+  set(stencil.back);
+}
+
+template <class Set> void for_faces(Context& c, GLenum face, Set set) {
+  StencilState& stencil = edit<&State::stencil>(c);
+  if (face != GL_BACK) set(stencil.front);
+  if (face != GL_FRONT) set(stencil.back);
+}
+
+void set_function(StencilFace& face, GLenum function, GLint reference, GLuint mask) {
+  face.function = function;
+  face.reference = reference;
+  face.value_mask = mask;
+}
+
+void set_operations(StencilFace& face, GLenum fail, GLenum depth_fail, GLenum depth_pass) {
+  face.fail = fail;
+  face.depth_fail = depth_fail;
+  face.depth_pass = depth_pass;
+}
+
+bool is_blend_equation(GLenum mode) {
+  return mode == GL_FUNC_ADD || mode == GL_FUNC_SUBTRACT || mode == GL_FUNC_REVERSE_SUBTRACT ||
+         mode == GL_MIN || mode == GL_MAX;
+}
+
 bool is_blend_factor(GLenum factor, bool source) {
   switch (factor) {
   case GL_ZERO:
@@ -98,6 +131,11 @@ void Fog(Context& c, GLenum pname, const GLfloat* params) {
     if (v != float(GL_FOG_COORDINATE) && v != float(GL_FRAGMENT_DEPTH)) return set_error(c, GL_INVALID_ENUM);
     fog.coordinate_source = GLenum(v);
     break;
+  case GL_FOG_DISTANCE_MODE_NV:
+    if (v != float(GL_EYE_RADIAL_NV) && v != float(GL_EYE_PLANE) && v != float(GL_EYE_PLANE_ABSOLUTE_NV))
+      return set_error(c, GL_INVALID_ENUM);
+    fog.distance_mode = GLenum(v);
+    break;
   default: return set_error(c, GL_INVALID_ENUM);
   }
 }
@@ -123,19 +161,37 @@ void AlphaFunc(Context& c, GLenum func, GLfloat ref) {
 
 void StencilFunc(Context& c, GLenum func, GLint ref, GLuint mask) {
   if (!is_comparison(func)) return set_error(c, GL_INVALID_ENUM);
+  for_active_faces(c, [&](StencilFace& face) { set_function(face, func, ref, mask); });
+}
+
+void StencilFuncSeparate(Context& c, GLenum face, GLenum func, GLint ref, GLuint mask) {
+  if (!is_face(face) || !is_comparison(func)) return set_error(c, GL_INVALID_ENUM);
+  for_faces(c, face, [&](StencilFace& f) { set_function(f, func, ref, mask); });
+}
+
+void StencilFuncSeparateATI(Context& c, GLenum frontfunc, GLenum backfunc, GLint ref, GLuint mask) {
+  if (!is_comparison(frontfunc) || !is_comparison(backfunc)) return set_error(c, GL_INVALID_ENUM);
   StencilState& stencil = edit<&State::stencil>(c);
-  stencil.function = func;
-  stencil.reference = ref;
-  stencil.value_mask = mask;
+  set_function(stencil.front, frontfunc, ref, mask);
+  set_function(stencil.back, backfunc, ref, mask);
 }
 
 void StencilOp(Context& c, GLenum fail, GLenum zfail, GLenum zpass) {
   if (!is_stencil_operation(fail) || !is_stencil_operation(zfail) || !is_stencil_operation(zpass))
     return set_error(c, GL_INVALID_ENUM);
-  StencilState& stencil = edit<&State::stencil>(c);
-  stencil.fail = fail;
-  stencil.depth_fail = zfail;
-  stencil.depth_pass = zpass;
+  for_active_faces(c, [&](StencilFace& face) { set_operations(face, fail, zfail, zpass); });
+}
+
+void StencilOpSeparate(Context& c, GLenum face, GLenum sfail, GLenum dpfail, GLenum dppass) {
+  if (!is_face(face) || !is_stencil_operation(sfail) || !is_stencil_operation(dpfail) ||
+      !is_stencil_operation(dppass))
+    return set_error(c, GL_INVALID_ENUM);
+  for_faces(c, face, [&](StencilFace& f) { set_operations(f, sfail, dpfail, dppass); });
+}
+
+void ActiveStencilFaceEXT(Context& c, GLenum face) {
+  if (face != GL_FRONT && face != GL_BACK) return set_error(c, GL_INVALID_ENUM);
+  edit<&State::stencil>(c).active_face = face;
 }
 
 void DepthFunc(Context& c, GLenum func) {
@@ -158,12 +214,13 @@ void BlendFunc(Context& c, GLenum source, GLenum destination) {
   BlendFuncSeparate(c, source, destination, source, destination);
 }
 
-void BlendEquation(Context& c, GLenum mode) {
-  if (mode != GL_FUNC_ADD && mode != GL_FUNC_SUBTRACT && mode != GL_FUNC_REVERSE_SUBTRACT && mode != GL_MIN &&
-      mode != GL_MAX)
-    return set_error(c, GL_INVALID_ENUM);
-  edit<&State::color_buffer>(c).blend_equation = mode;
+void BlendEquationSeparate(Context& c, GLenum mode_rgb, GLenum mode_alpha) {
+  if (!is_blend_equation(mode_rgb) || !is_blend_equation(mode_alpha)) return set_error(c, GL_INVALID_ENUM);
+  ColorBufferState& color = edit<&State::color_buffer>(c);
+  color.blend_equation = mode_rgb;
+  color.blend_equation_alpha = mode_alpha;
 }
+void BlendEquation(Context& c, GLenum mode) { BlendEquationSeparate(c, mode, mode); }
 
 void BlendColor(Context& c, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
   edit<&State::color_buffer>(c).blend_color = {red, green, blue, alpha};
@@ -209,6 +266,12 @@ void ColorMask(Context& c, GLboolean red, GLboolean green, GLboolean blue, GLboo
 }
 void IndexMask(Context& c, GLuint mask) { c.state.color_buffer.index_mask = mask; }
 void DepthMask(Context& c, GLboolean flag) { edit<&State::depth>(c).mask = flag != 0; }
-void StencilMask(Context& c, GLuint mask) { edit<&State::stencil>(c).write_mask = mask; }
+void StencilMask(Context& c, GLuint mask) {
+  for_active_faces(c, [&](StencilFace& face) { face.write_mask = mask; });
+}
+void StencilMaskSeparate(Context& c, GLenum face, GLuint mask) {
+  if (!is_face(face)) return set_error(c, GL_INVALID_ENUM);
+  for_faces(c, face, [&](StencilFace& f) { f.write_mask = mask; });
+}
 
 } // namespace softgl::gl

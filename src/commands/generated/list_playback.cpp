@@ -349,6 +349,22 @@ void play_command(Context& c, uint16_t opcode, const void* arguments) {
       const auto& r = *static_cast<const StencilOpArguments*>(arguments);
       return gl::StencilOp(c, r.fail, r.zfail, r.zpass);
     }
+    case Opcode::StencilFuncSeparate: {
+      const auto& r = *static_cast<const StencilFuncSeparateArguments*>(arguments);
+      return gl::StencilFuncSeparate(c, r.face, r.func, r.ref, r.mask);
+    }
+    case Opcode::StencilFuncSeparateATI: {
+      const auto& r = *static_cast<const StencilFuncSeparateATIArguments*>(arguments);
+      return gl::StencilFuncSeparateATI(c, r.frontfunc, r.backfunc, r.ref, r.mask);
+    }
+    case Opcode::StencilOpSeparate: {
+      const auto& r = *static_cast<const StencilOpSeparateArguments*>(arguments);
+      return gl::StencilOpSeparate(c, r.face, r.sfail, r.dpfail, r.dppass);
+    }
+    case Opcode::ActiveStencilFaceEXT: {
+      const auto& r = *static_cast<const ActiveStencilFaceEXTArguments*>(arguments);
+      return gl::ActiveStencilFaceEXT(c, r.face);
+    }
     case Opcode::DepthFunc: {
       const auto& r = *static_cast<const DepthFuncArguments*>(arguments);
       return gl::DepthFunc(c, r.func);
@@ -364,6 +380,10 @@ void play_command(Context& c, uint16_t opcode, const void* arguments) {
     case Opcode::BlendEquation: {
       const auto& r = *static_cast<const BlendEquationArguments*>(arguments);
       return gl::BlendEquation(c, r.mode);
+    }
+    case Opcode::BlendEquationSeparate: {
+      const auto& r = *static_cast<const BlendEquationSeparateArguments*>(arguments);
+      return gl::BlendEquationSeparate(c, r.modeRGB, r.modeAlpha);
     }
     case Opcode::BlendColor: {
       const auto& r = *static_cast<const BlendColorArguments*>(arguments);
@@ -400,6 +420,10 @@ void play_command(Context& c, uint16_t opcode, const void* arguments) {
     case Opcode::StencilMask: {
       const auto& r = *static_cast<const StencilMaskArguments*>(arguments);
       return gl::StencilMask(c, r.mask);
+    }
+    case Opcode::StencilMaskSeparate: {
+      const auto& r = *static_cast<const StencilMaskSeparateArguments*>(arguments);
+      return gl::StencilMaskSeparate(c, r.face, r.mask);
     }
     case Opcode::Clear: {
       const auto& r = *static_cast<const ClearArguments*>(arguments);
@@ -568,10 +592,15 @@ const char* opcode_name(uint16_t opcode) {
       "AlphaFunc",
       "StencilFunc",
       "StencilOp",
+      "StencilFuncSeparate",
+      "StencilFuncSeparateATI",
+      "StencilOpSeparate",
+      "ActiveStencilFaceEXT",
       "DepthFunc",
       "BlendFunc",
       "BlendFuncSeparate",
       "BlendEquation",
+      "BlendEquationSeparate",
       "BlendColor",
       "LogicOp",
       "BeginQuery",
@@ -581,6 +610,7 @@ const char* opcode_name(uint16_t opcode) {
       "IndexMask",
       "DepthMask",
       "StencilMask",
+      "StencilMaskSeparate",
       "Clear",
       "ClearColor",
       "ClearIndex",

@@ -91,10 +91,15 @@ enum class Opcode : uint16_t {
   AlphaFunc,
   StencilFunc,
   StencilOp,
+  StencilFuncSeparate,
+  StencilFuncSeparateATI,
+  StencilOpSeparate,
+  ActiveStencilFaceEXT,
   DepthFunc,
   BlendFunc,
   BlendFuncSeparate,
   BlendEquation,
+  BlendEquationSeparate,
   BlendColor,
   LogicOp,
   BeginQuery,
@@ -104,6 +109,7 @@ enum class Opcode : uint16_t {
   IndexMask,
   DepthMask,
   StencilMask,
+  StencilMaskSeparate,
   Clear,
   ClearColor,
   ClearIndex,
@@ -123,7 +129,7 @@ enum class Opcode : uint16_t {
   PushAttrib,
   PopAttrib,
 };
-constexpr int kOpcodes = 112;
+constexpr int kOpcodes = 118;
 
 struct RectArguments { GLfloat x1; GLfloat y1; GLfloat x2; GLfloat y2; };
 struct EvalCoord1Arguments { GLfloat u; };
@@ -203,10 +209,15 @@ struct SampleCoverageArguments { GLfloat value; GLboolean invert; };
 struct AlphaFuncArguments { GLenum func; GLfloat ref; };
 struct StencilFuncArguments { GLenum func; GLint ref; GLuint mask; };
 struct StencilOpArguments { GLenum fail; GLenum zfail; GLenum zpass; };
+struct StencilFuncSeparateArguments { GLenum face; GLenum func; GLint ref; GLuint mask; };
+struct StencilFuncSeparateATIArguments { GLenum frontfunc; GLenum backfunc; GLint ref; GLuint mask; };
+struct StencilOpSeparateArguments { GLenum face; GLenum sfail; GLenum dpfail; GLenum dppass; };
+struct ActiveStencilFaceEXTArguments { GLenum face; };
 struct DepthFuncArguments { GLenum func; };
 struct BlendFuncArguments { GLenum sfactor; GLenum dfactor; };
 struct BlendFuncSeparateArguments { GLenum sfactorRGB; GLenum dfactorRGB; GLenum sfactorAlpha; GLenum dfactorAlpha; };
 struct BlendEquationArguments { GLenum mode; };
+struct BlendEquationSeparateArguments { GLenum modeRGB; GLenum modeAlpha; };
 struct BlendColorArguments { GLfloat red; GLfloat green; GLfloat blue; GLfloat alpha; };
 struct LogicOpArguments { GLenum opcode; };
 struct BeginQueryArguments { GLenum target; GLuint id; };
@@ -216,6 +227,7 @@ struct ColorMaskArguments { GLboolean red; GLboolean green; GLboolean blue; GLbo
 struct IndexMaskArguments { GLuint mask; };
 struct DepthMaskArguments { GLboolean flag; };
 struct StencilMaskArguments { GLuint mask; };
+struct StencilMaskSeparateArguments { GLenum face; GLuint mask; };
 struct ClearArguments { GLbitfield mask; };
 struct ClearColorArguments { GLfloat red; GLfloat green; GLfloat blue; GLfloat alpha; };
 struct ClearIndexArguments { GLfloat value; };

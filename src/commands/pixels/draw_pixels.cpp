@@ -154,7 +154,7 @@ void submit_image(Context& c, const Placement& p, PixelElement kind, const void*
 
 /// One rectangle for every value that there is: so stencil values need nothing of their own behind here.
 void submit_stencils(Context& c, const Placement& p, const std::vector<uint8_t>& value) {
-  if ((c.state.stencil.write_mask & 0xff) == 0) return;
+  if ((c.state.stencil.front.write_mask & 0xff) == 0) return;
   bool used[256] = {};
   for (uint8_t v : value) used[v] = true;
   for (int v = 0; v < 256; ++v) {
@@ -162,7 +162,7 @@ void submit_stencils(Context& c, const Placement& p, const std::vector<uint8_t>&
     auto* bit = c.frame.arena().allocate_array<uint8_t>(value.size());
     for (size_t i = 0; i < value.size(); ++i) bit[i] = value[i] == v;
     submit_stencil(c, p.image(PixelElement::Bit, bit, c.frame.arena()), uint8_t(v), p.box(),
-                   c.state.stencil.write_mask);
+                   c.state.stencil.front.write_mask);
   }
 }
 

@@ -1,4 +1,5 @@
 // The current raster position (GL 1.5, 2.13): a vertex that is not drawn.
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -23,8 +24,8 @@ Vec4 transformed(const Matrix& matrix, const Vec4& v) {
   return out;
 }
 
-bool in_view(const Vec4& clip, const ClipPlaneConstants* planes) {
-  for (int i = 0; i < 3; ++i)
+bool in_view(const Vec4& clip, const ClipPlaneConstants* planes, bool depth_clamp) {
+  for (int i = 0; i < (depth_clamp ? 2 : 3); ++i)
     if (!(clip[i] <= clip.w && clip[i] >= -clip.w)) return false;
   for (int i = 0; planes && i < planes->count; ++i) {
     const float* p = planes->plane[i];
@@ -96,9 +97,13 @@ void RasterPos(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
   const Vec4 clip = transformed(c.matrices.projection.top(), eye);
   const Arena::Mark mark = c.frame.arena().mark();
   const ClipPlaneConstants* planes = make_clip_planes(c, c.frame.arena());
-  position.valid = in_view(clip, planes);
+  position.valid = in_view(clip, planes, s.transform.depth_clamp);
   if (position.valid) {
     position.window = window_position(s.viewport, clip);
+    if (s.transform.depth_clamp) {
+      const auto [low, high] = std::minmax({float(s.viewport.near_depth), float(s.viewport.far_depth)});
+      position.window.z = std::clamp(position.window.z, low, high);
+    }
     position.distance = s.fog.coordinate_source == GL_FOG_COORDINATE
                             ? s.current.slot[kFogCoordinate].x
                             : std::sqrt((eye.x * eye.x + eye.y * eye.y) + eye.z * eye.z);

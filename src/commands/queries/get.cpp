@@ -73,8 +73,8 @@ template <class Object> GLuint name_of(const std::shared_ptr<Object>& object) {
   return object ? object->name : 0;
 }
 
-GLint stencil_reference(const Context& c) {
-  return std::clamp(c.state.stencil.reference, 0, (1 << framebuffer_bits(c).stencil) - 1);
+GLint stencil_reference(const Context& c, const StencilFace& face) {
+  return std::clamp(face.reference, 0, (1 << framebuffer_bits(c).stencil) - 1);
 }
 
 struct CompiledList {
