@@ -22,6 +22,7 @@ DOOR(glBindRenderbuffer);
 DOOR(glBindRenderbufferEXT);
 DOOR(glBindTexture);
 DOOR(glBindTextureEXT);
+DOOR(glBindVertexArray);
 DOOR(glBitmap);
 DOOR(glBlendColor);
 DOOR(glBlendColorEXT);
@@ -115,6 +116,7 @@ DOOR(glDeleteQueriesARB);
 DOOR(glDeleteRenderbuffers);
 DOOR(glDeleteRenderbuffersEXT);
 DOOR(glDeleteTextures);
+DOOR(glDeleteVertexArrays);
 DOOR(glDepthFunc);
 DOOR(glDepthMask);
 DOOR(glDepthRange);
@@ -191,6 +193,7 @@ DOOR(glGenQueriesARB);
 DOOR(glGenRenderbuffers);
 DOOR(glGenRenderbuffersEXT);
 DOOR(glGenTextures);
+DOOR(glGenVertexArrays);
 DOOR(glGenerateMipmap);
 DOOR(glGenerateMipmapEXT);
 DOOR(glGetBooleanv);
@@ -208,6 +211,7 @@ DOOR(glGetError);
 DOOR(glGetFloatv);
 DOOR(glGetFramebufferAttachmentParameteriv);
 DOOR(glGetFramebufferAttachmentParameterivEXT);
+DOOR(glGetInteger64v);
 DOOR(glGetIntegerv);
 DOOR(glGetLightfv);
 DOOR(glGetLightiv);
@@ -231,6 +235,7 @@ DOOR(glGetQueryivARB);
 DOOR(glGetRenderbufferParameteriv);
 DOOR(glGetRenderbufferParameterivEXT);
 DOOR(glGetString);
+DOOR(glGetStringi);
 DOOR(glGetTexEnvfv);
 DOOR(glGetTexEnviv);
 DOOR(glGetTexGendv);
@@ -268,6 +273,7 @@ DOOR(glIsQueryARB);
 DOOR(glIsRenderbuffer);
 DOOR(glIsRenderbufferEXT);
 DOOR(glIsTexture);
+DOOR(glIsVertexArray);
 DOOR(glLightModelf);
 DOOR(glLightModelfv);
 DOOR(glLightModeli);
@@ -418,6 +424,9 @@ DOOR(glPopAttrib);
 DOOR(glPopClientAttrib);
 DOOR(glPopMatrix);
 DOOR(glPopName);
+DOOR(glPrimitiveRestartIndex);
+DOOR(glPrimitiveRestartIndexNV);
+DOOR(glPrimitiveRestartNV);
 DOOR(glPrioritizeTextures);
 DOOR(glPrioritizeTexturesEXT);
 DOOR(glPushAttrib);
@@ -650,6 +659,7 @@ const NamedDoor kNamedDoors[] = {
     {"glBindRenderbufferEXT", door_glBindRenderbufferEXT},
     {"glBindTexture", door_glBindTexture},
     {"glBindTextureEXT", door_glBindTextureEXT},
+    {"glBindVertexArray", door_glBindVertexArray},
     {"glBitmap", door_glBitmap},
     {"glBlendColor", door_glBlendColor},
     {"glBlendColorEXT", door_glBlendColorEXT},
@@ -743,6 +753,7 @@ const NamedDoor kNamedDoors[] = {
     {"glDeleteRenderbuffers", door_glDeleteRenderbuffers},
     {"glDeleteRenderbuffersEXT", door_glDeleteRenderbuffersEXT},
     {"glDeleteTextures", door_glDeleteTextures},
+    {"glDeleteVertexArrays", door_glDeleteVertexArrays},
     {"glDepthFunc", door_glDepthFunc},
     {"glDepthMask", door_glDepthMask},
     {"glDepthRange", door_glDepthRange},
@@ -819,6 +830,7 @@ const NamedDoor kNamedDoors[] = {
     {"glGenRenderbuffers", door_glGenRenderbuffers},
     {"glGenRenderbuffersEXT", door_glGenRenderbuffersEXT},
     {"glGenTextures", door_glGenTextures},
+    {"glGenVertexArrays", door_glGenVertexArrays},
     {"glGenerateMipmap", door_glGenerateMipmap},
     {"glGenerateMipmapEXT", door_glGenerateMipmapEXT},
     {"glGetBooleanv", door_glGetBooleanv},
@@ -836,6 +848,7 @@ const NamedDoor kNamedDoors[] = {
     {"glGetFloatv", door_glGetFloatv},
     {"glGetFramebufferAttachmentParameteriv", door_glGetFramebufferAttachmentParameteriv},
     {"glGetFramebufferAttachmentParameterivEXT", door_glGetFramebufferAttachmentParameterivEXT},
+    {"glGetInteger64v", door_glGetInteger64v},
     {"glGetIntegerv", door_glGetIntegerv},
     {"glGetLightfv", door_glGetLightfv},
     {"glGetLightiv", door_glGetLightiv},
@@ -859,6 +872,7 @@ const NamedDoor kNamedDoors[] = {
     {"glGetRenderbufferParameteriv", door_glGetRenderbufferParameteriv},
     {"glGetRenderbufferParameterivEXT", door_glGetRenderbufferParameterivEXT},
     {"glGetString", door_glGetString},
+    {"glGetStringi", door_glGetStringi},
     {"glGetTexEnvfv", door_glGetTexEnvfv},
     {"glGetTexEnviv", door_glGetTexEnviv},
     {"glGetTexGendv", door_glGetTexGendv},
@@ -896,6 +910,7 @@ const NamedDoor kNamedDoors[] = {
     {"glIsRenderbuffer", door_glIsRenderbuffer},
     {"glIsRenderbufferEXT", door_glIsRenderbufferEXT},
     {"glIsTexture", door_glIsTexture},
+    {"glIsVertexArray", door_glIsVertexArray},
     {"glLightModelf", door_glLightModelf},
     {"glLightModelfv", door_glLightModelfv},
     {"glLightModeli", door_glLightModeli},
@@ -1046,6 +1061,9 @@ const NamedDoor kNamedDoors[] = {
     {"glPopClientAttrib", door_glPopClientAttrib},
     {"glPopMatrix", door_glPopMatrix},
     {"glPopName", door_glPopName},
+    {"glPrimitiveRestartIndex", door_glPrimitiveRestartIndex},
+    {"glPrimitiveRestartIndexNV", door_glPrimitiveRestartIndexNV},
+    {"glPrimitiveRestartNV", door_glPrimitiveRestartNV},
     {"glPrioritizeTextures", door_glPrioritizeTextures},
     {"glPrioritizeTexturesEXT", door_glPrioritizeTexturesEXT},
     {"glPushAttrib", door_glPushAttrib},

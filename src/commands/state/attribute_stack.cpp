@@ -154,7 +154,12 @@ void PopClientAttrib(Context& c) {
   if (c.attribute_stack.client.empty()) return set_error(c, GL_STACK_UNDERFLOW);
   const SavedClientAttributes& saved = c.attribute_stack.client.back();
   if (saved.mask & GL_CLIENT_PIXEL_STORE_BIT) c.client.pixel_store = saved.pixel_store;
-  if (saved.mask & GL_CLIENT_VERTEX_ARRAY_BIT) {
+  // A vertex array object that is deleted meanwhile is not bound again, and nothing is restored
+  // (OSMesa 22.3.6).
+  const std::shared_ptr<VertexArrayObject>& bound = saved.vertex_array.bound;
+  const bool there = !bound || c.vertex_array_objects.find(bound->name) == bound;
+  if (saved.mask & GL_CLIENT_VERTEX_ARRAY_BIT && there) {
+    bind_vertex_array(c, bound);
     c.client.vertex_array = saved.vertex_array;
     c.dirty |= kDirtyArrays;
   }
