@@ -22,6 +22,17 @@ inline GLint to_integer(double value, Conversion conversion) {
   return GLint(value);
 }
 
+/// The same of GetInteger64v (GL_ARB_sync, 6.1.2).
+inline GLint64 to_integer64(double value, Conversion conversion) {
+  constexpr double kEnd = 9223372036854775808.0;
+  if (conversion == Conversion::Normal)
+    value = std::trunc(value * kEnd);
+  else if (conversion == Conversion::Float)
+    value = std::round(value);
+  if (!(value > -kEnd)) return value != value ? 0 : INT64_MIN;
+  return value >= kEnd ? INT64_MAX : GLint64(value);
+}
+
 struct Context;
 /// How many values glGet gives for a name; 0 if there is no such state.
 int state_value_count(Context& context, GLenum pname);

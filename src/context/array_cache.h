@@ -14,17 +14,23 @@ struct BufferStorage;
 
 /// The enabled arrays, as the draws see them. Made anew when kDirtyArrays is set or a buffer has changed.
 struct ArrayCache {
+  /// How elements lie in memory: as the stream says, as bytes b g r a, or as floats of 16 bits. The last two
+  /// are converted when they are copied.
+  enum class Form : uint8_t { Plain, Bgra, Half };
   struct Array {
     int slot;
-    uint32_t bytes; // of an element
-    uint64_t limit; // elements that may be read; client memory: as many as one likes
+    uint32_t bytes;     // of an element in memory
+    uint32_t converted; // bytes of one that has been converted
+    uint64_t limit;     // elements that may be read; client memory: as many as one likes
     bool client;
+    Form form;
     AttributeStream stream;
   };
   Array array[kMaterial0];
   int count = 0;
   bool drawable = false; // there are positions
   bool client = false;   // some are in client memory
+  bool converts = false; // some are not Form::Plain
   uint64_t limit = 0;    // elements that every array has
   struct Watched {
     const BufferObject* object;

@@ -25,6 +25,7 @@ struct SavedAttributes {
   GLbitfield mask = 0;
   std::vector<std::byte> groups;      // the groups of the mask, one behind the other, in table order
   std::vector<SavedTexture> textures; // GL_TEXTURE_BIT: the bound objects and their parameters
+  GLenum draw_buffer = GL_NONE, read_buffer = GL_NONE; // of the window or the bound framebuffer object
 };
 struct SavedClientAttributes {
   GLbitfield mask = 0;

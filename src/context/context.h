@@ -14,6 +14,7 @@
 #include "context/shading.h"
 #include "context/snapshot_cache.h"
 #include "context/state.h"
+#include "context/vertex_array_objects.h"
 #include "context/vertex_builder.h"
 #include "frame/frame.h"
 #include "surface/framebuffer.h"
@@ -50,6 +51,7 @@ struct Context {
   SnapshotCache snapshots; // point into frame.arena()
   Framebuffer framebuffer; // the window
   NameTable<FramebufferObject> framebuffer_objects;
+  NameTable<VertexArrayObject> vertex_array_objects;
   FramebufferBindings bindings;
   RenderTarget* draw = &framebuffer; // what is drawn to; empty while the bound object is not complete
   RenderTarget* read = &framebuffer;

@@ -233,7 +233,8 @@ struct AccumulationState {
   Vec4 clear{0, 0, 0, 0};
 };
 
-struct BufferObject; // context/buffer_objects.h
+struct BufferObject;
+struct VertexArrayObject; // vertex_array_objects.h // context/buffer_objects.h
 
 /// A buffer object bound to a target, and its name. A deleted one lives as long as it is bound.
 struct BufferBinding {
@@ -296,15 +297,24 @@ struct VertexArray {
   GLuint buffer = 0;
   std::shared_ptr<BufferObject> object; // of `buffer`: a deleted one lives as long as an array uses it
 };
-struct VertexArrayState {
+/// What a vertex array object holds.
+struct VertexArrays {
   VertexArray array[kTexCoord0 + kMaxTextureUnits]; // by AttributeSlot, kPosition .. kTexCoord0 + 7
-  int active_texture_unit = 0;
-  GLuint array_buffer = 0, element_array_buffer = 0;
-  std::shared_ptr<BufferObject> array_object, element_array_object; // null for name 0
-  VertexArrayState() {
+  GLuint element_array_buffer = 0;
+  std::shared_ptr<BufferObject> element_array_object; // null for name 0
+  VertexArrays() {
     array[kNormal].size = array[kSecondaryColor].size = 3;
     array[kFogCoordinate].size = array[kEdgeFlag].size = array[kColorIndex].size = 1;
   }
+};
+/// The arrays of the bound vertex array object, and what no such object holds.
+struct VertexArrayState : VertexArrays {
+  std::shared_ptr<VertexArrayObject> bound; // null: name 0
+  int active_texture_unit = 0;
+  GLuint array_buffer = 0;
+  std::shared_ptr<BufferObject> array_object; // null for name 0
+  bool restarts = false;                      // GL_PRIMITIVE_RESTART
+  GLuint restart_index = 0;
 };
 
 /// All server state that is not in objects. PushAttrib saves it by attribute group.
@@ -338,6 +348,7 @@ struct State {
 struct ClientState {
   PixelStoreState pixel_store;
   VertexArrayState vertex_array;
+  VertexArrays unbound_arrays;         // those of name 0 while a vertex array object is bound
   BufferBinding copy_read, copy_write; // GL_ARB_copy_buffer
 };
 

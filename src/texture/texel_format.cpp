@@ -293,7 +293,7 @@ void store_depth_stencil(const TexelFormat& to, uint32_t* texels, uint8_t* stenc
     else if (v.integer && !transfer.changes_depth())
       texels[i] = v.bits;
     else
-      texels[i] = float_to_unorm(transfer.depth(v.depth), 24);
+      texels[i] = uint32_t(transfer.depth(v.depth) * 16777215.0f); // OSMesa truncates here
     stencils[i] = uint8_t(transfer.stencil(v.stencil));
   }
 }
@@ -306,7 +306,7 @@ void load_depth_stencil(const TexelFormat& from, const uint32_t* texels, const u
     v.stencil = stencils[i];
     v.integer = !from.floats;
     v.bits = texels[i];
-    v.depth = from.floats ? std::bit_cast<float>(texels[i]) : unorm_to_float(texels[i], 24);
+    v.depth = from.floats ? std::bit_cast<float>(texels[i]) : float(double(texels[i]) * (1.0 / 16777215.0));
     pack_depth_stencil(to, v, swap_bytes, p);
   }
 }

@@ -366,3 +366,43 @@ TEST_CASE("A deleted image is detached from what is bound alone", "[spec][frameb
   CHECK((status(gl) == GL_FRAMEBUFFER_COMPLETE && pixel(gl, 3, 3) == kRed));
   CHECK(gl.GetError() == GL_NO_ERROR);
 }
+
+TEST_CASE("glPopAttrib sets draw and read buffer in what is bound", "[spec][framebuffers][osmesa]") {
+  for (const Gl* library : {&softgl_library(), &osmesa_library()}) {
+    const Gl& gl = *library;
+    const CurrentContext current{gl};
+    make_framebuffer(gl);
+    attach(gl, GL_COLOR_ATTACHMENT0, make_renderbuffer(gl, GL_RGBA8, 8, 8));
+    gl.DrawBuffer(GL_COLOR_ATTACHMENT3);
+    gl.ReadBuffer(GL_COLOR_ATTACHMENT2);
+    gl.PushAttrib(GL_COLOR_BUFFER_BIT | GL_PIXEL_MODE_BIT);
+    gl.DrawBuffer(GL_NONE);
+    gl.ReadBuffer(GL_NONE);
+    gl.PopAttrib();
+    CHECK(
+        (get(gl, GL_DRAW_BUFFER) == GL_COLOR_ATTACHMENT3 && get(gl, GL_READ_BUFFER) == GL_COLOR_ATTACHMENT2));
+    CHECK(gl.GetError() == GL_NO_ERROR);
+    // The buffers of the one are not those of the other.
+    gl.PushAttrib(GL_COLOR_BUFFER_BIT | GL_PIXEL_MODE_BIT);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+    gl.PopAttrib();
+    CHECK(gl.GetError() == GL_NO_ERROR);
+    CHECK((get(gl, GL_DRAW_BUFFER) == GL_FRONT && get(gl, GL_READ_BUFFER) == GL_FRONT));
+  }
+}
+
+TEST_CASE("The back buffer of a window with one buffer is its front buffer", "[spec][framebuffers][osmesa]") {
+  for (const Gl* library : {&softgl_library(), &osmesa_library()}) {
+    const Gl& gl = *library;
+    const CurrentContext current{gl};
+    const auto parameter = [&](GLenum attachment, GLenum pname) {
+      GLint value = -1;
+      gl.GetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, attachment, pname, &value);
+      return value;
+    };
+    CHECK(parameter(GL_BACK_LEFT, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) == GL_FRAMEBUFFER_DEFAULT);
+    CHECK(parameter(GL_BACK_LEFT, GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE) == 8);
+    CHECK(parameter(GL_FRONT_RIGHT, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) == GL_NONE);
+    CHECK(gl.GetError() == GL_NO_ERROR);
+  }
+}

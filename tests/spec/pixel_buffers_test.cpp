@@ -158,6 +158,33 @@ TEST_CASE("a pixel command refuses a buffer that is mapped or does not hold its 
   expect_refused(gl, mapped, [] {});
 }
 
+TEST_CASE("a list reads the buffer when it is compiled, and then refuses what it does not hold",
+          "[spec][errors][buffers]") {
+  for (const Gl* library : {&softgl_library(), &osmesa_library()}) {
+    const Gl& gl = *library;
+    CurrentContext context(gl);
+    const uint32_t pixel = 0xff0000ff;
+    GLuint buffer = 0;
+    gl.GenBuffers(1, &buffer);
+    gl.BindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer);
+    gl.BufferData(GL_PIXEL_UNPACK_BUFFER, sizeof pixel, &pixel, GL_STATIC_DRAW);
+    gl.NewList(1, GL_COMPILE);
+    gl.DrawPixels(1, 1, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    CHECK(gl.GetError() == GL_NO_ERROR);
+    gl.DrawPixels(2, 2, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    CHECK(gl.GetError() == GL_INVALID_OPERATION);
+    gl.EndList();
+    gl.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    gl.DeleteBuffers(1, &buffer);
+    gl.CallList(1);
+    const GLenum error = gl.GetError();
+    if (library == &softgl_library()) CHECK(error == GL_NO_ERROR); // OSMesa: GL_OUT_OF_MEMORY
+    uint32_t drawn = 0;
+    gl.ReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &drawn);
+    CHECK(drawn == pixel);
+  }
+}
+
 TEST_CASE("the bindings of pixel buffers belong to the client's pixel store", "[spec][state][buffers]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);

@@ -14,7 +14,8 @@ struct StateRow {
   std::string name;
   GLenum token;
   std::vector<double> initial; // empty: depends on the window
-  char kind; // B, I, U, E, F, N: Bool, Int, Uint, Enum, Float, Normal; C: a capability; A: a vertex array
+  char kind; // B, I, U, E, F, N: Bool, Int, Uint, Enum, Float, Normal; C: a capability; A: a vertex array; S:
+             // another switch of the client
 };
 const std::vector<StateRow>& state_rows();
 

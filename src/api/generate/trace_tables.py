@@ -7,7 +7,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 TYPES = {"GLbyte": "Byte", "GLubyte": "UnsignedByte", "GLshort": "Short", "GLushort": "UnsignedShort", "GLint": "Int",
          "GLsizei": "Int", "int": "Int", "GLuint": "UnsignedInt", "GLenum": "Enum", "GLbitfield": "Bits",
          "GLboolean": "Boolean", "GLfloat": "Float", "GLclampf": "Float", "GLdouble": "Double", "GLclampd": "Double",
-         "GLintptr": "Long", "GLsizeiptr": "Long", "uint64_t": "UnsignedLong", "char": "String",
+         "GLintptr": "Long", "GLint64": "Long", "GLsizeiptr": "Long", "uint64_t": "UnsignedLong", "char": "String",
          "OSMesaContext": "Pointer", "OSMESAproc": "Pointer", "void": "Pointer"}
 NO_NAMES, ANY_NAME, NAMES_OF_PARAMETER = 0, 1, 255
 # Buffers that the library fills after the call.
@@ -106,7 +106,7 @@ def gl_parameter(row, command, index, names):
         return parameter(kind, group, "Fixed", size, out)
     if size == "pname":
         table = re.match(r"Get(\w+?)[fid]v$", command.name)
-        if command.name in ("GetBooleanv", "GetIntegerv", "GetFloatv", "GetDoublev"):
+        if command.name in ("GetBooleanv", "GetIntegerv", "GetInteger64v", "GetFloatv", "GetDoublev"):
             return parameter(kind, group, "State", 0, out)
         if row is not None and row.convert.startswith("pname:"):
             return parameter(kind, group, "Parameter", f"kCountOf_{row.convert[6:]}", out)

@@ -192,6 +192,14 @@ SOFTGL_EXPORT void APIENTRY glBindTextureEXT(GLenum target, GLuint texture) try 
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glBindVertexArray(GLuint array) try {
+  SOFTGL_TRACED(glBindVertexArray, array);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::BindVertexArray(c, array);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glBitmap(GLsizei width, GLsizei height, GLfloat xorig, GLfloat yorig, GLfloat xmove, GLfloat ymove, const GLubyte* bitmap) try {
   SOFTGL_TRACED(glBitmap, width, height, xorig, yorig, xmove, ymove, bitmap);
   Context& c = *current_context;
@@ -816,6 +824,15 @@ SOFTGL_EXPORT void APIENTRY glDeleteTextures(GLsizei n, const GLuint* textures) 
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glDeleteVertexArrays(GLsizei n, const GLuint* arrays) try {
+  SOFTGL_TRACED(glDeleteVertexArrays, n, arrays);
+  Context& c = *current_context;
+  if ((!arrays && n > 0)) [[unlikely]] return ignore_call(c);
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::DeleteVertexArrays(c, n, arrays);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glDepthFunc(GLenum func) try {
   SOFTGL_TRACED(glDepthFunc, func);
   Context& c = *current_context;
@@ -1427,6 +1444,15 @@ SOFTGL_EXPORT void APIENTRY glGenTextures(GLsizei n, GLuint* textures) try {
   if ((!textures && n > 0)) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GenTextures(c, n, textures);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glGenVertexArrays(GLsizei n, GLuint* arrays) try {
+  SOFTGL_TRACED(glGenVertexArrays, n, arrays);
+  Context& c = *current_context;
+  if ((!arrays && n > 0)) [[unlikely]] return ignore_call(c);
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::GenVertexArrays(c, n, arrays);
 } catch (...) {
   out_of_memory();
 }

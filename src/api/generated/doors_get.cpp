@@ -144,6 +144,15 @@ SOFTGL_EXPORT void APIENTRY glGetFramebufferAttachmentParameterivEXT(GLenum targ
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glGetInteger64v(GLenum pname, GLint64* data) try {
+  SOFTGL_TRACED(glGetInteger64v, pname, data);
+  Context& c = *current_context;
+  if (!data) [[unlikely]] return ignore_call(c);
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::GetInteger64v(c, pname, data);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glGetIntegerv(GLenum pname, GLint* data) try {
   SOFTGL_TRACED(glGetIntegerv, pname, data);
   Context& c = *current_context;
@@ -347,6 +356,15 @@ SOFTGL_EXPORT const GLubyte* APIENTRY glGetString(GLenum name) try {
   out_of_memory();
   return nullptr;
 }
+SOFTGL_EXPORT const GLubyte* APIENTRY glGetStringi(GLenum name, GLuint index) try {
+  SOFTGL_TRACED(glGetStringi, name, index);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return nullptr;
+  return gl::GetStringi(c, name, index);
+} catch (...) {
+  out_of_memory();
+  return nullptr;
+}
 SOFTGL_EXPORT void APIENTRY glGetTexEnvfv(GLenum target, GLenum pname, GLfloat* params) try {
   SOFTGL_TRACED(glGetTexEnvfv, target, pname, params);
   Context& c = *current_context;
@@ -531,6 +549,15 @@ SOFTGL_EXPORT GLboolean APIENTRY glIsTexture(GLuint texture) try {
   Context& c = *current_context;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
   return gl::IsTexture(c, texture);
+} catch (...) {
+  out_of_memory();
+  return 0;
+}
+SOFTGL_EXPORT GLboolean APIENTRY glIsVertexArray(GLuint array) try {
+  SOFTGL_TRACED(glIsVertexArray, array);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
+  return gl::IsVertexArray(c, array);
 } catch (...) {
   out_of_memory();
   return 0;

@@ -630,6 +630,30 @@ SOFTGL_EXPORT void APIENTRY glPopName() try {
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glPrimitiveRestartIndex(GLuint index) try {
+  SOFTGL_TRACED(glPrimitiveRestartIndex, index);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::PrimitiveRestartIndex(c, index);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glPrimitiveRestartIndexNV(GLuint index) try {
+  SOFTGL_TRACED(glPrimitiveRestartIndexNV, index);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::PrimitiveRestartIndex(c, index);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glPrimitiveRestartNV() try {
+  SOFTGL_TRACED(glPrimitiveRestartNV);
+  Context& c = *current_context;
+  if (c.guard & kNoContext) [[unlikely]] return;
+  gl::PrimitiveRestartNV(c);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glPrioritizeTextures(GLsizei n, const GLuint* textures, const GLfloat* priorities) try {
   SOFTGL_TRACED(glPrioritizeTextures, n, textures, priorities);
   Context& c = *current_context;

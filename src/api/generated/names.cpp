@@ -23,6 +23,7 @@ DOOR(glBindRenderbuffer);
 DOOR(glBindRenderbufferEXT);
 DOOR(glBindTexture);
 DOOR(glBindTextureEXT);
+DOOR(glBindVertexArray);
 DOOR(glBitmap);
 DOOR(glBlendColor);
 DOOR(glBlendColorEXT);
@@ -117,6 +118,7 @@ DOOR(glDeleteQueriesARB);
 DOOR(glDeleteRenderbuffers);
 DOOR(glDeleteRenderbuffersEXT);
 DOOR(glDeleteTextures);
+DOOR(glDeleteVertexArrays);
 DOOR(glDepthFunc);
 DOOR(glDepthMask);
 DOOR(glDepthRange);
@@ -193,6 +195,7 @@ DOOR(glGenQueriesARB);
 DOOR(glGenRenderbuffers);
 DOOR(glGenRenderbuffersEXT);
 DOOR(glGenTextures);
+DOOR(glGenVertexArrays);
 DOOR(glGenerateMipmap);
 DOOR(glGenerateMipmapEXT);
 DOOR(glGetBooleanv);
@@ -210,6 +213,7 @@ DOOR(glGetError);
 DOOR(glGetFloatv);
 DOOR(glGetFramebufferAttachmentParameteriv);
 DOOR(glGetFramebufferAttachmentParameterivEXT);
+DOOR(glGetInteger64v);
 DOOR(glGetIntegerv);
 DOOR(glGetLightfv);
 DOOR(glGetLightiv);
@@ -233,6 +237,7 @@ DOOR(glGetQueryivARB);
 DOOR(glGetRenderbufferParameteriv);
 DOOR(glGetRenderbufferParameterivEXT);
 DOOR(glGetString);
+DOOR(glGetStringi);
 DOOR(glGetTexEnvfv);
 DOOR(glGetTexEnviv);
 DOOR(glGetTexGendv);
@@ -270,6 +275,7 @@ DOOR(glIsQueryARB);
 DOOR(glIsRenderbuffer);
 DOOR(glIsRenderbufferEXT);
 DOOR(glIsTexture);
+DOOR(glIsVertexArray);
 DOOR(glLightModelf);
 DOOR(glLightModelfv);
 DOOR(glLightModeli);
@@ -420,6 +426,9 @@ DOOR(glPopAttrib);
 DOOR(glPopClientAttrib);
 DOOR(glPopMatrix);
 DOOR(glPopName);
+DOOR(glPrimitiveRestartIndex);
+DOOR(glPrimitiveRestartIndexNV);
+DOOR(glPrimitiveRestartNV);
 DOOR(glPrioritizeTextures);
 DOOR(glPrioritizeTexturesEXT);
 DOOR(glPushAttrib);
@@ -658,6 +667,8 @@ const NamedDoor kNamedDoors[] = {
     {"glBindRenderbufferEXT", door_glBindRenderbufferEXT},
     {"glBindTexture", door_glBindTexture},
     {"glBindTextureEXT", door_glBindTextureEXT},
+    {"glBindVertexArray", door_glBindVertexArray},
+    {"glBindVertexArrayOES", door_glBindVertexArray},
     {"glBitmap", door_glBitmap},
     {"glBlendColor", door_glBlendColor},
     {"glBlendColorEXT", door_glBlendColorEXT},
@@ -762,6 +773,9 @@ const NamedDoor kNamedDoors[] = {
     {"glDeleteRenderbuffersEXT", door_glDeleteRenderbuffersEXT},
     {"glDeleteTextures", door_glDeleteTextures},
     {"glDeleteTexturesEXT", door_glDeleteTextures},
+    {"glDeleteVertexArrays", door_glDeleteVertexArrays},
+    {"glDeleteVertexArraysAPPLE", door_glDeleteVertexArrays},
+    {"glDeleteVertexArraysOES", door_glDeleteVertexArrays},
     {"glDepthFunc", door_glDepthFunc},
     {"glDepthMask", door_glDepthMask},
     {"glDepthRange", door_glDepthRange},
@@ -846,6 +860,9 @@ const NamedDoor kNamedDoors[] = {
     {"glGenRenderbuffersEXT", door_glGenRenderbuffersEXT},
     {"glGenTextures", door_glGenTextures},
     {"glGenTexturesEXT", door_glGenTextures},
+    {"glGenVertexArrays", door_glGenVertexArrays},
+    {"glGenVertexArraysAPPLE", door_glGenVertexArrays},
+    {"glGenVertexArraysOES", door_glGenVertexArrays},
     {"glGenerateMipmap", door_glGenerateMipmap},
     {"glGenerateMipmapEXT", door_glGenerateMipmapEXT},
     {"glGetBooleanv", door_glGetBooleanv},
@@ -864,6 +881,9 @@ const NamedDoor kNamedDoors[] = {
     {"glGetFloatv", door_glGetFloatv},
     {"glGetFramebufferAttachmentParameteriv", door_glGetFramebufferAttachmentParameteriv},
     {"glGetFramebufferAttachmentParameterivEXT", door_glGetFramebufferAttachmentParameterivEXT},
+    {"glGetInteger64v", door_glGetInteger64v},
+    {"glGetInteger64vAPPLE", door_glGetInteger64v},
+    {"glGetInteger64vEXT", door_glGetInteger64v},
     {"glGetIntegerv", door_glGetIntegerv},
     {"glGetLightfv", door_glGetLightfv},
     {"glGetLightiv", door_glGetLightiv},
@@ -889,6 +909,7 @@ const NamedDoor kNamedDoors[] = {
     {"glGetRenderbufferParameteriv", door_glGetRenderbufferParameteriv},
     {"glGetRenderbufferParameterivEXT", door_glGetRenderbufferParameterivEXT},
     {"glGetString", door_glGetString},
+    {"glGetStringi", door_glGetStringi},
     {"glGetTexEnvfv", door_glGetTexEnvfv},
     {"glGetTexEnviv", door_glGetTexEnviv},
     {"glGetTexGendv", door_glGetTexGendv},
@@ -927,6 +948,9 @@ const NamedDoor kNamedDoors[] = {
     {"glIsRenderbufferEXT", door_glIsRenderbufferEXT},
     {"glIsTexture", door_glIsTexture},
     {"glIsTextureEXT", door_glIsTexture},
+    {"glIsVertexArray", door_glIsVertexArray},
+    {"glIsVertexArrayAPPLE", door_glIsVertexArray},
+    {"glIsVertexArrayOES", door_glIsVertexArray},
     {"glLightModelf", door_glLightModelf},
     {"glLightModelfv", door_glLightModelfv},
     {"glLightModeli", door_glLightModeli},
@@ -1085,6 +1109,9 @@ const NamedDoor kNamedDoors[] = {
     {"glPopClientAttrib", door_glPopClientAttrib},
     {"glPopMatrix", door_glPopMatrix},
     {"glPopName", door_glPopName},
+    {"glPrimitiveRestartIndex", door_glPrimitiveRestartIndex},
+    {"glPrimitiveRestartIndexNV", door_glPrimitiveRestartIndexNV},
+    {"glPrimitiveRestartNV", door_glPrimitiveRestartNV},
     {"glPrioritizeTextures", door_glPrioritizeTextures},
     {"glPrioritizeTexturesEXT", door_glPrioritizeTexturesEXT},
     {"glPushAttrib", door_glPushAttrib},

@@ -85,14 +85,14 @@ bool is_component_size(GLenum pname) {
 void get_window_parameter(Context& c, GLenum attachment, GLenum pname, GLint* params) {
   const Framebuffer& f = c.framebuffer;
   RenderFormat format;
-  bool exists = false;
+  bool exists = false, color = false;
   switch (attachment) {
   case GL_FRONT_LEFT:
-    exists = true;
+  case GL_BACK_LEFT: // the front buffer where there is but one, as for glDrawBuffer (OSMesa 22.3.6)
+    exists = color = true;
     for (int i = 0; i < 4; ++i) format.bits[i] = uint8_t(bits_of_color(f, i));
     break;
   case GL_FRONT_RIGHT:
-  case GL_BACK_LEFT:
   case GL_BACK_RIGHT:
   case GL_AUX0:
   case GL_AUX1:
@@ -117,9 +117,9 @@ void get_window_parameter(Context& c, GLenum attachment, GLenum pname, GLint* pa
   else if (is_component_size(pname))
     *params = component_bits(format, pname);
   else if (pname == GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE)
-    *params = attachment == GL_STENCIL                             ? GL_INDEX
-              : attachment == GL_FRONT_LEFT && is_float(f.surface) ? GL_FLOAT
-                                                                   : GL_UNSIGNED_NORMALIZED;
+    *params = attachment == GL_STENCIL       ? GL_INDEX
+              : color && is_float(f.surface) ? GL_FLOAT
+                                             : GL_UNSIGNED_NORMALIZED;
   else if (pname == GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING)
     *params = GL_LINEAR;
   else

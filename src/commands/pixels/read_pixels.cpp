@@ -160,7 +160,7 @@ void read_depths_and_stencils(const Context& c, const Target& t) {
       v.stencil = operations.stencil(stencil[i]);
       if (operations.changes_depth()) {
         v.depth = operations.depth(v.depth);
-        v.bits = float_to_unorm(v.depth, 24);
+        v.integer = false;
       }
       pack_depth_stencil(t.format, v, t.swap, out);
     }

@@ -1,9 +1,11 @@
-// GetBooleanv, GetIntegerv, GetFloatv, GetDoublev (GL 1.5, 6.1.1 and 6.1.2), from state_table.inc.
+// GetBooleanv, GetIntegerv, GetInteger64v, GetFloatv, GetDoublev (GL 1.5, 6.1.1 and 6.1.2), from
+// state_table.inc.
 #include <algorithm>
 #include <vector>
 
 #include "commands/generated/commands.h"
 #include "commands/get_conversion.h"
+#include "commands/queries/extensions.h"
 #include "commands/state/capabilities.h"
 #include "context/context.h"
 
@@ -124,8 +126,8 @@ bool read(Context& c, GLenum pname, Values& out) {
     out.put(capability->get(c.state, c.state.texture.active_unit));
     return true;
   }
-  if (const VertexArray* array = find_array(c.client, pname)) {
-    out.put(array->enabled);
+  if (const bool* enabled = find_client_switch(c.client, pname)) {
+    out.put(*enabled);
     return true;
   }
   set_error(c, GL_INVALID_ENUM);
@@ -137,7 +139,7 @@ bool read(Context& c, GLenum pname, Values& out) {
 int state_value_count(Context& c, GLenum pname) {
   Values values;
   if (const Row* row = find_row(pname)) return row->read(c, values), values.count;
-  return find_capability(pname) || find_array(c.client, pname) ? 1 : 0;
+  return find_capability(pname) || find_client_switch(c.client, pname) ? 1 : 0;
 }
 
 namespace gl {
@@ -151,6 +153,11 @@ void GetIntegerv(Context& c, GLenum pname, GLint* data) {
   Values values;
   if (read(c, pname, values))
     for (int i = 0; i < values.count; ++i) data[i] = to_integer(values.v[i], values.conversion);
+}
+void GetInteger64v(Context& c, GLenum pname, GLint64* data) {
+  Values values;
+  if (read(c, pname, values))
+    for (int i = 0; i < values.count; ++i) data[i] = to_integer64(values.v[i], values.conversion);
 }
 void GetFloatv(Context& c, GLenum pname, GLfloat* data) {
   Values values;

@@ -1,10 +1,13 @@
-// glGetString (GL 1.5, 6.1.11).
+// glGetString and glGetStringi (GL 1.5, 6.1.11).
+#include <cstring>
 #include <mutex>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "base/cpu_features.h"
 #include "commands/generated/commands.h"
+#include "commands/queries/extensions.h"
 #include "context/context.h"
 #include "frame/parallel.h"
 
@@ -15,12 +18,13 @@ namespace {
 /// Programs search for a name with a blank behind it, hence the blank at the end.
 constexpr const char* kExtensions =
     "GL_ARB_copy_buffer GL_ARB_depth_buffer_float GL_ARB_depth_clamp GL_ARB_depth_texture "
-    "GL_ARB_draw_elements_base_vertex GL_ARB_framebuffer_object GL_ARB_map_buffer_range GL_ARB_multisample "
-    "GL_ARB_multitexture GL_ARB_occlusion_query GL_ARB_pixel_buffer_object GL_ARB_point_parameters "
-    "GL_ARB_point_sprite GL_ARB_seamless_cube_map GL_ARB_shadow GL_ARB_texture_border_clamp "
-    "GL_ARB_texture_compression GL_ARB_texture_cube_map GL_ARB_texture_env_add GL_ARB_texture_env_combine "
-    "GL_ARB_texture_env_crossbar GL_ARB_texture_env_dot3 GL_ARB_texture_mirrored_repeat "
-    "GL_ARB_texture_non_power_of_two GL_ARB_texture_rectangle GL_ARB_transpose_matrix "
+    "GL_ARB_draw_elements_base_vertex GL_ARB_framebuffer_object GL_ARB_half_float_vertex "
+    "GL_ARB_map_buffer_range GL_ARB_multisample GL_ARB_multitexture GL_ARB_occlusion_query "
+    "GL_ARB_pixel_buffer_object GL_ARB_point_parameters GL_ARB_point_sprite GL_ARB_seamless_cube_map "
+    "GL_ARB_shadow GL_ARB_texture_border_clamp GL_ARB_texture_compression GL_ARB_texture_cube_map "
+    "GL_ARB_texture_env_add GL_ARB_texture_env_combine GL_ARB_texture_env_crossbar GL_ARB_texture_env_dot3 "
+    "GL_ARB_texture_mirrored_repeat GL_ARB_texture_non_power_of_two GL_ARB_texture_rectangle "
+    "GL_ARB_transpose_matrix GL_ARB_vertex_array_bgra GL_ARB_vertex_array_object "
     "GL_ARB_vertex_buffer_object GL_ARB_window_pos GL_ATI_blend_equation_separate GL_ATI_separate_stencil "
     "GL_EXT_bgra GL_EXT_blend_color GL_EXT_blend_equation_separate GL_EXT_blend_func_separate "
     "GL_EXT_blend_minmax GL_EXT_blend_subtract GL_EXT_draw_range_elements GL_EXT_fog_coord "
@@ -29,8 +33,8 @@ constexpr const char* kExtensions =
     "GL_EXT_rescale_normal GL_EXT_secondary_color GL_EXT_separate_specular_color GL_EXT_shadow_funcs "
     "GL_EXT_stencil_two_side GL_EXT_stencil_wrap GL_EXT_texture3D GL_EXT_texture_compression_s3tc "
     "GL_EXT_texture_edge_clamp GL_EXT_texture_env_add GL_EXT_texture_env_combine GL_EXT_texture_lod_bias "
-    "GL_EXT_texture_object GL_EXT_vertex_array GL_NV_depth_clamp GL_NV_fog_distance GL_SGIS_generate_mipmap "
-    "GL_SGIS_texture_border_clamp GL_SGIS_texture_edge_clamp GL_SGIS_texture_lod "
+    "GL_EXT_texture_object GL_EXT_vertex_array GL_NV_depth_clamp GL_NV_fog_distance GL_NV_primitive_restart "
+    "GL_SGIS_generate_mipmap GL_SGIS_texture_border_clamp GL_SGIS_texture_edge_clamp GL_SGIS_texture_lod "
     "GL_SOFTGL_phong_illumination GL_WIN_phong_shading ";
 
 /// Lives as long as the process, however often the text changes (the number of threads may).
@@ -41,9 +45,28 @@ const GLubyte* kept(const std::string& text) {
   return reinterpret_cast<const GLubyte*>(texts->insert(text).first->c_str());
 }
 
+/// GL_EXTENSIONS cut into names.
+const std::vector<std::string>& extension_names() {
+  static const auto* const names = [] {
+    auto* list = new std::vector<std::string>;
+    for (const char *name = kExtensions, *end; (end = std::strchr(name, ' ')); name = end + 1)
+      list->emplace_back(name, end);
+    return list;
+  }();
+  return *names;
+}
+
 } // namespace
 
+int extension_count() { return int(extension_names().size()); }
+
 namespace gl {
+
+const GLubyte* GetStringi(Context& c, GLenum name, GLuint index) {
+  if (name != GL_EXTENSIONS) return set_error(c, GL_INVALID_ENUM), nullptr;
+  if (index >= GLuint(extension_count())) return set_error(c, GL_INVALID_VALUE), nullptr;
+  return reinterpret_cast<const GLubyte*>(extension_names()[index].c_str());
+}
 
 const GLubyte* GetString(Context& c, GLenum name) {
   switch (name) {

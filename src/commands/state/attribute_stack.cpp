@@ -86,6 +86,12 @@ void restore_textures(Context& c, const std::vector<SavedTexture>& saved) {
   c.dirty |= kDirtyTextureObjects;
 }
 
+/// Whether a name of a draw or read buffer is one of the bound framebuffer object, or of the window.
+bool has_buffer(const std::shared_ptr<FramebufferObject>& bound, GLenum name) {
+  const bool attachment = name - GL_COLOR_ATTACHMENT0 < GLenum(kMaxColorAttachments);
+  return name == GL_NONE || attachment == (bound != nullptr);
+}
+
 } // namespace
 
 namespace gl {
@@ -104,6 +110,7 @@ void PushAttrib(Context& c, GLbitfield mask) {
     for_each_enable(
         [&](const Capability& e, int unit) { saved.groups.push_back(std::byte(e.get(c.state, unit))); });
   if (mask & GL_TEXTURE_BIT) save_textures(c, saved.textures);
+  saved.draw_buffer = draw_buffer(c), saved.read_buffer = read_buffer(c);
   c.attribute_stack.server.push_back(std::move(saved));
 }
 
@@ -111,6 +118,8 @@ void PopAttrib(Context& c) {
   if (c.attribute_stack.server.empty()) return set_error(c, GL_STACK_UNDERFLOW);
   track_color_material(c);
   const SavedAttributes& saved = c.attribute_stack.server.back();
+  const GLenum window_draw_buffer = c.state.color_buffer.draw_buffer,
+               window_read_buffer = c.state.pixel_mode.read_buffer;
   std::byte* state = reinterpret_cast<std::byte*>(&c.state);
   const std::byte* from = saved.groups.data();
   for (const Group& group : groups)
@@ -126,6 +135,13 @@ void PopAttrib(Context& c) {
       e.set(c.state, unit, value);
     });
   if (saved.mask & GL_TEXTURE_BIT) restore_textures(c, saved.textures);
+  // Draw and read buffer are set in what is bound now, if it has such buffers (OSMesa 22.3.6).
+  c.state.color_buffer.draw_buffer = window_draw_buffer;
+  c.state.pixel_mode.read_buffer = window_read_buffer;
+  if (saved.mask & GL_COLOR_BUFFER_BIT && has_buffer(c.bindings.draw, saved.draw_buffer))
+    DrawBuffer(c, saved.draw_buffer);
+  if (saved.mask & GL_PIXEL_MODE_BIT && has_buffer(c.bindings.read, saved.read_buffer))
+    ReadBuffer(c, saved.read_buffer);
   c.attribute_stack.server.pop_back();
 }
 
@@ -138,7 +154,12 @@ void PopClientAttrib(Context& c) {
   if (c.attribute_stack.client.empty()) return set_error(c, GL_STACK_UNDERFLOW);
   const SavedClientAttributes& saved = c.attribute_stack.client.back();
   if (saved.mask & GL_CLIENT_PIXEL_STORE_BIT) c.client.pixel_store = saved.pixel_store;
-  if (saved.mask & GL_CLIENT_VERTEX_ARRAY_BIT) {
+  // A vertex array object that is deleted meanwhile is not bound again, and nothing is restored
+  // (OSMesa 22.3.6).
+  const std::shared_ptr<VertexArrayObject>& bound = saved.vertex_array.bound;
+  const bool there = !bound || c.vertex_array_objects.find(bound->name) == bound;
+  if (saved.mask & GL_CLIENT_VERTEX_ARRAY_BIT && there) {
+    bind_vertex_array(c, bound);
     c.client.vertex_array = saved.vertex_array;
     c.dirty |= kDirtyArrays;
   }

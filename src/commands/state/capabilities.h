@@ -38,7 +38,7 @@ std::span<const Capability> capabilities();
 /// Null if there is none of that name.
 const Capability* find_capability(GLenum token);
 
-/// The vertex array that a token such as GL_VERTEX_ARRAY names, or null.
-VertexArray* find_array(ClientState& client, GLenum token);
+/// The enable of the client that a token such as GL_VERTEX_ARRAY names, or null.
+bool* find_client_switch(ClientState& client, GLenum token);
 
 } // namespace softgl

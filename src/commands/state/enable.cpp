@@ -44,11 +44,13 @@ const Capability* find_capability(GLenum token) {
   return it != sorted.end() && (*it)->token == token ? *it : nullptr;
 }
 
-VertexArray* find_array(ClientState& client, GLenum token) {
+bool* find_client_switch(ClientState& client, GLenum token) {
   switch (token) {
 // clang-format off
 #define ARRAY(name, slot) \
-  case GL_##name: return &client.vertex_array.array[slot];
+  case GL_##name: return &client.vertex_array.array[slot].enabled;
+#define CLIENT_SWITCH(name, value) \
+  case GL_##name: return &(value);
 #include "context/state_table.inc"
     // clang-format on
   default: return nullptr;
@@ -58,16 +60,18 @@ VertexArray* find_array(ClientState& client, GLenum token) {
 namespace gl {
 namespace {
 
-void set_array(Context& c, GLenum token, bool value) {
-  VertexArray* array = find_array(c.client, token);
-  if (!array) return set_error(c, GL_INVALID_ENUM);
-  array->enabled = value;
+/// `refused`: the form of GL_PRIMITIVE_RESTART that belongs to the other pair of commands.
+void set_client_switch(Context& c, GLenum token, bool value, GLenum refused) {
+  bool* const enabled = token == refused ? nullptr : find_client_switch(c.client, token);
+  if (!enabled) return set_error(c, GL_INVALID_ENUM);
+  *enabled = value;
   c.dirty |= kDirtyArrays;
 }
 
 void set_capability(Context& c, GLenum token, bool value) {
   const Capability* capability = find_capability(token);
-  if (!capability) return set_array(c, token, value); // EXT_vertex_array switches the arrays here
+  if (!capability) // EXT_vertex_array switches the arrays here
+    return set_client_switch(c, token, value, GL_PRIMITIVE_RESTART_NV);
   const int unit = c.state.texture.active_unit;
   if (capability->get(c.state, unit) == value) return;
   if (token == GL_COLOR_MATERIAL && !value) track_color_material(c); // keeps the last color
@@ -84,13 +88,15 @@ void Disable(Context& c, GLenum cap) { set_capability(c, cap, false); }
 GLboolean IsEnabled(Context& c, GLenum cap) {
   if (const Capability* capability = find_capability(cap))
     return capability->get(c.state, c.state.texture.active_unit);
-  if (const VertexArray* array = find_array(c.client, cap)) return array->enabled;
+  if (const bool* enabled = find_client_switch(c.client, cap)) return *enabled;
   set_error(c, GL_INVALID_ENUM);
   return GL_FALSE;
 }
 
-void EnableClientState(Context& c, GLenum array) { set_array(c, array, true); }
-void DisableClientState(Context& c, GLenum array) { set_array(c, array, false); }
+void EnableClientState(Context& c, GLenum array) { set_client_switch(c, array, true, GL_PRIMITIVE_RESTART); }
+void DisableClientState(Context& c, GLenum array) {
+  set_client_switch(c, array, false, GL_PRIMITIVE_RESTART);
+}
 
 } // namespace gl
 } // namespace softgl

@@ -27,13 +27,15 @@ bool may_draw(Context& c, GLenum mode, GLsizei count) {
   return true;
 }
 
-void submit_arrays(Context& c, const VertexSource* source, GLenum mode, uint32_t first, uint32_t count,
-                   DrawCall call) {
+void submit_arrays(Context& c, const VertexSource* source, DrawCall call) {
   call.source = source;
   call.constant = current_constants(c);
+  submit(c, call);
+}
+
+void set_primitive(Context& c, GLenum mode, uint32_t first, uint32_t count, DrawCall& call) {
   call.primitives = c.frame.arena().make<PrimitiveRange>(PrimitiveRange{mode, first, count});
   call.primitive_count = 1;
-  submit(c, call);
 }
 
 void draw_arrays(Context& c, GLenum mode, uint32_t first, uint32_t count) {
@@ -52,7 +54,8 @@ void draw_arrays(Context& c, GLenum mode, uint32_t first, uint32_t count) {
   DrawCall call;
   call.first_vertex = first;
   call.vertex_count = count;
-  submit_arrays(c, fetch_range(c, *arrays, first, first + count - 1), mode, first, count, call);
+  set_primitive(c, mode, first, count, call);
+  submit_arrays(c, fetch_range(c, *arrays, first, first + count - 1), call);
 }
 
 /// The indices of a draw in memory that the frame keeps, and their range.
@@ -117,6 +120,39 @@ Indices moved_indices(Context& c, GLenum mode, uint32_t count, GLenum type, cons
   return result;
 }
 
+/// The indices between which primitives begin anew, with `base` added, and the primitives. None where no
+/// index is that of GL_PRIMITIVE_RESTART_INDEX, which is compared before the addition
+/// (GL_ARB_draw_elements_base_vertex).
+Indices restarting_indices(Context& c, GLenum mode, uint32_t count, GLenum type, const void* pointer,
+                           GLint base, DrawCall& call) {
+  const GLuint restart = c.client.vertex_array.restart_index;
+  const void* from = index_memory(c.client.vertex_array.element_array_object.get(), pointer, type, count);
+  uint32_t pieces = 1;
+  for (uint32_t i = 0; from && i < count; ++i) pieces += load_index(from, type, i) == restart;
+  if (pieces == 1) return {};
+  auto* primitives = c.frame.arena().allocate_array<PrimitiveRange>(pieces);
+  auto* indices = c.frame.arena().allocate_array<uint32_t>(count);
+  Indices result;
+  result.data = indices;
+  uint32_t first = 0;
+  const auto end_piece = [&] {
+    const uint32_t whole = complete_vertices(mode, result.count - first);
+    if (whole) primitives[call.primitive_count++] = {mode, first, whole};
+    first = result.count = first + whole;
+  };
+  for (uint32_t i = 0; i < count; ++i) {
+    const uint32_t index = load_index(from, type, i);
+    if (index == restart)
+      end_piece();
+    else
+      indices[result.count++] = index + uint32_t(base);
+  }
+  end_piece();
+  call.primitives = primitives;
+  if (result.count) result.range = index_range(indices, GL_UNSIGNED_INT, result.count);
+  return result;
+}
+
 void draw_elements(Context& c, GLenum mode, uint32_t count, GLenum type, const void* pointer,
                    GLint base = 0) {
   ArrayCache* arrays = current_arrays(c);
@@ -124,21 +160,34 @@ void draw_elements(Context& c, GLenum mode, uint32_t count, GLenum type, const v
   const BufferObject* buffer = c.client.vertex_array.element_array_object.get();
   if (buffer && buffer->mapped) return set_error(c, GL_INVALID_OPERATION);
   if (!arrays->drawable) return;
+  const bool restarts = c.client.vertex_array.restarts;
   if (c.builder.compiling) {
     const void* indices = index_memory(buffer, pointer, type, count);
     if (!indices) return;
     open_array_run(c);
     gl::Begin(c, mode);
-    for (uint32_t i = 0; i < count; ++i)
-      emit_array_element(c, *arrays, load_index(indices, type, i) + uint32_t(base));
+    for (uint32_t i = 0; i < count; ++i) {
+      const uint32_t index = load_index(indices, type, i);
+      if (restarts && index == c.client.vertex_array.restart_index)
+        gl::PrimitiveRestartNV(c);
+      else
+        emit_array_element(c, *arrays, index + uint32_t(base));
+    }
     gl::End(c);
     return hide_array_run(c);
   }
-  const Indices indices =
-      base ? moved_indices(c, mode, count, type, pointer, base) : indices_of(c, mode, count, type, pointer);
-  if (!indices.count) return;
-  if (base) type = GL_UNSIGNED_INT;
   DrawCall call;
+  Indices indices;
+  if (restarts) indices = restarting_indices(c, mode, count, type, pointer, base, call);
+  if (indices.data) {
+    type = GL_UNSIGNED_INT;
+  } else {
+    indices =
+        base ? moved_indices(c, mode, count, type, pointer, base) : indices_of(c, mode, count, type, pointer);
+    if (base) type = GL_UNSIGNED_INT;
+    if (indices.count) set_primitive(c, mode, 0, indices.count, call);
+  }
+  if (!indices.count) return;
   const auto [low, high] = indices.range;
   // Vertices nobody asks for cost as much as the others, 2-4 ns; to look each index up costs 1-2 ns.
   const bool scattered = uint64_t(high) - low > 2 * uint64_t(indices.count) + 64;
@@ -146,13 +195,13 @@ void draw_elements(Context& c, GLenum mode, uint32_t count, GLenum type, const v
     const CompactVertices vertices = compact(c, *arrays, indices.data, type, indices.count);
     call.indices = vertices.indices;
     call.vertex_count = vertices.vertex_count;
-    return submit_arrays(c, vertices.source, mode, 0, indices.count, call);
+    return submit_arrays(c, vertices.source, call);
   }
   call.indices = indices.data;
   call.index_type = type;
   call.first_vertex = low;
   call.vertex_count = high - low + 1;
-  submit_arrays(c, fetch_range(c, *arrays, low, high), mode, 0, indices.count, call);
+  submit_arrays(c, fetch_range(c, *arrays, low, high), call);
 }
 
 } // namespace
@@ -224,7 +273,19 @@ void gl::MultiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* cou
 void gl::ArrayElement(Context& c, GLint i) {
   if (c.guard & kNoContext) return;
   if (i < 0) return raise_error(c, GL_INVALID_VALUE, true);
+  const VertexArrayState& state = c.client.vertex_array;
+  if (state.restarts && GLuint(i) == state.restart_index) return gl::PrimitiveRestartNV(c);
   if (const ArrayCache* arrays = current_arrays(c)) emit_array_element(c, *arrays, uint32_t(i));
+}
+
+void gl::PrimitiveRestartIndex(Context& c, GLuint index) { c.client.vertex_array.restart_index = index; }
+
+void gl::PrimitiveRestartNV(Context& c) {
+  if (c.guard & kNoContext) return;
+  const GLenum mode = c.builder.mode;
+  if (mode == kNoPrimitive) return raise_error(c, GL_INVALID_OPERATION);
+  gl::End(c);
+  gl::Begin(c, mode);
 }
 
 void gl::Rect(Context& c, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {

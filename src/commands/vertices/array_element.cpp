@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "base/normalized.h"
+#include "commands/vertices/array_fetch.h"
 #include "commands/vertices/attribute_doors.h"
 
 namespace softgl {
@@ -29,6 +30,8 @@ void emit_array_element(Context& c, const ArrayCache& arrays, uint32_t index) {
     float v[4] = {0, 0, 0, 1};
     if (index < array.limit) {
       const unsigned char* p = s.data + size_t(index) * s.stride;
+      unsigned char converted[4 * sizeof(float)];
+      if (array.form != ArrayCache::Form::Plain) copy_element(array, p, converted), p = converted;
       switch (s.type) {
       case ComponentType::Float: load<GLfloat>(p, s.components, false, v); break;
       case ComponentType::Double: load<GLdouble>(p, s.components, false, v); break;

@@ -1,6 +1,7 @@
 #include "commands/vertices/array_fetch.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 #include "base/fast_paths.h"
@@ -26,8 +27,18 @@ TypeInfo type_info(GLenum type) {
   case GL_INT: return {ComponentType::Int, 4};
   case GL_UNSIGNED_INT: return {ComponentType::UnsignedInt, 4};
   case GL_DOUBLE: return {ComponentType::Double, 8};
+  case GL_HALF_FLOAT: return {ComponentType::Float, 2}; // after its conversion
   default: return {ComponentType::Float, 4};
   }
+}
+
+/// A float of 16 bits: 1 of sign, 5 of exponent, 10 of mantissa (GL_ARB_half_float_vertex, 2.1.2).
+float half_to_float(uint16_t half) {
+  const uint32_t sign = uint32_t(half & 0x8000) << 16, exponent = half >> 10 & 31, mantissa = half & 0x3ff;
+  if (exponent == 31) return std::bit_cast<float>(sign | 0x7f800000u | mantissa << 13);
+  if (exponent) return std::bit_cast<float>(sign | (exponent + 112) << 23 | mantissa << 13);
+  const float value = float(mantissa) * (1.0f / 16777216.0f);
+  return sign ? -value : value;
 }
 
 bool is_valid(const Context& c) {
@@ -47,11 +58,19 @@ void watch(ArrayCache& a, const BufferObject& object) {
 void add_array(ArrayCache& a, int slot, const VertexArray& array) {
   const TypeInfo type = type_info(array.type);
   ArrayCache::Array& entry = a.array[a.count];
+  const bool bgra = array.size == GL_BGRA;
+  // A secondary color's alpha is not used.
+  const uint32_t components = !bgra ? uint32_t(array.size) : slot == kSecondaryColor ? 3 : 4;
   entry.slot = slot;
-  entry.bytes = uint32_t(array.size) * type.bytes;
+  entry.form = bgra                          ? ArrayCache::Form::Bgra
+               : array.type == GL_HALF_FLOAT ? ArrayCache::Form::Half
+                                             : ArrayCache::Form::Plain;
+  entry.bytes = bgra ? 4 : components * type.bytes;
+  entry.converted = entry.form == ArrayCache::Form::Half ? 4 * components : entry.bytes;
+  a.converts = a.converts || entry.form != ArrayCache::Form::Plain;
   entry.client = !array.object;
   entry.stream.stride = array.stride ? uint32_t(array.stride) : entry.bytes;
-  entry.stream.components = uint8_t(array.size);
+  entry.stream.components = uint8_t(components);
   entry.stream.type = type.type;
   entry.stream.normalized = slot == kNormal || slot == kColor || slot == kSecondaryColor;
   if (array.object) {
@@ -86,7 +105,7 @@ void set_stream(VertexSource& source, int slot, const AttributeStream& stream) {
 void rebuild(Context& c) {
   ArrayCache& a = c.arrays;
   a.count = a.watched_count = 0;
-  a.drawable = a.client = false;
+  a.drawable = a.client = a.converts = false;
   a.limit = uint64_t(1) << 32;
   a.source = nullptr;
   a.retained_indices = nullptr;
@@ -107,12 +126,11 @@ const unsigned char* element_zero(const unsigned char* copy, uint32_t low, uint3
 
 /// Elements low..high of one array, without what lies between them.
 AttributeStream copy_tight(Context& c, const ArrayCache::Array& array, uint32_t low, uint32_t high) {
-  const uint32_t stride = (array.bytes + 3) & ~3u;
+  const uint32_t stride = (array.converted + 3) & ~3u;
   const size_t count = size_t(high - low) + 1;
   auto* to = static_cast<unsigned char*>(c.frame.arena().allocate(count * stride + kSpareBytes));
   const unsigned char* from = array.stream.data + size_t(low) * array.stream.stride;
-  for (size_t i = 0; i < count; ++i)
-    std::memcpy(to + i * stride, from + i * array.stream.stride, array.bytes);
+  for (size_t i = 0; i < count; ++i) copy_element(array, from + i * array.stream.stride, to + i * stride);
   AttributeStream stream = array.stream;
   stream.data = element_zero(to, low, stride);
   stream.stride = stride;
@@ -120,6 +138,20 @@ AttributeStream copy_tight(Context& c, const ArrayCache::Array& array, uint32_t 
 }
 
 } // namespace
+
+void copy_element(const ArrayCache::Array& array, const unsigned char* from, unsigned char* to) {
+  switch (array.form) {
+  case ArrayCache::Form::Plain: std::memcpy(to, from, array.bytes); return;
+  case ArrayCache::Form::Bgra: to[0] = from[2], to[1] = from[1], to[2] = from[0], to[3] = from[3]; return;
+  case ArrayCache::Form::Half:
+    for (int i = 0; i < array.stream.components; ++i) {
+      uint16_t half;
+      std::memcpy(&half, from + 2 * i, 2);
+      const float value = half_to_float(half);
+      std::memcpy(to + 4 * i, &value, 4);
+    }
+  }
+}
 
 ArrayCache* current_arrays(Context& c) {
   if (!is_valid(c) || !takes(FastPath::KeptArrays)) rebuild(c);
@@ -135,7 +167,7 @@ ArrayCache* current_arrays(Context& c) {
 const VertexSource* fetch_range(Context& c, ArrayCache& a, uint32_t low, uint32_t high) {
   if (a.source) return a.source;
   VertexSource* source = new_source(c);
-  if (!a.client) a.source = source;
+  if (!a.client && !a.converts) a.source = source;
   // The memory that each array uses; arrays that are interleaved overlap and are copied in one go.
   struct Span {
     const unsigned char *begin, *end;
@@ -144,6 +176,10 @@ const VertexSource* fetch_range(Context& c, ArrayCache& a, uint32_t low, uint32_
   int spans = 0;
   for (int i = 0; i < a.count; ++i) {
     const ArrayCache::Array& array = a.array[i];
+    if (array.form != ArrayCache::Form::Plain) {
+      set_stream(*source, array.slot, copy_tight(c, array, low, high));
+      continue;
+    }
     if (!array.client) {
       set_stream(*source, array.slot, array.stream);
       continue;
@@ -197,16 +233,16 @@ CompactVertices compact(Context& c, ArrayCache& a, const void* indices, GLenum t
   VertexSource* source = new_source(c);
   for (int i = 0; i < a.count; ++i) {
     const ArrayCache::Array& array = a.array[i];
-    const uint32_t stride = (array.bytes + 3) & ~3u;
+    const uint32_t stride = (array.converted + 3) & ~3u;
     auto* to = static_cast<unsigned char*>(arena.allocate(a.used.size() * stride + kSpareBytes));
     AttributeStream stream = array.stream;
     stream.data = to;
     stream.stride = stride;
     for (const uint32_t index : a.used) {
       if (index < array.limit)
-        std::memcpy(to, array.stream.data + size_t(index) * array.stream.stride, array.bytes);
+        copy_element(array, array.stream.data + size_t(index) * array.stream.stride, to);
       else
-        std::memset(to, 0, array.bytes);
+        std::memset(to, 0, array.converted);
       to += stride;
     }
     set_stream(*source, array.slot, stream);

@@ -23,4 +23,8 @@ struct CompactVertices {
 CompactVertices compact(Context& context, ArrayCache& arrays, const void* indices, GLenum type,
                         uint32_t count);
 
+/// One element as the array's stream describes it; `to` has room for array.converted bytes, and four at
+/// least.
+void copy_element(const ArrayCache::Array& array, const unsigned char* from, unsigned char* to);
+
 } // namespace softgl

@@ -5,8 +5,15 @@
 namespace softgl {
 namespace {
 
+/// Vertex array objects other than that of name 0 keep no addresses of the client's memory.
+bool refuses_memory(const Context& c, const void* pointer) {
+  const VertexArrayState& arrays = c.client.vertex_array;
+  return arrays.bound && !arrays.array_object && pointer;
+}
+
 void set_pointer(Context& c, int slot, GLint size, GLenum type, GLsizei stride, const void* pointer) {
   if (stride < 0) return set_error(c, GL_INVALID_VALUE);
+  if (refuses_memory(c, pointer)) return set_error(c, GL_INVALID_OPERATION);
   VertexArrayState& arrays = c.client.vertex_array;
   VertexArray& array = arrays.array[slot];
   array.size = size;
@@ -21,7 +28,17 @@ void set_pointer(Context& c, int slot, GLint size, GLenum type, GLsizei stride, 
 bool is_integer_or_float(GLenum type) {
   return type == GL_SHORT || type == GL_INT || type == GL_FLOAT || type == GL_DOUBLE;
 }
-bool is_color_type(GLenum type) { return type >= GL_BYTE && type <= GL_FLOAT ? true : type == GL_DOUBLE; }
+bool is_coordinate(GLenum type) { return is_integer_or_float(type) || type == GL_HALF_FLOAT; }
+
+/// Whether a color array of 3 to `largest` components, or GL_BGRA (GL_ARB_vertex_array_bgra), may have that
+/// type; if not, the error.
+bool check_colors(Context& c, GLint size, GLint largest, GLenum type) {
+  if ((size < 3 || size > largest) && size != GL_BGRA) return set_error(c, GL_INVALID_VALUE), false;
+  if (!(type >= GL_BYTE && type <= GL_FLOAT) && type != GL_DOUBLE && type != GL_HALF_FLOAT)
+    return set_error(c, GL_INVALID_ENUM), false;
+  if (size == GL_BGRA && type != GL_UNSIGNED_BYTE) return set_error(c, GL_INVALID_OPERATION), false;
+  return true;
+}
 
 /// GL 1.5, table 2.5.
 struct InterleavedFormat {
@@ -51,25 +68,21 @@ constexpr InterleavedFormat kInterleaved[14] = {
 
 void gl::VertexPointer(Context& c, GLint size, GLenum type, GLsizei stride, const void* pointer) {
   if (size < 2 || size > 4) return set_error(c, GL_INVALID_VALUE);
-  if (!is_integer_or_float(type)) return set_error(c, GL_INVALID_ENUM);
+  if (!is_coordinate(type)) return set_error(c, GL_INVALID_ENUM);
   set_pointer(c, kPosition, size, type, stride, pointer);
 }
 void gl::NormalPointer(Context& c, GLenum type, GLsizei stride, const void* pointer) {
-  if (!is_integer_or_float(type) && type != GL_BYTE) return set_error(c, GL_INVALID_ENUM);
+  if (!is_coordinate(type) && type != GL_BYTE) return set_error(c, GL_INVALID_ENUM);
   set_pointer(c, kNormal, 3, type, stride, pointer);
 }
 void gl::ColorPointer(Context& c, GLint size, GLenum type, GLsizei stride, const void* pointer) {
-  if (size != 3 && size != 4) return set_error(c, GL_INVALID_VALUE);
-  if (!is_color_type(type)) return set_error(c, GL_INVALID_ENUM);
-  set_pointer(c, kColor, size, type, stride, pointer);
+  if (check_colors(c, size, 4, type)) set_pointer(c, kColor, size, type, stride, pointer);
 }
 void gl::SecondaryColorPointer(Context& c, GLint size, GLenum type, GLsizei stride, const void* pointer) {
-  if (size != 3) return set_error(c, GL_INVALID_VALUE);
-  if (!is_color_type(type)) return set_error(c, GL_INVALID_ENUM);
-  set_pointer(c, kSecondaryColor, size, type, stride, pointer);
+  if (check_colors(c, size, 3, type)) set_pointer(c, kSecondaryColor, size, type, stride, pointer);
 }
 void gl::FogCoordPointer(Context& c, GLenum type, GLsizei stride, const void* pointer) {
-  if (type != GL_FLOAT && type != GL_DOUBLE) return set_error(c, GL_INVALID_ENUM);
+  if (type != GL_FLOAT && type != GL_DOUBLE && type != GL_HALF_FLOAT) return set_error(c, GL_INVALID_ENUM);
   set_pointer(c, kFogCoordinate, 1, type, stride, pointer);
 }
 void gl::IndexPointer(Context& c, GLenum type, GLsizei stride, const void* pointer) {
@@ -81,7 +94,7 @@ void gl::EdgeFlagPointer(Context& c, GLsizei stride, const void* pointer) {
 }
 void gl::TexCoordPointer(Context& c, GLint size, GLenum type, GLsizei stride, const void* pointer) {
   if (size < 1 || size > 4) return set_error(c, GL_INVALID_VALUE);
-  if (!is_integer_or_float(type)) return set_error(c, GL_INVALID_ENUM);
+  if (!is_coordinate(type)) return set_error(c, GL_INVALID_ENUM);
   set_pointer(c, kTexCoord0 + c.client.vertex_array.active_texture_unit, size, type, stride, pointer);
 }
 
@@ -94,6 +107,7 @@ void gl::ClientActiveTexture(Context& c, GLenum texture) {
 void gl::InterleavedArrays(Context& c, GLenum format, GLsizei stride, const void* pointer) {
   if (format < GL_V2F || format > GL_T4F_C4F_N3F_V4F) return set_error(c, GL_INVALID_ENUM);
   if (stride < 0) return set_error(c, GL_INVALID_VALUE);
+  if (refuses_memory(c, pointer)) return set_error(c, GL_INVALID_OPERATION);
   const InterleavedFormat& f = kInterleaved[format - GL_V2F];
   VertexArrayState& arrays = c.client.vertex_array;
   const auto* at = static_cast<const unsigned char*>(pointer);
