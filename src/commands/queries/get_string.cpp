@@ -15,22 +15,23 @@ namespace {
 /// Programs search for a name with a blank behind it, hence the blank at the end.
 constexpr const char* kExtensions =
     "GL_ARB_copy_buffer GL_ARB_depth_buffer_float GL_ARB_depth_texture GL_ARB_draw_elements_base_vertex "
-    "GL_ARB_framebuffer_object "
-    "GL_ARB_map_buffer_range GL_ARB_multitexture GL_ARB_occlusion_query GL_ARB_pixel_buffer_object "
-    "GL_ARB_point_parameters GL_ARB_point_sprite GL_ARB_seamless_cube_map GL_ARB_shadow "
-    "GL_ARB_texture_border_clamp "
-    "GL_ARB_texture_compression GL_ARB_texture_cube_map GL_ARB_texture_env_add GL_ARB_texture_env_combine "
-    "GL_ARB_texture_env_crossbar GL_ARB_texture_env_dot3 GL_ARB_texture_mirrored_repeat "
-    "GL_ARB_texture_non_power_of_two GL_ARB_texture_rectangle GL_ARB_transpose_matrix "
-    "GL_ARB_vertex_buffer_object GL_ARB_window_pos GL_EXT_bgra GL_EXT_blend_color GL_EXT_blend_func_separate "
-    "GL_EXT_blend_minmax GL_EXT_blend_subtract GL_EXT_draw_range_elements GL_EXT_fog_coord "
-    "GL_EXT_framebuffer_blit GL_EXT_framebuffer_object GL_EXT_multi_draw_arrays GL_EXT_packed_depth_stencil "
-    "GL_EXT_packed_pixels GL_EXT_pixel_buffer_object GL_EXT_rescale_normal GL_EXT_secondary_color "
-    "GL_EXT_separate_specular_color GL_EXT_shadow_funcs GL_EXT_stencil_wrap GL_EXT_texture3D "
-    "GL_EXT_texture_compression_s3tc GL_EXT_texture_edge_clamp GL_EXT_texture_env_add "
-    "GL_EXT_texture_env_combine GL_EXT_texture_lod_bias GL_EXT_texture_object GL_EXT_vertex_array "
-    "GL_SGIS_generate_mipmap GL_SGIS_texture_border_clamp GL_SGIS_texture_edge_clamp GL_SGIS_texture_lod "
-    "GL_SOFTGL_phong_illumination GL_WIN_phong_shading ";
+    "GL_ARB_framebuffer_object GL_ARB_half_float_pixel GL_ARB_map_buffer_range GL_ARB_multitexture "
+    "GL_ARB_occlusion_query GL_ARB_pixel_buffer_object GL_ARB_point_parameters GL_ARB_point_sprite "
+    "GL_ARB_seamless_cube_map GL_ARB_shadow GL_ARB_texture_border_clamp GL_ARB_texture_compression "
+    "GL_ARB_texture_compression_rgtc GL_ARB_texture_cube_map GL_ARB_texture_env_add "
+    "GL_ARB_texture_env_combine GL_ARB_texture_env_crossbar GL_ARB_texture_env_dot3 GL_ARB_texture_float "
+    "GL_ARB_texture_mirrored_repeat GL_ARB_texture_non_power_of_two GL_ARB_texture_rectangle "
+    "GL_ARB_texture_rg GL_ARB_transpose_matrix GL_ARB_vertex_buffer_object GL_ARB_window_pos GL_EXT_bgra "
+    "GL_EXT_blend_color GL_EXT_blend_func_separate GL_EXT_blend_minmax GL_EXT_blend_subtract "
+    "GL_EXT_draw_range_elements GL_EXT_fog_coord GL_EXT_framebuffer_blit GL_EXT_framebuffer_object "
+    "GL_EXT_multi_draw_arrays GL_EXT_packed_depth_stencil GL_EXT_packed_float GL_EXT_packed_pixels "
+    "GL_EXT_pixel_buffer_object GL_EXT_rescale_normal GL_EXT_secondary_color GL_EXT_separate_specular_color "
+    "GL_EXT_shadow_funcs GL_EXT_stencil_wrap GL_EXT_texture3D GL_EXT_texture_compression_latc "
+    "GL_EXT_texture_compression_rgtc GL_EXT_texture_compression_s3tc GL_EXT_texture_edge_clamp "
+    "GL_EXT_texture_env_add GL_EXT_texture_env_combine GL_EXT_texture_lod_bias GL_EXT_texture_object "
+    "GL_EXT_texture_sRGB GL_EXT_texture_sRGB_decode GL_EXT_texture_shared_exponent GL_EXT_texture_snorm "
+    "GL_EXT_vertex_array GL_SGIS_generate_mipmap GL_SGIS_texture_border_clamp GL_SGIS_texture_edge_clamp "
+    "GL_SGIS_texture_lod GL_SOFTGL_phong_illumination GL_WIN_phong_shading ";
 
 /// Lives as long as the process, however often the text changes (the number of threads may).
 const GLubyte* kept(const std::string& text) {
