@@ -17,8 +17,9 @@ enum class TextureWrap : uint8_t {
   MirroredRepeat
 };
 enum class TextureMip : uint8_t { None, Nearest, Linear };
-/// What a texel is made of: 4 bytes, 4 uint16_t, or one uint32_t of depth.
-enum class TextureTexel : uint8_t { Rgba8, Rgba16, Depth, DepthFloat };
+/// What a texel is made of: 4 bytes, 4 uint16_t, 4 int16_t, 4 floats, 4 bytes of which the first three are
+/// not linear, or one depth: uint32_t or float.
+enum class TextureTexel : uint8_t { Rgba8, Rgba16, Signed16, Float, Srgb8, Depth, DepthFloat };
 constexpr bool is_depth(TextureTexel t) { return t >= TextureTexel::Depth; }
 enum class TextureShape : uint8_t { OneD, TwoD, ThreeD, Cube };
 

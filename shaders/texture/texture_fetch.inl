@@ -18,6 +18,15 @@ struct FloatTexels {
   alignas(64) float v[4][kLanes];
 };
 
+/// A byte of an sRGB color. OSMesa takes a cubic in place of the power 2.4.
+static inline float srgb_to_linear(float v) {
+  const float scale = 255.0f, square = v * v;
+  if (v <= 15.0f) return v * (1.0f / (12.6f * scale));
+  const float even = (0.6935f / (scale * scale)) * square + 0.0023f;
+  const float odd = (0.3012f / (scale * scale * scale)) * square + 0.0030f / scale;
+  return odd * v + even;
+}
+
 /// One texel as floats; the border outside.
 static inline void fetch_float(const TextureUnitConstants& t, const TextureLevel& level, int face, int32_t x,
                                int32_t y, int32_t z, float* rgba) {
@@ -33,6 +42,21 @@ static inline void fetch_float(const TextureUnitConstants& t, const TextureLevel
     typedef uint16_t AliasedHalf __attribute__((may_alias));
     const AliasedHalf* p = reinterpret_cast<const AliasedHalf*>(level.face[face] + index * 8);
     for (int k = 0; k < 4; ++k) rgba[k] = float(int32_t(p[k])) * t.scale[k];
+  } else if (t.texel == TextureTexel::Float) {
+    typedef float AliasedFloat __attribute__((may_alias));
+    const AliasedFloat* p = reinterpret_cast<const AliasedFloat*>(level.face[face] + index * 16);
+    for (int k = 0; k < 4; ++k) rgba[k] = p[k];
+  } else if (t.texel == TextureTexel::Srgb8) {
+    const unsigned char* p = level.face[face] + index * 4;
+    for (int k = 0; k < 3; ++k) rgba[k] = srgb_to_linear(float(int32_t(p[k])));
+    rgba[3] = float(int32_t(p[3])) * t.scale[3];
+  } else if (t.texel == TextureTexel::Signed16) {
+    typedef int16_t AliasedShort __attribute__((may_alias));
+    const AliasedShort* p = reinterpret_cast<const AliasedShort*>(level.face[face] + index * 8);
+    for (int k = 0; k < 4; ++k) {
+      const float v = float(int32_t(p[k])) * t.scale[k];
+      rgba[k] = v > -1.0f ? v : -1.0f;
+    }
   } else {
     typedef uint32_t AliasedDepth __attribute__((may_alias));
     const uint32_t v = *reinterpret_cast<const AliasedDepth*>(level.face[face] + index * 4);

@@ -56,10 +56,18 @@ void set_level_of_detail(const TextureParameters& p, float unit_bias, TextureUni
   t.adjusts_lod = t.lod_bias != 0 || t.has_min_lod || t.has_max_lod;
 }
 
-/// The border color as a texel of the base format.
-void set_border(const Vec4& color, GLenum base, TextureUnitConstants& t) {
+/// The border color as a texel of the format.
+void set_border(Vec4 color, const TexelFormat& format, TextureUnitConstants& t) {
+  const bool floats = format.layout == TexelLayout::Float;
+  const float least = format.layout == TexelLayout::Signed16 ? -1.0f : 0.0f;
+  for (int i = 0; i < 4 && !(floats && format.array); ++i) { // no NaN; packed floats have no sign
+    color[i] = color[i] > least ? color[i] : least;
+    if (!floats) color[i] = std::min(color[i], 1.0f);
+  }
   const float r = color.x;
-  switch (base) {
+  switch (format.base) {
+  case GL_RED: t.border[0] = r, t.border[1] = t.border[2] = 0, t.border[3] = 1; break;
+  case GL_RG: t.border[0] = r, t.border[1] = color.y, t.border[2] = 0, t.border[3] = 1; break;
   case GL_ALPHA: t.border[0] = t.border[1] = t.border[2] = 0, t.border[3] = color.w; break;
   case GL_LUMINANCE:
   case GL_DEPTH_COMPONENT:
@@ -72,13 +80,17 @@ void set_border(const Vec4& color, GLenum base, TextureUnitConstants& t) {
   }
 }
 
-void set_texel(const TexelFormat& f, TextureUnitConstants& t) {
-  t.texel = f.layout == TexelLayout::Rgba8    ? TextureTexel::Rgba8
-            : f.layout == TexelLayout::Rgba16 ? TextureTexel::Rgba16
-            : f.floats                        ? TextureTexel::DepthFloat
-                                              : TextureTexel::Depth;
+void set_texel(const TexelFormat& f, bool decode, TextureUnitConstants& t) {
+  switch (f.layout) {
+  case TexelLayout::Rgba8: t.texel = f.srgb && decode ? TextureTexel::Srgb8 : TextureTexel::Rgba8; break;
+  case TexelLayout::Rgba16: t.texel = TextureTexel::Rgba16; break;
+  case TexelLayout::Depth: t.texel = f.floats ? TextureTexel::DepthFloat : TextureTexel::Depth; break;
+  case TexelLayout::Signed16: t.texel = TextureTexel::Signed16; break;
+  case TexelLayout::Float: t.texel = TextureTexel::Float; break;
+  }
   for (int k = 0; k < 4; ++k) {
-    const int bits = f.bits[k];
+    const int bits =
+        f.layout == TexelLayout::Signed16 && f.bits[k] ? f.bits[k] - 1 : f.bits[k]; // of the magnitude
     const int whole = f.layout == TexelLayout::Rgba8 ? 8 : 1; // an absent component is stored as 255 or 1
     t.shift[k] = uint8_t(f.layout == TexelLayout::Rgba8 && bits ? 8 - bits
                          : f.layout == TexelLayout::Depth       ? bits
@@ -109,7 +121,9 @@ void set_levels(const TextureObject& object, CompleteLevels levels, TextureUnitC
 }
 
 GLenum sampled_base(const TextureObject& object, const TexelFormat& format) {
-  return format.layout == TexelLayout::Depth ? object.parameters.depth_mode : format.base;
+  if (format.layout == TexelLayout::Depth) return object.parameters.depth_mode;
+  // Red, and red and green, are used as RGB (GL_ARB_texture_rg).
+  return format.base == GL_RED || format.base == GL_RG ? GLenum(GL_RGB) : format.base;
 }
 
 /// Where OSMesa 22.3.6 looks whether a size is a power of two: level 0, if the base level is one of its
@@ -139,7 +153,7 @@ TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum&
                                       : TextureShape::TwoD;
   t->counts_texels = target == kTextureRectangle;
   set_levels(*object, levels, *t);
-  set_texel(*image.format, *t);
+  set_texel(*image.format, p.srgb_decode == GL_DECODE_EXT, *t);
   // OSMesa 22.3.6 clamps to the edges of a cube map's face, whatever the wrap modes say.
   const bool cube = target == kTextureCube;
   const TextureImage& zero = level_zero(*object, levels.first);
@@ -152,7 +166,7 @@ TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum&
   for (int i = 0; i < 4; ++i)
     t->color[i] = state.env_color[i] > 0 ? std::min(state.env_color[i], 1.0f) : 0.0f; // no NaN
   base = sampled_base(*object, *image.format);
-  set_border(p.border_color, image.format->base, *t);
+  set_border(p.border_color, *image.format, *t);
   if (image.format->layout == TexelLayout::Depth) {
     t->compares = p.compare_mode == GL_COMPARE_R_TO_TEXTURE;
     t->compare_function = uint8_t(p.compare_function - GL_NEVER);

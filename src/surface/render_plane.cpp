@@ -73,6 +73,7 @@ RenderFormat render_format(const TexelFormat& t) {
   const auto has = [&](int red, int green, int blue, int alpha) {
     return t.bits[0] == red && t.bits[1] == green && t.bits[2] == blue && t.bits[3] == alpha;
   };
+  if (t.layout == TexelLayout::Float || t.layout == TexelLayout::Signed16) return {};
   switch (t.base) {
   case GL_RGBA:
     if (has(8, 8, 8, 8)) return color_format(ColorFormat::Rgba8, 8, 8, 8, 8);

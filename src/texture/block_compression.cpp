@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <type_traits>
 
 namespace softgl {
 
@@ -34,12 +35,12 @@ struct Palette {
   }
 };
 
-/// The eight values that the codes of an alpha block name.
-void alpha_values(int first, int second, int* value) {
+/// The eight values that the codes of a block of one component name; T: of which they are.
+template <class T> void component_values(int first, int second, int* value) {
   value[0] = first, value[1] = second;
   const int steps = first > second ? 7 : 5;
   for (int k = 1; k < steps; ++k) value[k + 1] = step_between(first, second, k, steps);
-  if (steps == 5) value[6] = 0, value[7] = 255;
+  if (steps == 5) value[6] = std::is_signed_v<T> ? -127 : 0, value[7] = std::is_signed_v<T> ? 127 : 255;
 }
 
 void decode_color(const uint8_t* block, bool may_have_three, bool transparent, uint8_t (*rgba)[4]) {
@@ -54,12 +55,26 @@ void decode_color(const uint8_t* block, bool may_have_three, bool transparent, u
 }
 
 /// Component `k` of 16 texels.
-void decode_alpha(const uint8_t* block, int k, uint8_t (*rgba)[4]) {
+template <class T> void decode_component(const uint8_t* block, int k, T (*rgba)[4]) {
   int value[8];
-  alpha_values(block[0], block[1], value);
+  constexpr bool has_sign = std::is_signed_v<T>;
+  component_values<T>(has_sign ? int8_t(block[0]) : block[0], has_sign ? int8_t(block[1]) : block[1], value);
   uint64_t codes = 0;
   std::memcpy(&codes, block + 2, 6);
-  for (int i = 0; i < kBlockTexels; ++i) rgba[i][k] = uint8_t(value[codes >> (3 * i) & 7]);
+  for (int i = 0; i < kBlockTexels; ++i) rgba[i][k] = T(value[codes >> (3 * i) & 7]);
+}
+
+/// Blocks of one or two components, the others as the format wants them.
+template <class T>
+void decode_components(BlockFormat format, const uint8_t* block, T absent_one, T (*rgba)[4]) {
+  decode_component<T>(block, 0, rgba);
+  const bool luminance = format == BlockFormat::Luminance || format == BlockFormat::LuminanceAlpha;
+  for (int i = 0; i < kBlockTexels; ++i) {
+    rgba[i][1] = rgba[i][2] = luminance ? rgba[i][0] : T(0);
+    rgba[i][3] = absent_one;
+  }
+  if (format == BlockFormat::RedGreen) decode_component<T>(block + 8, 1, rgba);
+  if (format == BlockFormat::LuminanceAlpha) decode_component<T>(block + 8, 3, rgba);
 }
 
 } // namespace
@@ -75,8 +90,9 @@ void decode_block(BlockFormat format, const uint8_t* block, uint8_t (*rgba)[4]) 
     break;
   case BlockFormat::Dxt5:
     decode_color(block + 8, false, false, rgba);
-    decode_alpha(block, 3, rgba);
+    decode_component<uint8_t>(block, 3, rgba);
     break;
+  default: decode_components<uint8_t>(format, block, 255, rgba);
   }
 }
 
@@ -207,7 +223,7 @@ private:
 };
 
 /// The nearest of eight values for component `k` of each texel. Gives the sum of the squared errors.
-int choose_alpha_codes(const int* value, const uint8_t (*rgba)[4], int k, uint64_t& codes) {
+template <class T> int choose_codes(const int* value, const T (*rgba)[4], int k, uint64_t& codes) {
   int error = 0;
   codes = 0;
   for (int i = 0; i < kBlockTexels; ++i) {
@@ -222,24 +238,32 @@ int choose_alpha_codes(const int* value, const uint8_t (*rgba)[4], int k, uint64
   return error;
 }
 
-void encode_alpha(const uint8_t (*rgba)[4], int k, uint8_t* block) {
-  // All values lie between two ends; or some are 0 and 255, and the others lie between two ends.
-  int low = 255, high = 0, inner_low = 255, inner_high = 0;
+template <class T> void encode_component(const T (*rgba)[4], int k, uint8_t* block) {
+  // All values lie between two ends; or some are the least and the greatest, and the others lie between.
+  constexpr bool has_sign = std::is_signed_v<T>;
+  constexpr int kLeast = has_sign ? -127 : 0, kGreatest = has_sign ? 127 : 255;
+  int low = kGreatest, high = kLeast, inner_low = kGreatest, inner_high = kLeast;
   for (int i = 0; i < kBlockTexels; ++i) {
     const int v = rgba[i][k];
     low = std::min(low, v), high = std::max(high, v);
-    if (v > 0 && v < 255) inner_low = std::min(inner_low, v), inner_high = std::max(inner_high, v);
+    if (v > kLeast && v < kGreatest) inner_low = std::min(inner_low, v), inner_high = std::max(inner_high, v);
   }
   if (inner_low > inner_high) inner_low = inner_high = 0;
   int value[8];
   uint64_t codes[2];
-  alpha_values(high, low, value);
-  const int eight_error = choose_alpha_codes(value, rgba, k, codes[0]);
-  alpha_values(inner_low, inner_high, value);
-  const bool six = choose_alpha_codes(value, rgba, k, codes[1]) < eight_error;
+  component_values<T>(high, low, value);
+  const int eight_error = choose_codes(value, rgba, k, codes[0]);
+  component_values<T>(inner_low, inner_high, value);
+  const bool six = choose_codes(value, rgba, k, codes[1]) < eight_error;
   block[0] = uint8_t(six ? inner_low : high);
   block[1] = uint8_t(six ? inner_high : low);
   std::memcpy(block + 2, &codes[six], 6);
+}
+
+template <class T> void encode_components(BlockFormat format, const T (*rgba)[4], uint8_t* block) {
+  encode_component(rgba, 0, block);
+  if (format == BlockFormat::RedGreen) encode_component(rgba, 1, block + 8);
+  if (format == BlockFormat::LuminanceAlpha) encode_component(rgba, 3, block + 8);
 }
 
 } // namespace
@@ -260,10 +284,19 @@ void encode_block(BlockFormat format, const uint8_t (*rgba)[4], uint8_t* block) 
     ColorEncoder(rgba, true).encode(block + 8);
     break;
   case BlockFormat::Dxt5:
-    encode_alpha(rgba, 3, block);
+    encode_component(rgba, 3, block);
     ColorEncoder(rgba, true).encode(block + 8);
     break;
+  default: encode_components(format, rgba, block);
   }
+}
+
+void decode_signed_block(BlockFormat format, const uint8_t* block, int16_t (*rgba)[4]) {
+  decode_components<int16_t>(format, block, 1, rgba);
+}
+
+void encode_signed_block(BlockFormat format, const int16_t (*rgba)[4], uint8_t* block) {
+  encode_components(format, rgba, block);
 }
 
 } // namespace softgl

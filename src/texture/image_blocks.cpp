@@ -16,33 +16,53 @@ template <class Visit> void for_each_block(const TexelBox& box, Visit&& visit) {
       for (int x = left; x < box.x + box.width; x += kBlockSize) visit(x, y, z);
 }
 
-void store_block_texels(TextureImage& image, int x, int y, int z, const uint8_t (*rgba)[4]) {
+void decode(BlockFormat format, const uint8_t* block, uint8_t (*rgba)[4]) {
+  decode_block(format, block, rgba);
+}
+void decode(BlockFormat format, const uint8_t* block, int16_t (*rgba)[4]) {
+  decode_signed_block(format, block, rgba);
+}
+void encode(BlockFormat format, const uint8_t (*rgba)[4], uint8_t* block) {
+  encode_block(format, rgba, block);
+}
+void encode(BlockFormat format, const int16_t (*rgba)[4], uint8_t* block) {
+  encode_signed_block(format, rgba, block);
+}
+
+/// Texels of one block, whose first is at x, y, z. T: of which its components are.
+template <class T> void decode_texels(TextureImage& image, int x, int y, int z) {
+  T rgba[kBlockTexels][4];
+  decode(image.format->block, image.block_at(x, y, z), rgba);
   const int columns = std::min(kBlockSize, image.width - x), rows = std::min(kBlockSize, image.height - y);
   for (int j = 0; j < rows; ++j)
-    std::memcpy(image.at(x, y + j, z), rgba[j * kBlockSize], 4 * size_t(columns));
+    std::memcpy(image.at(x, y + j, z), rgba[j * kBlockSize], sizeof rgba[0] * size_t(columns));
+}
+
+template <class T> void encode_texels(TextureImage& image, int x, int y, int z) {
+  T rgba[kBlockTexels][4];
+  for (int j = 0; j < kBlockSize; ++j)
+    for (int i = 0; i < kBlockSize; ++i) // beyond the edges the texels at the edge count once more
+      std::memcpy(rgba[j * kBlockSize + i],
+                  image.at(std::min(x + i, image.width - 1), std::min(y + j, image.height - 1), z),
+                  sizeof rgba[0]);
+  encode(image.format->block, rgba, image.block_at(x, y, z));
 }
 
 } // namespace
 
 void TextureImage::decode_blocks(const TexelBox& box) {
   for_each_block(box, [&](int x, int y, int z) {
-    uint8_t rgba[kBlockTexels][4];
-    decode_block(format->block, block_at(x, y, z), rgba);
-    store_block_texels(*this, x, y, z, rgba);
+    format->layout == TexelLayout::Rgba8 ? decode_texels<uint8_t>(*this, x, y, z)
+                                         : decode_texels<int16_t>(*this, x, y, z);
   });
 }
 
 void TextureImage::encode_blocks(const TexelBox& box) {
   for_each_block(box, [&](int x, int y, int z) {
-    uint8_t rgba[kBlockTexels][4];
-    for (int j = 0; j < kBlockSize; ++j)
-      for (int i = 0; i < kBlockSize; ++i) // beyond the edges the texels at the edge count once more
-        std::memcpy(rgba[j * kBlockSize + i], at(std::min(x + i, width - 1), std::min(y + j, height - 1), z),
-                    4);
-    encode_block(format->block, rgba, block_at(x, y, z));
-    decode_block(format->block, block_at(x, y, z), rgba);
-    store_block_texels(*this, x, y, z, rgba);
+    format->layout == TexelLayout::Rgba8 ? encode_texels<uint8_t>(*this, x, y, z)
+                                         : encode_texels<int16_t>(*this, x, y, z);
   });
+  decode_blocks(box);
 }
 
 } // namespace softgl

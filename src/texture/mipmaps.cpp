@@ -1,9 +1,9 @@
 // Automatic mipmap generation (GL 1.5, 3.8.8). OSMesa 22.3.6 draws each level with a linearly filtered,
 // edge-clamped texture of the level before; so the arithmetic is that of sampling.
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstring>
+#include <type_traits>
 #include <vector>
 
 #include "texture/pixel_formats.h"
@@ -100,6 +100,21 @@ void reduce_rgba8(const TextureImage& from, const Footprints& footprints, Textur
     }
 }
 
+float as_float(uint32_t v, int bits) { return wide_to_float(v, bits); }
+float as_float(uint16_t v, int bits) { return wide_to_float(v, bits); }
+float as_float(int16_t v, int bits) {
+  return std::max(float(v) * (1.0f / float((1 << (bits - 1)) - 1)), -1.0f);
+}
+float as_float(float v, int) { return v; }
+template <class T> T from_float(float v, int bits) {
+  if constexpr (std::is_same_v<T, float>)
+    return v;
+  else if constexpr (std::is_same_v<T, int16_t>)
+    return T(float_to_snorm(v, bits));
+  else
+    return T(float_to_wide(v, bits));
+}
+
 // The wide formats are filtered in float and rounded back.
 template <class T>
 void reduce_wide(const TextureImage& from, const Footprints& footprints, TextureImage& to, int channels) {
@@ -121,12 +136,10 @@ void reduce_wide(const TextureImage& from, const Footprints& footprints, Texture
             std::memcpy(to.at(x, y, z) + size_t(k) * sizeof(T), &v, sizeof v);
             continue;
           }
-          auto number = [&](T v) {
-            return format.floats ? std::bit_cast<float>(uint32_t(v)) : wide_to_float(v, bits);
-          };
           auto plane = [&](int slice) {
             auto row = [&](int line) {
-              const float a = number(texel(fx.first, line, slice)), b = number(texel(fx.second, line, slice));
+              const float a = as_float(texel(fx.first, line, slice), bits),
+                          b = as_float(texel(fx.second, line, slice), bits);
               return fx.fraction * (b - a) + a;
             };
             const float a = row(fy.first), b = row(fy.second);
@@ -134,9 +147,11 @@ void reduce_wide(const TextureImage& from, const Footprints& footprints, Texture
           };
           const float a = plane(fz.first);
           const float value = fz.first == fz.second ? a : fz.fraction * (plane(fz.second) - a) + a;
-          const T v = format.floats ? T(std::bit_cast<uint32_t>(value)) : T(float_to_wide(value, bits));
+          const T v = from_float<T>(value, bits);
           std::memcpy(to.at(x, y, z) + size_t(k) * sizeof(T), &v, sizeof v);
         }
+        if constexpr (std::is_same_v<T, float>)
+          format.reduce(reinterpret_cast<float*>(to.at(x, y, z)), false);
       }
 }
 
@@ -155,7 +170,14 @@ void generate_mipmaps(TextureObject& object, int face) {
     switch (from->format->layout) {
     case TexelLayout::Rgba8: reduce_rgba8(*from, footprints, *to); break;
     case TexelLayout::Rgba16: reduce_wide<uint16_t>(*from, footprints, *to, 4); break;
-    case TexelLayout::Depth: reduce_wide<uint32_t>(*from, footprints, *to, 1); break;
+    case TexelLayout::Signed16: reduce_wide<int16_t>(*from, footprints, *to, 4); break;
+    case TexelLayout::Float: reduce_wide<float>(*from, footprints, *to, 4); break;
+    case TexelLayout::Depth:
+      if (from->format->floats)
+        reduce_wide<float>(*from, footprints, *to, 1);
+      else
+        reduce_wide<uint32_t>(*from, footprints, *to, 1);
+      break;
     }
     to->texels_changed();
     object.image[face][level] = to;

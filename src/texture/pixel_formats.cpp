@@ -4,8 +4,10 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "texture/pixel_state.h"
+#include "texture/small_floats.h"
 
 namespace softgl {
 
@@ -63,7 +65,8 @@ bool plain_type(GLenum type) {
   case GL_SHORT:
   case GL_UNSIGNED_INT:
   case GL_INT:
-  case GL_FLOAT: return true;
+  case GL_FLOAT:
+  case GL_HALF_FLOAT: return true;
   default: return false;
   }
 }
@@ -81,7 +84,8 @@ GLenum check_pixel_format(GLenum format, GLenum type) {
   case GL_BLUE:
   case GL_ALPHA:
   case GL_LUMINANCE: components = 1; break;
-  case GL_LUMINANCE_ALPHA: components = 2; break;
+  case GL_LUMINANCE_ALPHA:
+  case GL_RG: components = 2; break;
   case GL_RGB:
   case GL_BGR: components = 3; break;
   case GL_RGBA:
@@ -94,6 +98,8 @@ GLenum check_pixel_format(GLenum format, GLenum type) {
   if (type == GL_BITMAP)
     return format == GL_COLOR_INDEX || format == GL_STENCIL_INDEX ? GL_NO_ERROR : GL_INVALID_ENUM;
   if (plain_type(type)) return GL_NO_ERROR;
+  if (type == GL_UNSIGNED_INT_10F_11F_11F_REV) return format == GL_RGB ? GL_NO_ERROR : GL_INVALID_OPERATION;
+  if (type == GL_UNSIGNED_INT_5_9_9_9_REV) return format == GL_RGB ? GL_NO_ERROR : GL_INVALID_ENUM;
   const int packed = packed_components(type);
   if (packed == 0) return GL_INVALID_ENUM;
   if (packed != components || format == GL_BGR) return GL_INVALID_OPERATION;
@@ -123,6 +129,10 @@ PixelFormat describe_pixel_format(GLenum format, GLenum type) {
     f.luminance = true;
     f.components = 2;
     f.target[1] = 3;
+    break;
+  case GL_RG:
+    f.components = 2;
+    f.target[1] = 1;
     break;
   case GL_RGB:
     f.components = 3;
@@ -185,6 +195,15 @@ PixelFormat describe_pixel_format(GLenum format, GLenum type) {
     f.channel = PixelChannel::Float;
     f.element_bytes = 4;
     break;
+  case GL_HALF_FLOAT:
+    f.channel = PixelChannel::Half;
+    f.element_bytes = 2;
+    break;
+  case GL_UNSIGNED_INT_10F_11F_11F_REV:
+  case GL_UNSIGNED_INT_5_9_9_9_REV:
+    f.channel = PixelChannel::PackedFloat;
+    f.element_bytes = f.bytes = 4;
+    return f;
   case GL_BITMAP:
     f.channel = PixelChannel::Bitmap;
     f.element_bytes = 1;
@@ -272,14 +291,19 @@ uint32_t pack_unorm(float x, int bits) {
   return uint32_t(clamped * float((1u << bits) - 1) + 0.5f);
 }
 
-namespace {
-
 int32_t float_to_snorm(float x, int bits) {
   const int32_t max = int32_t((uint32_t(1) << (bits - 1)) - 1);
   if (!(x >= -1.0f)) return x < -1.0f ? -max : 0;
   if (x >= 1.0f) return max;
   return int32_t(int64_t(std::nearbyintf(x * float(max))));
 }
+
+namespace {
+
+struct Half {
+  uint16_t bits;
+};
+
 float snorm_to_float(int32_t x, int bits) {
   const int32_t max = int32_t((uint32_t(1) << (bits - 1)) - 1);
   return x <= -max ? -1.0f : float(x) * (1.0f / float(max));
@@ -301,11 +325,25 @@ template <class T> void store(unsigned char* p, T v, bool swap) {
   if (swap && sizeof v > 1) std::reverse(p, p + sizeof v);
 }
 
+int32_t convert_snorm(int32_t x, int from, int to) {
+  const int32_t from_max = int32_t((uint32_t(1) << (from - 1)) - 1);
+  if (from == to) return x;
+  if (x < -from_max) return -int32_t((uint32_t(1) << (to - 1)) - 1);
+  if (from > to) return x >> (from - to);
+  // Bits are repeated; those of negative numbers round down.
+  const int32_t to_max = int32_t((uint32_t(1) << (to - 1)) - 1), rest = (to - 1) % (from - 1);
+  return x * (to_max / from_max) + (rest ? x >> (from - 1 - rest) : 0);
+}
+
 // One component of client memory in an intermediate form and back, as OSMesa converts arrays of components.
 template <class Out, class In> Out component_to(In v) {
   constexpr bool in_float = std::is_same_v<In, float>, out_float = std::is_same_v<Out, float>;
   constexpr int in_bits = int(sizeof(In) * 8), out_bits = int(sizeof(Out) * 8);
-  if constexpr (in_float && out_float)
+  if constexpr (std::is_same_v<In, Half>)
+    return component_to<Out>(half_to_float(v.bits));
+  else if constexpr (std::is_same_v<Out, Half>)
+    return Half{float_to_half(component_to<float>(v))};
+  else if constexpr (in_float && out_float)
     return v;
   else if constexpr (in_float && std::is_signed_v<Out>)
     return Out(float_to_snorm(v, out_bits));
@@ -315,6 +353,8 @@ template <class Out, class In> Out component_to(In v) {
     return snorm_to_float(v, in_bits);
   else if constexpr (out_float)
     return unorm_to_float(v, in_bits);
+  else if constexpr (std::is_signed_v<In> && std::is_signed_v<Out>)
+    return Out(convert_snorm(v, in_bits, out_bits));
   else if constexpr (std::is_signed_v<In>)
     return v < 0 ? Out(0) : Out(convert_unorm(uint32_t(v), in_bits - 1, out_bits));
   else if constexpr (std::is_signed_v<Out>)
@@ -323,7 +363,7 @@ template <class Out, class In> Out component_to(In v) {
     return Out(convert_unorm(v, in_bits, out_bits));
 }
 
-template <class T> constexpr T one() { return std::is_same_v<T, float> ? T(1) : T(~T(0)); }
+template <class T> constexpr T one() { return std::numeric_limits<T>::max(); }
 template <> constexpr float one<float>() { return 1.0f; }
 
 /// The number of components is known to the compiler, and which of them is where does not change on the way:
@@ -386,6 +426,8 @@ void unpack_packed(const PixelFormat& f, const unsigned char* p, int count, bool
       const uint32_t v = (word >> f.shift[k]) & ((1u << bits) - 1);
       if constexpr (std::is_same_v<Out, float>)
         out[f.target[k]] = unorm_to_float(v, bits);
+      else if constexpr (std::is_signed_v<Out>)
+        out[f.target[k]] = component_to<Out>(unorm_to_float(v, bits));
       else if (sizeof(Out) == 1 || bits == 8)
         out[f.target[k]] = Out(convert_unorm(v, bits, int(sizeof(Out) * 8)));
       else
@@ -404,6 +446,8 @@ void pack_packed(const PixelFormat& f, const In (*rgba)[4], int count, bool swap
       uint32_t v;
       if constexpr (std::is_same_v<In, float>)
         v = pack_unorm(in, bits);
+      else if constexpr (std::is_signed_v<In>)
+        v = pack_unorm(component_to<float>(in), bits);
       else if constexpr (sizeof(In) == 1)
         v = convert_unorm(in, 8, bits);
       else
@@ -412,6 +456,34 @@ void pack_packed(const PixelFormat& f, const In (*rgba)[4], int count, bool swap
       word |= v << f.shift[k];
     }
     store_packed(f, p, word, swap);
+  }
+}
+
+template <class Out> void unpack_packed_floats(const PixelFormat& f, const unsigned char* p, int count,
+                                               bool swap, Out (*rgba)[4]) {
+  for (int i = 0; i < count; ++i, p += 4) {
+    const uint32_t word = load<uint32_t>(p, swap);
+    float v[3];
+    if (f.type == GL_UNSIGNED_INT_5_9_9_9_REV)
+      shared_exponent_to_floats(word, v);
+    else
+      v[0] = unsigned_float(word & 2047, 6), v[1] = unsigned_float(word >> 11 & 2047, 6),
+      v[2] = unsigned_float(word >> 22, 5);
+    for (int k = 0; k < 3; ++k) rgba[i][k] = component_to<Out>(v[k]);
+    rgba[i][3] = one<Out>();
+  }
+}
+template <class In>
+void pack_packed_floats(const PixelFormat& f, const In (*rgba)[4], int count, bool swap, unsigned char* p) {
+  for (int i = 0; i < count; ++i, p += 4) {
+    float v[3];
+    for (int k = 0; k < 3; ++k) v[k] = component_to<float>(rgba[i][k]);
+    store<uint32_t>(p,
+                    f.type == GL_UNSIGNED_INT_5_9_9_9_REV
+                        ? floats_to_shared_exponent(v)
+                        : to_unsigned_float(v[0], 6) | to_unsigned_float(v[1], 6) << 11 |
+                              to_unsigned_float(v[2], 5) << 22,
+                    swap);
   }
 }
 
@@ -426,6 +498,8 @@ void unpack(const PixelFormat& f, const void* row, int count, bool swap, Out (*r
   case PixelChannel::UnsignedInt: unpack_array<uint32_t>(f, p, count, swap, rgba); break;
   case PixelChannel::Int: unpack_array<int32_t>(f, p, count, swap, rgba); break;
   case PixelChannel::Float: unpack_array<float>(f, p, count, swap, rgba); break;
+  case PixelChannel::Half: unpack_array<Half>(f, p, count, swap, rgba); break;
+  case PixelChannel::PackedFloat: unpack_packed_floats(f, p, count, swap, rgba); break;
   case PixelChannel::Packed: unpack_packed(f, p, count, swap, rgba); break;
   case PixelChannel::Bitmap: std::memset(static_cast<void*>(rgba), 0, size_t(count) * sizeof *rgba); break;
   }
@@ -440,6 +514,8 @@ template <class In> void pack(const PixelFormat& f, const In (*rgba)[4], int cou
   case PixelChannel::UnsignedInt: pack_array<uint32_t>(f, rgba, count, swap, p); break;
   case PixelChannel::Int: pack_array<int32_t>(f, rgba, count, swap, p); break;
   case PixelChannel::Float: pack_array<float>(f, rgba, count, swap, p); break;
+  case PixelChannel::Half: pack_array<Half>(f, rgba, count, swap, p); break;
+  case PixelChannel::PackedFloat: pack_packed_floats(f, rgba, count, swap, p); break;
   case PixelChannel::Packed: pack_packed(f, rgba, count, swap, p); break;
   case PixelChannel::Bitmap: break;
   }
@@ -469,6 +545,18 @@ void unpack_pixels(const PixelFormat& f, const void* row, int count, bool swap, 
 void unpack_pixels(const PixelFormat& f, const void* row, int count, bool swap, float (*rgba)[4]) {
   unpack(f, row, count, swap, rgba);
 }
+void unpack_pixels(const PixelFormat& f, const void* row, int count, bool swap, int8_t (*rgba)[4]) {
+  unpack(f, row, count, swap, rgba);
+}
+void unpack_pixels(const PixelFormat& f, const void* row, int count, bool swap, int16_t (*rgba)[4]) {
+  unpack(f, row, count, swap, rgba);
+}
+void pack_pixels(const PixelFormat& f, const int8_t (*rgba)[4], int count, bool swap, void* row) {
+  pack(f, rgba, count, swap, row);
+}
+void pack_pixels(const PixelFormat& f, const int16_t (*rgba)[4], int count, bool swap, void* row) {
+  pack(f, rgba, count, swap, row);
+}
 void pack_pixels(const PixelFormat& f, const uint8_t (*rgba)[4], int count, bool swap, void* row) {
   if (f.channel == PixelChannel::UnsignedByte && f.format == GL_RGBA) {
     std::memcpy(row, rgba, size_t(count) * 4);
@@ -494,8 +582,10 @@ void unpack_indexes(const PixelFormat& f, const void* row, int bit_offset, int c
     case PixelChannel::Short: index[i] = uint32_t(int32_t(load<int16_t>(p, swap))); break;
     case PixelChannel::UnsignedInt:
     case PixelChannel::Int: index[i] = load<uint32_t>(p, swap); break;
-    case PixelChannel::Float: {
-      const float v = load<float>(p, swap);
+    case PixelChannel::Float:
+    case PixelChannel::Half: {
+      const float v =
+          f.channel == PixelChannel::Half ? half_to_float(load<uint16_t>(p, swap)) : load<float>(p, swap);
       index[i] = v > -2147483648.0f && v < 2147483648.0f ? uint32_t(int32_t(v)) : 0;
       break;
     }
@@ -531,6 +621,7 @@ void unpack_depth(const PixelFormat& f, const void* row, int count, bool swap, f
       d = float((2.0f * float(load<int32_t>(p, swap)) + 1.0f) * (1.0 / 4294967294.0));
       break;
     case PixelChannel::Float: d = load<float>(p, swap); break;
+    case PixelChannel::Half: d = half_to_float(load<uint16_t>(p, swap)); break;
     default: break;
     }
     depth[i] = d;
@@ -551,6 +642,7 @@ void pack_depth(const PixelFormat& f, const float* depth, int count, bool swap, 
     case PixelChannel::UnsignedInt: store<uint32_t>(p, uint32_t(double(d) * 4294967295.0), swap); break;
     case PixelChannel::Int: store<int32_t>(p, int32_t(2147483647.0 * double(d)), swap); break;
     case PixelChannel::Float: store<float>(p, d, swap); break;
+    case PixelChannel::Half: store<uint16_t>(p, float_to_half(d), swap); break;
     default: break;
     }
   }

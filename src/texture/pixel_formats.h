@@ -19,7 +19,9 @@ enum class PixelChannel : uint8_t {
   UnsignedInt,
   Int,
   Float,
+  Half,
   Packed,
+  PackedFloat,
   Bitmap
 };
 
@@ -58,10 +60,16 @@ void unpack_pixels(const PixelFormat& format, const void* row, int count, bool s
 void unpack_pixels(const PixelFormat& format, const void* row, int count, bool swap_bytes,
                    uint16_t (*rgba)[4]);
 void unpack_pixels(const PixelFormat& format, const void* row, int count, bool swap_bytes, float (*rgba)[4]);
+/// In signed forms, for formats with components in [-1, 1].
+void unpack_pixels(const PixelFormat& format, const void* row, int count, bool swap_bytes, int8_t (*rgba)[4]);
+void unpack_pixels(const PixelFormat& format, const void* row, int count, bool swap_bytes,
+                   int16_t (*rgba)[4]);
 /// The way back. A luminance format takes red: sums are the caller's (4.3.2).
 void pack_pixels(const PixelFormat& format, const uint8_t (*rgba)[4], int count, bool swap_bytes, void* row);
 void pack_pixels(const PixelFormat& format, const uint16_t (*rgba)[4], int count, bool swap_bytes, void* row);
 void pack_pixels(const PixelFormat& format, const float (*rgba)[4], int count, bool swap_bytes, void* row);
+void pack_pixels(const PixelFormat& format, const int8_t (*rgba)[4], int count, bool swap_bytes, void* row);
+void pack_pixels(const PixelFormat& format, const int16_t (*rgba)[4], int count, bool swap_bytes, void* row);
 
 /// Indexes (GL_COLOR_INDEX, GL_STENCIL_INDEX): whole numbers, of floats their integer part. `bit_offset` and
 /// `lsb_first` are of GL_BITMAP only.
@@ -94,6 +102,8 @@ constexpr uint32_t convert_unorm(uint32_t x, int from, int to) {
 }
 /// Round to nearest even of clamped x * (2^bits - 1); not a number gives 0 (as everywhere in softgl).
 uint32_t float_to_unorm(float x, int bits);
+/// Round to nearest even of x * (2^(bits-1) - 1), x clamped to [-1, 1].
+int32_t float_to_snorm(float x, int bits);
 /// The other rounding of OSMesa, used when a whole RGBA group of floats is packed at once: halves go up,
 /// except to 8 bits.
 uint32_t pack_unorm(float x, int bits);

@@ -3,158 +3,13 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <limits>
 
 #include "texture/pixel_formats.h"
 #include "texture/pixel_transfer.h"
+#include "texture/small_floats.h"
 
 namespace softgl {
-
-namespace {
-
-constexpr TexelLayout k8 = TexelLayout::Rgba8, k16 = TexelLayout::Rgba16, kDepth = TexelLayout::Depth;
-constexpr TexelFormat kRgba8{GL_RGBA, k8, true, {8, 8, 8, 8}}, kRgb8{GL_RGB, k8, true, {8, 8, 8, 0}};
-constexpr TexelFormat kAlpha8{GL_ALPHA, k8, true, {0, 0, 0, 8}},
-    kLuminance8{GL_LUMINANCE, k8, true, {8, 8, 8, 0}};
-constexpr TexelFormat kLuminanceAlpha8{GL_LUMINANCE_ALPHA, k8, true, {8, 8, 8, 8}},
-    kIntensity8{GL_INTENSITY, k8, true, {8, 8, 8, 8}};
-constexpr TexelFormat kLuminanceAlpha4{GL_LUMINANCE_ALPHA, k8, false, {4, 4, 4, 4}};
-constexpr TexelFormat kRgb332{GL_RGB, k8, false, {3, 3, 2, 0}}, kRgb4{GL_RGB, k8, false, {4, 4, 4, 0}};
-constexpr TexelFormat kRgb5{GL_RGB, k8, false, {5, 5, 5, 0}}, kRgb565{GL_RGB, k8, false, {5, 6, 5, 0}};
-constexpr TexelFormat kRgba4{GL_RGBA, k8, false, {4, 4, 4, 4}}, kRgb5a1{GL_RGBA, k8, false, {5, 5, 5, 1}};
-constexpr TexelFormat kRgb10{GL_RGB, k16, false, {10, 10, 10, 0}},
-    kRgb10a2{GL_RGBA, k16, false, {10, 10, 10, 2}};
-constexpr TexelFormat kRgba16{GL_RGBA, k16, true, {16, 16, 16, 16}},
-    kRgb16{GL_RGB, k16, true, {16, 16, 16, 0}};
-constexpr TexelFormat kAlpha16{GL_ALPHA, k16, true, {0, 0, 0, 16}},
-    kLuminance16{GL_LUMINANCE, k16, true, {16, 16, 16, 0}};
-constexpr TexelFormat kLuminanceAlpha16{GL_LUMINANCE_ALPHA, k16, true, {16, 16, 16, 16}};
-constexpr TexelFormat kIntensity16{GL_INTENSITY, k16, true, {16, 16, 16, 16}};
-constexpr TexelFormat kDepth16{GL_DEPTH_COMPONENT, kDepth, true, {16, 0, 0, 0}},
-    kDepth24{GL_DEPTH_COMPONENT, kDepth, true, {24, 0, 0, 0}};
-constexpr TexelFormat kDepth32{GL_DEPTH_COMPONENT, kDepth, true, {32, 0, 0, 0}};
-constexpr TexelFormat kDepth24Stencil8{GL_DEPTH_STENCIL, kDepth, true, {24, 0, 0, 0}};
-constexpr TexelFormat kDepth32f{GL_DEPTH_COMPONENT, kDepth, true, {32, 0, 0, 0}, true};
-constexpr TexelFormat kDepth32fStencil8{GL_DEPTH_STENCIL, kDepth, true, {32, 0, 0, 0}, true};
-constexpr TexelFormat kDxt1Rgb{GL_RGB, k8, true, {8, 8, 8, 0}, false, BlockFormat::Dxt1Rgb},
-    kDxt1Rgba{GL_RGBA, k8, true, {8, 8, 8, 8}, false, BlockFormat::Dxt1Rgba};
-constexpr TexelFormat kDxt3{GL_RGBA, k8, true, {8, 8, 8, 8}, false, BlockFormat::Dxt3},
-    kDxt5{GL_RGBA, k8, true, {8, 8, 8, 8}, false, BlockFormat::Dxt5};
-
-// Unsized internal formats take the client's own precision where OSMesa has a storage of just that form.
-const TexelFormat* match_unsized(GLint internal_format, GLenum format, GLenum type, bool swap_bytes) {
-  const bool rgba = format == GL_RGBA || format == GL_BGRA;
-  if (!swap_bytes) {
-    switch (internal_format) {
-    case GL_ALPHA:
-      if (format == GL_ALPHA && type == GL_UNSIGNED_SHORT) return &kAlpha16;
-      break;
-    case GL_LUMINANCE:
-      if (format == GL_LUMINANCE && type == GL_UNSIGNED_SHORT) return &kLuminance16;
-      break;
-    case GL_LUMINANCE_ALPHA:
-      if (format == GL_LUMINANCE_ALPHA && type == GL_UNSIGNED_SHORT) return &kLuminanceAlpha16;
-      break;
-    case GL_RGB:
-      if (format == GL_RGB && (type == GL_UNSIGNED_SHORT_5_6_5 || type == GL_UNSIGNED_SHORT_5_6_5_REV))
-        return &kRgb565;
-      break;
-    case GL_RGBA:
-      if (rgba && (type == GL_UNSIGNED_SHORT_4_4_4_4 || type == GL_UNSIGNED_SHORT_4_4_4_4_REV))
-        return &kRgba4;
-      if (rgba && type == GL_UNSIGNED_SHORT_1_5_5_5_REV) return &kRgb5a1;
-      if (format == GL_RGBA && type == GL_UNSIGNED_SHORT) return &kRgba16;
-      if (rgba && type == GL_UNSIGNED_INT_10_10_10_2) return &kRgb10a2;
-      break;
-    case GL_DEPTH_COMPONENT:
-      if (type == GL_UNSIGNED_SHORT) return &kDepth16;
-      if (type == GL_UNSIGNED_INT) return &kDepth32;
-      break;
-    default: break;
-    }
-  }
-  if (internal_format == GL_RGB && format == GL_RGB &&
-      (type == GL_UNSIGNED_BYTE_3_3_2 || type == GL_UNSIGNED_BYTE_2_3_3_REV))
-    return &kRgb332;
-  if (type == GL_UNSIGNED_INT_2_10_10_10_REV)
-    return internal_format == GL_RGB ? &kRgb10 : internal_format == GL_RGBA ? &kRgb10a2 : nullptr;
-  if (type == GL_UNSIGNED_SHORT_5_5_5_1)
-    return internal_format == GL_RGB ? &kRgb5 : internal_format == GL_RGBA ? &kRgb5a1 : nullptr;
-  return nullptr;
-}
-
-} // namespace
-
-GLenum base_internal_format(GLint internal_format) {
-  const TexelFormat* f = choose_texel_format(internal_format, 0, 0, false);
-  return f ? f->base : 0;
-}
-
-const TexelFormat* choose_texel_format(GLint internal_format, GLenum format, GLenum type, bool swap_bytes) {
-  if (const TexelFormat* f = match_unsized(internal_format, format, type, swap_bytes)) return f;
-  switch (internal_format) {
-  case 4:
-  case GL_RGBA:
-  case GL_RGBA8:
-  case GL_COMPRESSED_RGBA: return &kRgba8;
-  case 3:
-  case GL_RGB:
-  case GL_RGB8:
-  case GL_COMPRESSED_RGB: return &kRgb8;
-  case 2:
-  case GL_LUMINANCE_ALPHA:
-  case GL_LUMINANCE6_ALPHA2:
-  case GL_LUMINANCE8_ALPHA8:
-  case GL_COMPRESSED_LUMINANCE_ALPHA: return &kLuminanceAlpha8;
-  case 1:
-  case GL_LUMINANCE:
-  case GL_LUMINANCE4:
-  case GL_LUMINANCE8:
-  case GL_COMPRESSED_LUMINANCE: return &kLuminance8;
-  case GL_ALPHA:
-  case GL_ALPHA4:
-  case GL_ALPHA8:
-  case GL_COMPRESSED_ALPHA: return &kAlpha8;
-  case GL_INTENSITY:
-  case GL_INTENSITY4:
-  case GL_INTENSITY8:
-  case GL_COMPRESSED_INTENSITY: return &kIntensity8;
-  case GL_LUMINANCE4_ALPHA4: return &kLuminanceAlpha4;
-  case GL_R3_G3_B2: return &kRgb332;
-  case GL_RGB4: return &kRgb4;
-  case GL_RGB5: return &kRgb5;
-  case GL_RGB10: return &kRgb10;
-  case GL_RGB12:
-  case GL_RGB16: return &kRgb16;
-  case GL_RGBA2:
-  case GL_RGBA4: return &kRgba4;
-  case GL_RGB5_A1: return &kRgb5a1;
-  case GL_RGB10_A2: return &kRgb10a2;
-  case GL_RGBA12:
-  case GL_RGBA16: return &kRgba16;
-  case GL_ALPHA12:
-  case GL_ALPHA16: return &kAlpha16;
-  case GL_LUMINANCE12:
-  case GL_LUMINANCE16: return &kLuminance16;
-  case GL_LUMINANCE12_ALPHA4:
-  case GL_LUMINANCE12_ALPHA12:
-  case GL_LUMINANCE16_ALPHA16: return &kLuminanceAlpha16;
-  case GL_INTENSITY12:
-  case GL_INTENSITY16: return &kIntensity16;
-  case GL_DEPTH_COMPONENT16: return &kDepth16;
-  case GL_DEPTH_COMPONENT:
-  case GL_DEPTH_COMPONENT24: return &kDepth24;
-  case GL_DEPTH_COMPONENT32: return &kDepth32;
-  case GL_DEPTH_STENCIL:
-  case GL_DEPTH24_STENCIL8: return &kDepth24Stencil8;
-  case GL_DEPTH_COMPONENT32F: return &kDepth32f;
-  case GL_DEPTH32F_STENCIL8: return &kDepth32fStencil8;
-  case GL_COMPRESSED_RGB_S3TC_DXT1_EXT: return &kDxt1Rgb;
-  case GL_COMPRESSED_RGBA_S3TC_DXT1_EXT: return &kDxt1Rgba;
-  case GL_COMPRESSED_RGBA_S3TC_DXT3_EXT: return &kDxt3;
-  case GL_COMPRESSED_RGBA_S3TC_DXT5_EXT: return &kDxt5;
-  default: return nullptr;
-  }
-}
 
 namespace {
 
@@ -172,6 +27,14 @@ template <class T> void spread(GLenum base, T* v, T absent_one) {
   case GL_LUMINANCE_ALPHA: v[1] = v[2] = v[0]; break;
   case GL_INTENSITY: v[1] = v[2] = v[3] = v[0]; break;
   case GL_RGB: v[3] = absent_one; break;
+  case GL_RED:
+    v[1] = v[2] = 0;
+    v[3] = absent_one;
+    break;
+  case GL_RG:
+    v[2] = 0;
+    v[3] = absent_one;
+    break;
   default: break;
   }
 }
@@ -184,7 +47,9 @@ template <class T> void gather(GLenum base, T* v, T absent_one) {
     v[3] = absent_one;
     break;
   case GL_LUMINANCE_ALPHA: v[1] = v[2] = 0; break;
-  case GL_RGB: v[3] = absent_one; break;
+  case GL_RGB:
+  case GL_RED:
+  case GL_RG: v[3] = absent_one; break;
   default: break;
   }
 }
@@ -241,6 +106,57 @@ void store_rgba16(const TexelFormat& to, uint16_t (*texel)[4], const PixelFormat
     for (int i = 0; i < count; ++i) spread<uint16_t>(to.base, texel[i], 1);
 }
 
+/// Whether OSMesa makes texels of whole colors, and not one component after the other: then halves are cut,
+/// and what lies in the middle of two integers with a sign goes away from 0; else both are rounded to the
+/// nearest.
+bool packs_colors(const PixelFormat& from, bool transfers) {
+  if (transfers || from.channel == PixelChannel::PackedFloat) return true;
+  if (from.channel == PixelChannel::Packed && from.bits[0] != 8) return true;
+  return from.format == GL_RGBA &&
+         (from.channel == PixelChannel::Float || from.channel == PixelChannel::UnsignedByte ||
+          from.type == GL_UNSIGNED_INT_8_8_8_8_REV);
+}
+
+int32_t signed_away_from_zero(float x, int bits) {
+  const float scaled = std::clamp(x, -1.0f, 1.0f) * float((1 << (bits - 1)) - 1);
+  return int32_t(scaled < 0 ? scaled - 0.5f : scaled + 0.5f);
+}
+
+// Integers become integers without floats where nothing changes them.
+template <class T> void store_signed(const TexelFormat& to, int16_t (*texel)[4], const PixelFormat& from,
+                                     const void* pixels, int count, bool swap,
+                                     const PixelTransfer& transfer) {
+  T v[kRow][4];
+  const bool transfers = transfer.changes_color();
+  if (transfers || (packs_colors(from, false) && from.channel != PixelChannel::UnsignedByte)) {
+    float f[kRow][4];
+    unpack_pixels(from, pixels, count, swap, f);
+    if (transfers) transfer.color(f, count);
+    for (int i = 0; i < count; ++i)
+      for (int k = 0; k < 4; ++k) v[i][k] = T(signed_away_from_zero(f[i][k], sizeof(T) * 8));
+  } else {
+    unpack_pixels(from, pixels, count, swap, v);
+  }
+  for (int i = 0; i < count; ++i) {
+    for (int k = 0; k < 4; ++k) texel[i][k] = v[i][k];
+    if (to.base != GL_RGBA) spread<int16_t>(to.base, texel[i], 1);
+  }
+}
+
+void store_float(const TexelFormat& to, float (*texel)[4], const PixelFormat& from, const void* pixels,
+                 int count, bool swap, const PixelTransfer& transfer) {
+  unpack_pixels(from, pixels, count, swap, texel);
+  const bool transfers = transfer.changes_color();
+  if (transfers) transfer.color(texel, count);
+  const bool nearest = !packs_colors(from, transfers);
+  const bool same = !transfers && from.channel == PixelChannel::PackedFloat &&
+                    (from.type == GL_UNSIGNED_INT_5_9_9_9_REV) == (to.bits[0] == 9) && !to.array;
+  for (int i = 0; i < count; ++i) {
+    if (!same) to.reduce(texel[i], nearest);
+    if (to.base != GL_RGBA) spread<float>(to.base, texel[i], 1);
+  }
+}
+
 void store_depth(const TexelFormat& to, uint32_t* texel, const PixelFormat& from, const void* pixels,
                  int count, bool swap, const PixelTransfer& transfer) {
   const bool plain = !transfer.changes_depth();
@@ -282,6 +198,16 @@ void store_depth(const TexelFormat& to, uint32_t* texel, const PixelFormat& from
 }
 
 } // namespace
+
+void TexelFormat::reduce(float* rgba, bool to_nearest) const {
+  if (bits[0] == 9) return shared_exponent_to_floats(floats_to_shared_exponent(rgba), rgba);
+  for (int k = 0; k < 4; ++k) {
+    float& v = rgba[k];
+    if (bits[k] == 16) v = half_to_float(to_nearest ? float_to_half(v) : float_to_half_towards_zero(v));
+    if (bits[k] == 11) v = unsigned_float(to_unsigned_float(v, 6), 6);
+    if (bits[k] == 10) v = unsigned_float(to_unsigned_float(v, 5), 5);
+  }
+}
 
 void store_depth_stencil(const TexelFormat& to, uint32_t* texels, uint8_t* stencils, const PixelFormat& from,
                          const void* pixels, int count, bool swap_bytes, const PixelTransfer& transfer) {
@@ -328,6 +254,17 @@ void store_texels(const TexelFormat& to, void* texels, const PixelFormat& from, 
       break;
     case TexelLayout::Depth:
       store_depth(to, reinterpret_cast<uint32_t*>(target), from, source, n, swap_bytes, transfer);
+      break;
+    case TexelLayout::Signed16: {
+      auto* texel = reinterpret_cast<int16_t(*)[4]>(target);
+      if (std::max(to.bits[0], to.bits[3]) == 8)
+        store_signed<int8_t>(to, texel, from, source, n, swap_bytes, transfer);
+      else
+        store_signed<int16_t>(to, texel, from, source, n, swap_bytes, transfer);
+      break;
+    }
+    case TexelLayout::Float:
+      store_float(to, reinterpret_cast<float(*)[4]>(target), from, source, n, swap_bytes, transfer);
       break;
     }
   }
@@ -397,6 +334,13 @@ bool wide_or_signed(const PixelFormat& f) {
   return f.channel != PixelChannel::UnsignedByte;
 }
 
+/// OSMesa clamps luminance for unsigned types, and does so in floats.
+bool clamps_luminance(const PixelFormat& to) {
+  return to.luminance && to.channel != PixelChannel::Float && to.channel != PixelChannel::Half &&
+         to.channel != PixelChannel::Byte && to.channel != PixelChannel::Short &&
+         to.channel != PixelChannel::Int;
+}
+
 void load_color(const TexelFormat& from, const unsigned char* texels, const PixelFormat& to, void* pixels,
                 int count, bool swap) {
   const bool narrow = from.layout == TexelLayout::Rgba8;
@@ -410,9 +354,7 @@ void load_color(const TexelFormat& from, const unsigned char* texels, const Pixe
     return v;
   };
   const bool exact_bytes = from.array && from.base == GL_RGBA;
-  // OSMesa clamps luminance for unsigned types, and does so in floats.
-  const bool clamps = to.luminance && to.channel != PixelChannel::Float && to.channel != PixelChannel::Byte &&
-                      to.channel != PixelChannel::Short && to.channel != PixelChannel::Int;
+  const bool clamps = clamps_luminance(to);
   const bool floats = clamps || (from.array ? (narrow ? wide_packed(to) && !exact_bytes : wide_packed(to))
                                             : wide_or_signed(to));
   if (floats) {
@@ -444,6 +386,34 @@ void load_color(const TexelFormat& from, const unsigned char* texels, const Pixe
   }
 }
 
+void load_floats(const TexelFormat& from, const unsigned char* texels, const PixelFormat& to, void* pixels,
+                 int count, bool swap) {
+  float v[kRow][4];
+  std::memcpy(v, texels, size_t(count) * sizeof v[0]);
+  for (int i = 0; i < count; ++i) gather<float>(from.base, v[i], 1);
+  pack_pixels(to, v, count, swap, pixels);
+}
+
+template <class T> void load_signed(const TexelFormat& from, const unsigned char* texels,
+                                    const PixelFormat& to, void* pixels, int count, bool swap) {
+  constexpr T kMost = std::numeric_limits<T>::max();
+  T v[kRow][4];
+  for (int i = 0; i < count; ++i) {
+    int16_t texel[4];
+    std::memcpy(texel, texels + i * 8, sizeof texel);
+    for (int k = 0; k < 4; ++k) v[i][k] = T(texel[k]);
+    if (from.bits[3] == 0) v[i][3] = kMost;
+    gather<T>(from.base, v[i], kMost);
+  }
+  // OSMesa: shorts are made of floats, other integers of integers.
+  if (!clamps_luminance(to) && to.channel != PixelChannel::UnsignedShort)
+    return pack_pixels(to, v, count, swap, pixels);
+  float floats[kRow][4];
+  for (int i = 0; i < count; ++i)
+    for (int k = 0; k < 4; ++k) floats[i][k] = float(v[i][k]) * (1.0f / float(kMost));
+  pack_pixels(to, floats, count, swap, pixels);
+}
+
 } // namespace
 
 void load_texels(const TexelFormat& from, const void* texels, const PixelFormat& to, void* pixels, int count,
@@ -454,9 +424,16 @@ void load_texels(const TexelFormat& from, const void* texels, const PixelFormat&
     const int n = std::min(kRow, count - done);
     const unsigned char* source = t + size_t(done) * size_t(from.bytes());
     unsigned char* target = p + size_t(done) * to.bytes;
-    if (from.layout != TexelLayout::Depth) {
-      load_color(from, source, to, target, n, swap_bytes);
+    switch (from.layout) {
+    case TexelLayout::Depth: break;
+    case TexelLayout::Float: load_floats(from, source, to, target, n, swap_bytes); continue;
+    case TexelLayout::Signed16:
+      if (std::max(from.bits[0], from.bits[3]) == 8)
+        load_signed<int8_t>(from, source, to, target, n, swap_bytes);
+      else
+        load_signed<int16_t>(from, source, to, target, n, swap_bytes);
       continue;
+    default: load_color(from, source, to, target, n, swap_bytes); continue;
     }
     const int bits = from.bits[0];
     if (!swap_bytes && !from.floats &&

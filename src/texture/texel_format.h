@@ -12,19 +12,31 @@ namespace softgl {
 
 /// Rgba8: four bytes r g b a; components of fewer bits fill a byte by repeating their bits, as OSMesa's 8-bit
 /// sampling does, so the upper bits are the stored value. Rgba16: four uint16_t, each the stored integer
-/// itself. Depth: uint32_t, the stored integer itself, or the bits of a float (`floats`). Luminance and
-/// intensity are already spread over r, g, b (and a); what a base format lacks is 0, or one for alpha.
-enum class TexelLayout : uint8_t { Rgba8, Rgba16, Depth };
+/// itself. Signed16: the same, int16_t. Depth: uint32_t, the stored integer itself, or the bits of a float
+/// (`floats`). Float: four floats, which have the precision of the format. Luminance and intensity are
+/// already spread over r, g, b (and a); what a base format lacks is 0, or one for alpha.
+enum class TexelLayout : uint8_t { Rgba8, Rgba16, Depth, Signed16, Float };
 
 struct TexelFormat {
-  GLenum base; // GL_ALPHA, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_INTENSITY, GL_RGB, GL_RGBA,
+  GLenum base; // GL_ALPHA, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_INTENSITY, GL_RED, GL_RG, GL_RGB, GL_RGBA,
                // GL_DEPTH_COMPONENT, GL_DEPTH_STENCIL (its stencil values lie beside the texels)
   TexelLayout layout;
-  bool array;      // components are whole bytes or shorts: OSMesa converts them one by one
-  uint8_t bits[4]; // stored bits of r g b a; 0 = not stored. Depth: bits[0]
-  bool floats = false;
+  bool array;          // components are whole bytes or shorts: OSMesa converts them one by one
+  uint8_t bits[4];     // stored bits of r g b a; 0 = not stored. Depth: bits[0]
+  bool floats = false; // of Depth
   BlockFormat block = BlockFormat::None; // compressed: texels are what the blocks are decoded to
-  int bytes() const { return layout == TexelLayout::Rgba16 ? 8 : 4; }
+  bool srgb = false; // of Rgba8: red, green, blue and luminance are not linear (GL_EXT_texture_sRGB)
+  int bytes() const {
+    switch (layout) {
+    case TexelLayout::Rgba16:
+    case TexelLayout::Signed16: return 8;
+    case TexelLayout::Float: return 16;
+    default: return 4;
+    }
+  }
+  /// Of Float: what is left of a color when it is stored. Halves are the next ones towards zero, or the
+  /// nearest.
+  void reduce(float* rgba, bool to_nearest) const;
 };
 
 /// The storage that OSMesa chooses for an internal format; unsized formats look at the client's format and

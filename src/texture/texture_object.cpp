@@ -34,10 +34,15 @@ std::shared_ptr<TextureImage> make_image(const TexelFormat& format, GLint intern
 
 void TextureImage::fill_absent_alpha() {
   if (!blocks.empty()) return decode_blocks(whole());
-  if (format->bits[3] || (format->base != GL_RGB && format->base != GL_LUMINANCE)) return;
+  if (format->bits[3] || format->layout == TexelLayout::Depth) return;
   const size_t step = size_t(format->bytes());
   if (format->layout == TexelLayout::Rgba8)
     for (size_t i = 3; i < texels.size(); i += step) texels.data()[i] = 255;
+  else if (format->layout == TexelLayout::Float)
+    for (size_t i = 12; i < texels.size(); i += step) {
+      const float one = 1;
+      std::memcpy(texels.data() + i, &one, sizeof one);
+    }
   else
     for (size_t i = 6; i < texels.size(); i += step)
       texels.data()[i] = 1; // what absent components are stored as

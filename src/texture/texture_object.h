@@ -98,6 +98,7 @@ struct TextureParameters {
   GLint base_level = 0, max_level = 1000;
   GLenum depth_mode = GL_LUMINANCE, compare_mode = GL_NONE, compare_function = GL_LEQUAL;
   bool generate_mipmap = false;
+  GLenum srgb_decode = GL_DECODE_EXT; // GL_EXT_texture_sRGB_decode
 };
 
 struct TextureObject {

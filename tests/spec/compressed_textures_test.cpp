@@ -1,5 +1,5 @@
-// Compressed textures (GL 1.5, 3.8.3; GL_EXT_texture_compression_s3tc): errors as OSMesa gives them, what
-// queries answer, and images that softgl compresses itself.
+// Compressed textures (GL 1.5, 3.8.3; GL_EXT_texture_compression_s3tc, GL_ARB_texture_compression_rgtc):
+// errors as OSMesa gives them, what queries answer, and images that softgl compresses itself.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -16,6 +16,12 @@ constexpr GLenum kRgb1 = GL_COMPRESSED_RGB_S3TC_DXT1_EXT, kRgba1 = GL_COMPRESSED
                  kRgba3 = GL_COMPRESSED_RGBA_S3TC_DXT3_EXT, kRgba5 = GL_COMPRESSED_RGBA_S3TC_DXT5_EXT;
 constexpr GLenum kFormats[] = {kRgb1, kRgba1, kRgba3, kRgba5};
 const GLubyte kBytes[1024] = {};
+
+GLsizei size_in_blocks(GLenum format, int width) {
+  const bool eight = format == kRgb1 || format == kRgba1 || format == GL_COMPRESSED_SRGB_S3TC_DXT1_EXT ||
+                     format == GL_COMPRESSED_RED_RGTC1 || format == GL_COMPRESSED_LUMINANCE_LATC1_EXT;
+  return width / 4 * (eight ? 8 : 16);
+}
 
 std::vector<GLubyte> texels(const Gl& gl, int level, int width, int height) {
   std::vector<GLubyte> rgba(size_t(width) * size_t(height) * 4);
@@ -93,7 +99,10 @@ TEST_CASE("Compressed images are refused as OSMesa refuses them", "[spec][errors
 }
 
 TEST_CASE("Queries tell of compressed images what OSMesa tells", "[spec][textures][compressed]") {
-  for (const GLenum format : kFormats) {
+  for (const GLenum format :
+       {kRgb1, kRgba1, kRgba3, kRgba5, GLenum(GL_COMPRESSED_SRGB_S3TC_DXT1_EXT),
+        GLenum(GL_COMPRESSED_RED_RGTC1), GLenum(GL_COMPRESSED_SIGNED_RG_RGTC2),
+        GLenum(GL_COMPRESSED_LUMINANCE_LATC1_EXT), GLenum(GL_COMPRESSED_SIGNED_LUMINANCE_ALPHA_LATC2_EXT)}) {
     std::vector<GLint> answers[2];
     for (const Gl* gl : {&softgl_library(), &osmesa_library()}) {
       CurrentContext context(*gl);
@@ -103,15 +112,16 @@ TEST_CASE("Queries tell of compressed images what OSMesa tells", "[spec][texture
         for (const GLenum name :
              {GL_TEXTURE_WIDTH, GL_TEXTURE_HEIGHT, GL_TEXTURE_INTERNAL_FORMAT, GL_TEXTURE_COMPRESSED,
               GL_TEXTURE_COMPRESSED_IMAGE_SIZE, GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE,
-              GL_TEXTURE_BLUE_SIZE, GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_LUMINANCE_SIZE}) {
+              GL_TEXTURE_BLUE_SIZE, GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_LUMINANCE_SIZE, GL_TEXTURE_RED_TYPE,
+              GL_TEXTURE_LUMINANCE_TYPE_ARB}) {
           GLint value = -1;
           gl->GetTexLevelParameteriv(target, 0, name, &value);
           all.push_back(value);
           all.push_back(GLint(gl->GetError()));
         }
       }
-      gl->CompressedTexImage2D(GL_PROXY_TEXTURE_2D, 0, format, 1 << 16, 4, 0,
-                               format == kRgb1 || format == kRgba1 ? 1 << 17 : 1 << 18, nullptr);
+      gl->CompressedTexImage2D(GL_PROXY_TEXTURE_2D, 0, format, 1 << 16, 4, 0, size_in_blocks(format, 1 << 16),
+                               nullptr);
       GLint width = -1;
       gl->GetTexLevelParameteriv(GL_PROXY_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
       all.push_back(width);
@@ -212,6 +222,40 @@ TEST_CASE("Images that are compressed here come near to what was given",
         if (after[i] != (inside ? 255 : rgba[i])) FAIL_CHECK("texel " << x / 4 << ", " << y);
       }
   }
+}
+
+TEST_CASE("Images of one and two components are compressed here, too", "[spec][textures][compressed]") {
+  constexpr int kSize = 8;
+  std::vector<GLbyte> image(kSize * kSize * 4), back(image.size());
+  for (size_t i = 0; i < image.size(); ++i) image[i] = GLbyte(int(i / 4) * 2 - (i & 1 ? 100 : 10));
+  const Gl& gl = softgl_library();
+  for (const GLenum format :
+       {GL_COMPRESSED_SIGNED_RED_RGTC1, GL_COMPRESSED_SIGNED_RG_RGTC2,
+        GL_COMPRESSED_SIGNED_LUMINANCE_LATC1_EXT, GL_COMPRESSED_SIGNED_LUMINANCE_ALPHA_LATC2_EXT}) {
+    CurrentContext context(gl);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GLint(format), kSize, kSize, 0, GL_RGBA, GL_BYTE, image.data());
+    gl.GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_BYTE, back.data());
+    const bool green = format == GL_COMPRESSED_SIGNED_RG_RGTC2,
+               alpha = format == GL_COMPRESSED_SIGNED_LUMINANCE_ALPHA_LATC2_EXT;
+    for (size_t i = 0; i < image.size(); i += 4) {
+      CHECK(std::abs(image[i] - back[i]) <= 5);
+      CHECK((green ? std::abs(image[i + 1] - back[i + 1]) <= 5 : back[i + 1] == 0));
+      CHECK((alpha ? std::abs(image[i + 3] - back[i + 3]) <= 5 : back[i + 3] == 127));
+    }
+  }
+}
+
+TEST_CASE("LATC is read as it is sampled", "[spec][textures][compressed][deviation]") {
+  // Its blocks are those of RGTC.
+  const GLubyte block[8] = {0xf5, 0x99, 0x12, 0x34, 0x56, 0x78, 0x9a, 0xbc};
+  const Gl& gl = softgl_library();
+  CurrentContext context(gl);
+  GLfloat read[2][16];
+  gl.CompressedTexImage2D(GL_TEXTURE_2D, 0, GL_COMPRESSED_SIGNED_RED_RGTC1, 4, 4, 0, 8, block);
+  gl.GetTexImage(GL_TEXTURE_2D, 0, GL_RED, GL_FLOAT, read[0]);
+  gl.CompressedTexImage2D(GL_TEXTURE_2D, 0, GL_COMPRESSED_SIGNED_LUMINANCE_LATC1_EXT, 4, 4, 0, 8, block);
+  gl.GetTexImage(GL_TEXTURE_2D, 0, GL_RED, GL_FLOAT, read[1]);
+  CHECK(std::equal(read[0], read[0] + 16, read[1]));
 }
 
 TEST_CASE("Compressed textures cannot be drawn to", "[spec][textures][compressed]") {

@@ -15,6 +15,7 @@
 #include "frame/parallel.h"
 #include "surface/read_surface.h"
 #include "texture/pixel_formats.h"
+#include "texture/small_floats.h"
 
 namespace softgl {
 namespace {
@@ -189,6 +190,7 @@ void read_stencils(const Context& c, const Target& t) {
       case PixelChannel::UnsignedInt:
       case PixelChannel::Int: store(out, v, t.swap); break;
       case PixelChannel::Float: store(out, float(v), t.swap); break;
+      case PixelChannel::Half: store(out, float_to_half(float(v)), t.swap); break;
       case PixelChannel::Bitmap: {
         const size_t bit = size_t(t.layout.bit_offset) + size_t(t.skipped) + size_t(i);
         const uint8_t mask =

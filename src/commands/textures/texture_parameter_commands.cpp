@@ -57,10 +57,13 @@ void TexParameter(Context& c, GLenum target, GLenum pname, const GLfloat* params
     p.mag_filter = token;
     break;
   case GL_TEXTURE_BORDER_COLOR:
-    p.border_color = {unit_range(params[0]), unit_range(params[1]), unit_range(params[2]),
-                      unit_range(params[3])};
+    p.border_color = {params[0], params[1], params[2], params[3]}; // clamped when it is used
     break;
   case GL_TEXTURE_PRIORITY: p.priority = unit_range(value); break;
+  case GL_TEXTURE_SRGB_DECODE_EXT:
+    if (token != GL_DECODE_EXT && token != GL_SKIP_DECODE_EXT) return set_error(c, GL_INVALID_ENUM);
+    p.srgb_decode = token;
+    break;
   case GL_TEXTURE_MIN_LOD: p.min_lod = value; break;
   case GL_TEXTURE_MAX_LOD: p.max_lod = value; break;
   case GL_TEXTURE_LOD_BIAS: p.lod_bias = value; break;
@@ -107,7 +110,8 @@ int get_parameter(Context& c, GLenum target, GLenum pname, float* v, bool& color
   case GL_TEXTURE_MAG_FILTER: v[0] = float(p.mag_filter); return 1;
   case GL_TEXTURE_BORDER_COLOR:
     color = true;
-    for (int i = 0; i < 4; ++i) v[i] = p.border_color[i];
+    for (int i = 0; i < 4; ++i)
+      v[i] = is_float(c.draw->surface) ? p.border_color[i] : unit_range(p.border_color[i]);
     return 4;
   case GL_TEXTURE_PRIORITY:
     color = true;
@@ -120,6 +124,7 @@ int get_parameter(Context& c, GLenum target, GLenum pname, float* v, bool& color
   case GL_TEXTURE_BASE_LEVEL: v[0] = float(p.base_level); return 1;
   case GL_TEXTURE_MAX_LEVEL: v[0] = float(p.max_level); return 1;
   case GL_GENERATE_MIPMAP: v[0] = p.generate_mipmap; return 1;
+  case GL_TEXTURE_SRGB_DECODE_EXT: v[0] = float(p.srgb_decode); return 1;
   case GL_DEPTH_TEXTURE_MODE: v[0] = float(p.depth_mode); return 1;
   case GL_TEXTURE_COMPARE_MODE: v[0] = float(p.compare_mode); return 1;
   case GL_TEXTURE_COMPARE_FUNC: v[0] = float(p.compare_function); return 1;
@@ -136,12 +141,19 @@ bool get_level_parameter(Context& c, GLenum target, GLint level, GLenum pname, G
   const TextureImage* image = object->image[t.face][level].get();
   const TexelFormat* f = image ? image->format : nullptr;
   const GLenum base = f ? f->base : 0;
-  const bool compressed = f && f->block != BlockFormat::None;
+  const bool compressed = f && f->block != BlockFormat::None,
+             s3tc = compressed && f->block < BlockFormat::Red;
   // OSMesa 22.3.6 says 4 of the components of S3TC.
-  auto bits = [&](bool has, int k) {
-    return f && has && f->bits[k] ? compressed ? 4 : GLint(f->bits[k]) : 0;
-  };
-  const bool rgb = base == GL_RGB || base == GL_RGBA;
+  auto bits = [&](bool has, int k) { return f && has && f->bits[k] ? s3tc ? 4 : GLint(f->bits[k]) : 0; };
+  const bool rgb = base == GL_RGB || base == GL_RGBA || base == GL_RED || base == GL_RG;
+  const GLint kind = !f                                             ? GL_NONE
+                     : f->layout == TexelLayout::Float || f->floats ? GL_FLOAT
+                     : f->layout == TexelLayout::Signed16           ? GL_SIGNED_NORMALIZED
+                                                                    : GL_UNSIGNED_NORMALIZED;
+  auto type = [&](GLint size) { return size ? kind : GLint(GL_NONE); };
+  const GLint alpha_bits = bits(base == GL_RGBA || base == GL_ALPHA || base == GL_LUMINANCE_ALPHA, 3),
+              luminance_bits = bits(base == GL_LUMINANCE || base == GL_LUMINANCE_ALPHA, 0),
+              depth_bits = bits(f && f->layout == TexelLayout::Depth, 0);
   switch (pname) {
   case GL_TEXTURE_WIDTH: value = image ? image->width : 0; return true;
   case GL_TEXTURE_HEIGHT: value = image ? image->height : 0; return true;
@@ -151,17 +163,20 @@ bool get_level_parameter(Context& c, GLenum target, GLint level, GLenum pname, G
   case GL_TEXTURE_RED_SIZE: value = bits(rgb, 0); return true;
   case GL_TEXTURE_GREEN_SIZE: value = bits(rgb, 1); return true;
   case GL_TEXTURE_BLUE_SIZE: value = bits(rgb, 2); return true;
-  case GL_TEXTURE_ALPHA_SIZE:
-    value = bits(base == GL_RGBA || base == GL_ALPHA || base == GL_LUMINANCE_ALPHA, 3);
-    return true;
-  case GL_TEXTURE_LUMINANCE_SIZE:
-    value = bits(base == GL_LUMINANCE || base == GL_LUMINANCE_ALPHA, 0);
-    return true;
+  case GL_TEXTURE_ALPHA_SIZE: value = alpha_bits; return true;
+  case GL_TEXTURE_LUMINANCE_SIZE: value = luminance_bits; return true;
   case GL_TEXTURE_INTENSITY_SIZE: value = bits(base == GL_INTENSITY, 0); return true;
-  case GL_TEXTURE_DEPTH_SIZE: value = bits(f && f->layout == TexelLayout::Depth, 0); return true;
+  case GL_TEXTURE_DEPTH_SIZE: value = depth_bits; return true;
+  case GL_TEXTURE_RED_TYPE: value = type(bits(rgb, 0)); return true;
+  case GL_TEXTURE_GREEN_TYPE: value = type(bits(rgb, 1)); return true;
+  case GL_TEXTURE_BLUE_TYPE: value = type(bits(rgb, 2)); return true;
+  case GL_TEXTURE_ALPHA_TYPE: value = type(alpha_bits); return true;
+  case GL_TEXTURE_LUMINANCE_TYPE_ARB: value = type(luminance_bits); return true;
+  case GL_TEXTURE_INTENSITY_TYPE_ARB: value = type(bits(base == GL_INTENSITY, 0)); return true;
+  case GL_TEXTURE_DEPTH_TYPE: value = type(depth_bits); return true;
   case GL_TEXTURE_STENCIL_SIZE: value = base == GL_DEPTH_STENCIL ? 8 : 0; return true;
   case GL_TEXTURE_COMPRESSED: value = compressed; return true;
-  case GL_TEXTURE_SHARED_SIZE: value = 0; return true; // of later versions: no format shares an exponent
+  case GL_TEXTURE_SHARED_SIZE: value = bits(true, 0) == 9 ? 5 : 0; return true;
   case GL_TEXTURE_COMPRESSED_IMAGE_SIZE:
     if (!compressed || t.proxy) return set_error(c, GL_INVALID_OPERATION), false;
     value = GLint(image->blocks.size());
