@@ -144,13 +144,18 @@ template <bool Depth> static void multisampled_primitive(const RasterDraw& draw,
           store(block.live + at_lane, mask_of_bits(mask >> (i * kWidth)));
           store(block.x + at_lane, round_to_int(px));
           store(block.y + at_lane, round_to_int(py));
-          if constexpr (Depth)
-            for (int s = 0; s < kSamples; ++s) {
-              const float dx = r.per_sample ? float(kSampleX[s]) / 256 : 0.0f,
-                          dy = r.per_sample ? float(kSampleY[s]) / 256 : 0.0f;
+          if constexpr (Depth) {
+            const auto depth = [&](float dx, float dy) __attribute__((always_inline)) {
               const FloatV z = at(p.plane[kPlaneZ], px + dx, py + dy) + p.depth_offset;
-              store(batch.depth[s] + at_lane, floats ? depth_float(z) : depth_bits(z, scale));
-            }
+              return floats ? depth_float(z) : depth_bits(z, scale);
+            };
+            const float center = r.per_sample ? 0.5f : 0.0f;
+            store(block.depth + at_lane, depth(center, center)); // for stages that change it
+            for (int s = 0; s < kSamples; ++s)
+              store(batch.depth[s] + at_lane, r.per_sample
+                                                  ? depth(float(kSampleX[s]) / 256, float(kSampleY[s]) / 256)
+                                                  : depth(0.0f, 0.0f));
+          }
         }
         for (int s = 0; s < kSamples; ++s)
           batch.covered[s][k] = uint16_t(covered[s] >> (kStripLanes * strip));

@@ -140,11 +140,11 @@ bool make_back(const Making& m, SnapshotCache& cache) {
 
 bool make_back_smooth(const Making& m, SnapshotCache& cache) {
   const FragmentProgram* back = cache.back_fragment;
-  return set(cache.back_smooth, back ? make_smooth_programs(m.state, *back, m.arena) : nullptr);
+  return set(cache.back_smooth, back ? make_smooth_programs(m.context, *back, m.arena) : nullptr);
 }
 
 bool make_smooth(const Making& m, SnapshotCache& cache) {
-  return set(cache.smooth, make_smooth_programs(m.state, *cache.fragment_of_draw, m.arena));
+  return set(cache.smooth, make_smooth_programs(m.context, *cache.fragment_of_draw, m.arena));
 }
 
 struct DerivedRow {
@@ -199,11 +199,13 @@ constexpr DerivedRow kRows[] = {
      kNobodysInput, make_vertex, difference_of<&SnapshotCache::vertex>},
     {"fragment program of the draw", kStateFragmentProgram | kLightingConstants, kDrawFragmentProgram,
      make_draw_fragment_program, difference_of<&SnapshotCache::fragment_of_draw>},
-    {"programs of antialiased primitives", kDirtyPoint | kDirtyLine | kDirtyPolygon | kDrawFragmentProgram,
+    {"programs of antialiased primitives",
+     kDirtyFramebuffer | kDirtyMultisample | kDirtyPoint | kDirtyLine | kDirtyPolygon | kDrawFragmentProgram,
      kNobodysInput, make_smooth, difference_of<&SnapshotCache::smooth>},
     {"program of back-facing polygons", kDirtyFramebuffer | kDirtyStencil | kDrawFragmentProgram,
      kBackProgram, make_back, difference_of<&SnapshotCache::back_fragment>},
-    {"programs of antialiased back-facing polygons", kDirtyPoint | kDirtyLine | kDirtyPolygon | kBackProgram,
+    {"programs of antialiased back-facing polygons",
+     kDirtyFramebuffer | kDirtyMultisample | kDirtyPoint | kDirtyLine | kDirtyPolygon | kBackProgram,
      kNobodysInput, make_back_smooth, difference_of<&SnapshotCache::back_smooth>},
 };
 

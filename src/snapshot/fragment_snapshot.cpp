@@ -200,7 +200,9 @@ const FragmentProgram* make_back_program(const Context& context, const FragmentP
   return &program;
 }
 
-const SmoothPrograms* make_smooth_programs(const State& s, const FragmentProgram& program, Arena& arena) {
+const SmoothPrograms* make_smooth_programs(const Context& c, const FragmentProgram& program, Arena& arena) {
+  const State& s = c.state;
+  if (s.multisample.enabled && c.draw->surface.samples > 1) return nullptr; // 3.3.3, 3.4.4, 3.5.7
   // The squares of point sprites are not antialiased (GL_ARB_point_sprite).
   const bool points = s.point.smooth && !s.point.sprite;
   if (!points && !s.line.smooth && !s.polygon.smooth) return nullptr;

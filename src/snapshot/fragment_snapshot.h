@@ -25,7 +25,8 @@ DepthLimits depth_limits(const Context& context);
 const FragmentProgram* make_back_program(const Context& context, const FragmentProgram& front, Arena& arena);
 /// The programs of antialiased primitives (GL 1.5, 3.11) beside that of others; null where none is
 /// antialiased.
-const SmoothPrograms* make_smooth_programs(const State& state, const FragmentProgram& program, Arena& arena);
+const SmoothPrograms* make_smooth_programs(const Context& context, const FragmentProgram& program,
+                                           Arena& arena);
 /// Sets the stencil values of an image's bits to `value`, under the mask, whatever the tests are
 /// (GL 1.5, 3.6.4, 4.3.3).
 const FragmentProgram* make_stencil_program(Context& context, Arena& arena, const PixelImage& image,

@@ -118,6 +118,7 @@ void assemble(GLuint name, int width, int height, RenderPlane* color, RenderPlan
   Surface& s = target.surface;
   s.width = s.plane_width = width;
   s.height = s.plane_height = height;
+  s.samples = 1;
   for (const RenderPlane* plane : {color, depth_stencil}) {
     if (!plane) continue;
     s.samples = plane->samples;

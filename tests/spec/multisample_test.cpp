@@ -22,11 +22,11 @@ GLint get(const Gl& gl, GLenum pname) {
   return value;
 }
 
-GLuint make_renderbuffer(const Gl& gl, int samples, GLenum format, int width = kSize) {
+GLuint make_renderbuffer(const Gl& gl, int samples, GLenum format) {
   GLuint name = 0;
   gl.GenRenderbuffers(1, &name);
   gl.BindRenderbuffer(GL_RENDERBUFFER, name);
-  gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, kSize);
+  gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, kSize, kSize);
   return name;
 }
 
@@ -34,12 +34,13 @@ void attach(const Gl& gl, GLenum attachment, GLuint renderbuffer) {
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, renderbuffer);
 }
 
-GLuint make_framebuffer(const Gl& gl, int samples, GLenum color = GL_RGBA8, int width = kSize) {
+GLuint make_framebuffer(const Gl& gl, int samples, GLenum color = GL_RGBA8,
+                        GLenum depth = GL_DEPTH24_STENCIL8) {
   GLuint name = 0;
   gl.GenFramebuffers(1, &name);
   gl.BindFramebuffer(GL_FRAMEBUFFER, name);
-  attach(gl, GL_COLOR_ATTACHMENT0, make_renderbuffer(gl, samples, color, width));
-  attach(gl, GL_DEPTH_STENCIL_ATTACHMENT, make_renderbuffer(gl, samples, GL_DEPTH24_STENCIL8, width));
+  attach(gl, GL_COLOR_ATTACHMENT0, make_renderbuffer(gl, samples, color));
+  attach(gl, GL_DEPTH_STENCIL_ATTACHMENT, make_renderbuffer(gl, samples, depth));
   return name;
 }
 
@@ -55,9 +56,9 @@ struct Samples {
   const Gl& gl;
   CurrentContext current;
   GLuint drawn, resolved;
-  explicit Samples(const Gl& library)
-      : gl(library), current{library}, drawn(make_framebuffer(library, 4)),
-        resolved(make_framebuffer(library, 0)) {
+  explicit Samples(const Gl& library, GLenum depth = GL_DEPTH24_STENCIL8)
+      : gl(library), current{library}, drawn(make_framebuffer(library, 4, GL_RGBA8, depth)),
+        resolved(make_framebuffer(library, 0, GL_RGBA8, depth)) {
     gl.BindFramebuffer(GL_FRAMEBUFFER, drawn);
     gl.Viewport(0, 0, kSize, kSize);
     gl.MatrixMode(GL_PROJECTION);
@@ -200,7 +201,8 @@ TEST_CASE("Neighbors share no sample and leave none out", "[spec][multisample]")
 }
 
 TEST_CASE("Depth and stencil are tested and kept by sample", "[spec][multisample]") {
-  const Samples s(softgl_library());
+  const auto depth_format = GENERATE(GLenum(GL_DEPTH24_STENCIL8), GLenum(GL_DEPTH32F_STENCIL8));
+  const Samples s(softgl_library(), depth_format);
   const Gl& gl = s.gl;
   gl.Enable(GL_DEPTH_TEST);
   gl.Enable(GL_STENCIL_TEST);
