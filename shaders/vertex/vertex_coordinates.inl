@@ -8,15 +8,19 @@
 namespace softgl {
 namespace SOFTGL_ISA {
 
-/// Fog coordinate |eye z|, in the expression OSMesa has at hand: the eye position if an earlier stage made
-/// it.
-static inline void eye_depth(const VertexBlock& b, const VertexProgram& p, bool have_eye, float* out, int n) {
+/// z in eye coordinates, in the expression OSMesa has at hand: the eye position if an earlier stage made it.
+static inline void eye_z(const VertexBlock& b, const VertexProgram& p, bool have_eye, float* out, int n) {
   if (have_eye) {
-    SOFTGL_FOR_LANES(i, n) out[i] = absolute(b.lighting.eye[2][i]);
+    SOFTGL_FOR_LANES(i, n) out[i] = b.lighting.eye[2][i];
     return;
   }
   const float* m = p.transform->modelview;
   dot4_lanes(b.position, m[2], m[6], m[10], m[14], out, n);
+}
+
+/// The fog coordinate |eye z|.
+static inline void eye_depth(const VertexBlock& b, const VertexProgram& p, bool have_eye, float* out, int n) {
+  eye_z(b, p, have_eye, out, n);
   SOFTGL_FOR_LANES(i, n) out[i] = absolute(out[i]);
 }
 
@@ -26,10 +30,7 @@ static inline void fog_distances(VertexBlock& b, const VertexProgram& p, int n) 
   const float *x = b.lighting.eye[0], *y = b.lighting.eye[1], *z = b.lighting.eye[2];
   switch (p.fog_distance) {
   case FogDistance::PlaneAbsolute: return eye_depth(b, p, p.eye_position, out, n);
-  case FogDistance::Plane: {
-    SOFTGL_FOR_LANES(i, n) out[i] = z[i];
-    return;
-  }
+  case FogDistance::Plane: return eye_z(b, p, p.eye_position, out, n);
   case FogDistance::Radial: {
     SOFTGL_FOR_LANES(i, n) out[i] = __builtin_sqrtf(dot3(x[i], y[i], z[i], x[i], y[i], z[i]));
     return;

@@ -181,7 +181,7 @@ const VertexProgram* make_vertex_program(const Context& c, const SnapshotCache& 
   p->fog = key.fog_coordinate;
   p->fog_from_attribute = s.fog.coordinate_source == GL_FOG_COORDINATE;
   p->fog_distance = fog_distance(s.fog.distance_mode);
-  p->eye_position = p->fog && !p->fog_from_attribute && p->fog_distance != FogDistance::PlaneAbsolute;
+  p->eye_position = p->fog && !p->fog_from_attribute && p->fog_distance == FogDistance::Radial;
   p->depth_clamp = s.transform.depth_clamp;
   p->normal_to_eye = cache.eye_space;
   p->normalize = s.transform.normalize;
