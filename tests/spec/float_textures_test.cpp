@@ -104,6 +104,21 @@ TEST_CASE("Sizes and types of components are those of OSMesa", "[spec][textures]
   }
 }
 
+TEST_CASE("Generic compressed formats of sRGB become their base format", "[spec][textures][float]") {
+  const Gl& gl = softgl_library();
+  CurrentContext context(gl);
+  const GLint pairs[][2] = {{GL_COMPRESSED_SRGB, GL_RGB},
+                            {GL_COMPRESSED_SRGB_ALPHA, GL_RGBA},
+                            {GL_COMPRESSED_SLUMINANCE, GL_LUMINANCE},
+                            {GL_COMPRESSED_SLUMINANCE_ALPHA, GL_LUMINANCE_ALPHA}};
+  for (const auto& [generic, base] : pairs) {
+    GLint format = 0;
+    gl.TexImage2D(GL_TEXTURE_2D, 0, generic, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    gl.GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
+    CHECK(format == base);
+  }
+}
+
 TEST_CASE("Packed floats are three components", "[spec][errors][textures][float]") {
   static const GLubyte bytes[64] = {};
   // clang-format off

@@ -41,11 +41,11 @@ GLint granted_format(GLint internal_format) {
   case GL_COMPRESSED_RGB:
   case GL_COMPRESSED_RGBA:
   case GL_COMPRESSED_RED:
-  case GL_COMPRESSED_RG: return GLint(base_internal_format(internal_format));
-  case GL_COMPRESSED_SRGB: return GL_SRGB;
-  case GL_COMPRESSED_SRGB_ALPHA: return GL_SRGB_ALPHA;
-  case GL_COMPRESSED_SLUMINANCE: return GL_SLUMINANCE;
-  case GL_COMPRESSED_SLUMINANCE_ALPHA: return GL_SLUMINANCE_ALPHA;
+  case GL_COMPRESSED_RG:
+  case GL_COMPRESSED_SRGB:
+  case GL_COMPRESSED_SRGB_ALPHA:
+  case GL_COMPRESSED_SLUMINANCE:
+  case GL_COMPRESSED_SLUMINANCE_ALPHA: return GLint(base_internal_format(internal_format));
   default: return internal_format;
   }
 }
