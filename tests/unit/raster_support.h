@@ -30,6 +30,7 @@ struct Canvas {
     color.assign(pixels * size_t(bytes_per_pixel(format)) / 4, 0x20406080u);
     depth.assign(pixels, 0x00ffffffu);
     surface.plane_width = width, surface.plane_height = height;
+    surface.samples = 1, surface.place_step = 1;
     surface.color_columns = surface.depth_columns = surface.tiles_x;
     color_tiles.resize(size_t(surface.tiles_x) * size_t(surface.tiles_y));
     for (size_t i = 0; i < color_tiles.size(); ++i) color_tiles[i].place = uint32_t(i);
@@ -61,6 +62,8 @@ struct Draw {
     program.key.depth_format = uint64_t(surface.depth_format);
     raster.x1 = surface.width, raster.y1 = surface.height;
     raster.line_width = raster.point_size = 1;
+    raster.samples = 1, raster.pixel_center = 0.5f, raster.to_first_pixel = 255, raster.edge_shift = 8;
+    raster.sample_mask = 15;
     record.layout.color = 1;
     record.layout.slots = 2;
     record.raster = &raster;
