@@ -64,6 +64,24 @@ void draw_strip_colored_late(Stage& s) {
   gl.End();
 }
 
+// A point sprite of which the scissor box cuts the lower half off.
+constexpr int kScissorBottom = 65;
+void draw_sprite_in_scissor(Stage& s) {
+  const Gl& gl = s.gl;
+  gl.ClearColor(0, 0, 0, 0);
+  gl.Clear(GL_COLOR_BUFFER_BIT);
+  gl.MatrixMode(GL_PROJECTION);
+  gl.LoadIdentity();
+  gl.Ortho(0, 160, 0, 160, -1, 1);
+  gl.Enable(GL_POINT_SPRITE);
+  gl.Enable(GL_SCISSOR_TEST);
+  gl.Scissor(44, kScissorBottom, 46, 68);
+  gl.PointSize(35.79603890445445f);
+  gl.Begin(GL_POINTS);
+  gl.Vertex2f(50.107274748924084f, 75.54197112445789f);
+  gl.End();
+}
+
 // A triangle that faces away, each corner with another color: unlit, or lit by ambient light alone, which
 // gives the same.
 void draw_back_face(Stage& s) {
@@ -274,6 +292,17 @@ TEST_CASE("arrays of signed integers become colors as the arguments of commands 
   CHECK(drawn_color(osmesa_library(), GL_SHORT, 64, true) == 0);
   CHECK(drawn_color(osmesa_library(), GL_BYTE, 0, true) == 0);
   CHECK(drawn_color(osmesa_library(), GL_BYTE, 0, false) == 1);
+}
+
+TEST_CASE("The scissor box cuts point sprites", "[conformance][deviation]") {
+  const auto drawn_below = [](const Gl& gl) {
+    const Picture p = draw(gl, {"sprite_in_scissor", draw_sprite_in_scissor, false, 160, 160}, 0);
+    int count = 0;
+    for (int x = 0; x < 160; ++x) count += p.color[(size_t(kScissorBottom - 1) * 160 + size_t(x)) * 4] != 0;
+    return count;
+  };
+  CHECK(drawn_below(softgl_library()) == 0);
+  CHECK(drawn_below(osmesa_library()) > 0);
 }
 
 } // namespace softgl::test
