@@ -223,8 +223,8 @@ uint64_t find_changes(Context& c, const DrawCall& call, SnapshotCache& cache) {
   uint64_t changed = c.dirty;
   if (set(cache.present, call.source->present)) changed |= kPresentStreams;
   const DepthLimits limits = depth_limits(c);
-  if (set(cache.least_depth, limits.least) | set(cache.greatest_depth, limits.greatest))
-    changed |= kDepthLimits;
+  if (set(cache.least_depth, limits.least)) changed |= kDepthLimits;
+  if (set(cache.greatest_depth, limits.greatest)) changed |= kDepthLimits;
   // Only attenuated points have a size in their vertices.
   if (set(cache.draws_points, s.point.attenuated() && draws_points(call, s.polygon))) changed |= kDrawnPoints;
   const float* color = &call.constant[kColor][0];
