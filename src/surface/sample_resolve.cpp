@@ -38,9 +38,11 @@ void average_samples(const Surface& s, int x, int y, int count, unsigned char* r
     copy_color_row(sample_surface(s, i), x, y, count, row);
     color_row_to_floats(s.color_format, row, count, i == 0 ? pixels : sample);
     if (i == 0) continue;
-    for (int k = 0; k < 4 * count; ++k) pixels[0][k] += sample[0][k];
+    for (int pixel = 0; pixel < count; ++pixel)
+      for (int k = 0; k < 4; ++k) pixels[pixel][k] += sample[pixel][k];
   }
-  for (int k = 0; k < 4 * count; ++k) pixels[0][k] *= 1.0f / float(s.samples);
+  for (int pixel = 0; pixel < count; ++pixel)
+    for (int k = 0; k < 4; ++k) pixels[pixel][k] *= 1.0f / float(s.samples);
 }
 
 void resolve_samples(const Surface& from, const Surface& to, uint32_t tile) {
