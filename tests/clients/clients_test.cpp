@@ -138,9 +138,9 @@ TEST_CASE("PyOpenGL and GLU draw what they draw with OSMesa", "[clients]") {
   const std::string client =
       "/usr/bin/python3 " + std::string(SOFTGL_TEST_SOURCE_DIR) + "/tests/clients/pyopengl_client.py";
   int code = 0;
-  output_of("/usr/bin/python3 -c 'import OpenGL'", code);
+  output_of("/usr/bin/python3 -c 'import OpenGL, numpy'", code);
   if (code != 0) {
-    WARN("SKIPPED: python3-opengl is not installed");
+    WARN("SKIPPED: python3-opengl or python3-numpy is not installed");
     return;
   }
   for (const std::string& scene :
