@@ -8,12 +8,14 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <dlfcn.h>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <vector>
 
+#include "support/gl.h"
 #include "test_paths.h"
 
 namespace softgl::test {
@@ -21,7 +23,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kSystemLibrary = "/usr/lib/x86_64-linux-gnu/libOSMesa.so.8";
+/// Where the loader finds OSMesa.
+std::string system_library() {
+  Dl_info info{};
+  REQUIRE(dladdr(reinterpret_cast<void*>(osmesa_library().OSMesaMakeCurrent), &info));
+  return info.dli_fname;
+}
 
 /// What a command prints; `code` is its exit code.
 std::string output_of(const std::string& command, int& code) {
@@ -69,13 +76,13 @@ template <class Command> Pair run_with_both(const std::string& name, Command wit
     return bytes_of(file);
   };
   return {run("softgl", "SOFTGL_QUADS=osmesa", SOFTGL_TEST_LIBRARY),
-          run("osmesa", "MESA_GL_VERSION_OVERRIDE=1.5", kSystemLibrary)};
+          run("osmesa", "MESA_GL_VERSION_OVERRIDE=1.5", system_library())};
 }
 
 /// A folder with libOSMesa.so in it, for LD_LIBRARY_PATH.
 std::string folder_of(const std::string& library) {
   const fs::path folder = fs::path(SOFTGL_TEST_OUTPUT) / "clients" /
-                          (library == kSystemLibrary ? "osmesa_library" : "softgl_library");
+                          (library == system_library() ? "osmesa_library" : "softgl_library");
   fs::create_directories(folder);
   const fs::path link = folder / "libOSMesa.so";
   std::error_code exists;

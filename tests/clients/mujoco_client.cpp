@@ -7,8 +7,8 @@
 #include <cstring>
 #include <ctime>
 #include <dlfcn.h>
-#include <memory>
 #include <string>
+#include <unistd.h>
 #include <vector>
 
 #include <mujoco/mujoco.h>
@@ -40,7 +40,7 @@ void make_current(const char* library, std::vector<unsigned char>& window) {
 }
 
 mjModel* load(const softgl::test::MujocoScene& scene) {
-  const std::string path = "/tmp/softgl_mujoco." + std::to_string(time(nullptr)) + "." + scene.name + ".xml";
+  const std::string path = "/tmp/softgl_mujoco." + std::to_string(getpid()) + "." + scene.name + ".xml";
   std::FILE* file = std::fopen(path.c_str(), "w");
   if (!file) fail("cannot write the model");
   std::fputs(scene.xml, file);
