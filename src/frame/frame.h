@@ -78,6 +78,8 @@ private:
   void make_workers(size_t bytes); // of scratch memory for each new one, at least
   struct Workers;                  // memory of the workers, kept from flush to flush
   std::unique_ptr<Workers> workers_;
+  struct Plan; // of a flush; its memory is kept from flush to flush
+  std::unique_ptr<Plan> plan_;
 };
 
 } // namespace softgl

@@ -1,6 +1,8 @@
 #include "raster/raster_draws.h"
 
 #include <cstddef>
+#include <cstring>
+#include <type_traits>
 
 #include "base/fast_paths.h"
 #include "shaders/vertex/vertex_program.h"
@@ -20,7 +22,24 @@ bool is_opaque(const VertexProgram& vertex) {
   return true;
 }
 
+/// What make_raster_draw() asks of vertex programs.
+bool come_to_the_same(const VertexProgram& a, const VertexProgram& b) {
+  if (a.lit != b.lit || is_opaque(a) != is_opaque(b)) return false;
+  for (int u = 0; u < kMaxTextureUnits; ++u)
+    if (!a.coordinates[u] != !b.coordinates[u]) return false;
+  return true;
+}
+
 } // namespace
+
+bool have_same_raster_draw(const DrawRecord& a, const DrawRecord& b) {
+  static_assert(std::has_unique_object_representations_v<ShadedLayout>);
+  return a.fragment == b.fragment && a.raster == b.raster && a.samples == b.samples && a.smooth == b.smooth &&
+         a.back_fragment == b.back_fragment && a.back_smooth == b.back_smooth && a.vertex && b.vertex &&
+         a.call.source && b.call.source && a.call.source->present == b.call.source->present &&
+         std::memcmp(&a.layout, &b.layout, sizeof a.layout) == 0 &&
+         (a.vertex == b.vertex || come_to_the_same(*a.vertex, *b.vertex));
+}
 
 RasterDraw make_raster_draw(const DrawRecord& draw) {
   const FragmentKey& key = draw.fragment->key;

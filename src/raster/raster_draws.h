@@ -9,4 +9,8 @@ namespace softgl {
 
 RasterDraw make_raster_draw(const DrawRecord& draw);
 
+/// True when make_raster_draw() and the draws of antialiased primitives and of back faces are the same for
+/// both; false where that takes long to find out.
+bool have_same_raster_draw(const DrawRecord& a, const DrawRecord& b);
+
 } // namespace softgl
