@@ -116,7 +116,8 @@ float angle_of(float y, float x) {
   constexpr float kPi = 0x1.921fb6p+1f, kPiRest = -0x1.777a5cp-24f, kHalfPi = 0x1.921fb6p+0f;
   const bool below = bits_of(y) >> 31, left = bits_of(x) >> 31;
   const float height = below ? -y : y, width = left ? -x : x;
-  float angle = height >= width * 0x1p25f ? kHalfPi : arctangent(height / width);
+  float angle = 0;
+  if (height != 0) angle = height >= width * 0x1p25f ? kHalfPi : arctangent(height / width);
   if (left && width != 0) angle = kPi - (angle - kPiRest);
   return below ? -angle : angle;
 }

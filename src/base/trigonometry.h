@@ -6,7 +6,7 @@ namespace softgl {
 
 float sine(float radians);
 float cosine(float radians);
-/// The angle of (x, y), finite and not both 0: -pi to pi.
+/// The angle of (x, y), which are finite: -pi to pi. That of (0, 0) is 0.
 float angle_of(float y, float x);
 
 } // namespace softgl

@@ -55,11 +55,10 @@ bool setup_smooth_point(const RasterDraw& draw, const ShadedVertices::Slot* corn
   return true;
 }
 
-bool smooth_line_corners(const RasterDraw& draw, const ShadedVertices::Slot* const end[2], Arena& arena,
+void smooth_line_corners(const RasterDraw& draw, const ShadedVertices::Slot* const end[2], Arena& arena,
                          const ShadedVertices::Slot* corner[4]) {
   // As OSMesa 22.3.6 (draw_pipe_aaline): half a pixel is added all round.
   const float dx = end[1]->v[0] - end[0]->v[0], dy = end[1]->v[1] - end[0]->v[1];
-  if (!(std::fabs(dx) + std::fabs(dy) > 0.0f)) return false;
   const float angle = angle_of(dy, dx), c = cosine(angle), s = sine(angle);
   float half_length = 0.5f * std::sqrt(dx * dx + dy * dy);
   half_length = half_length < 0.5f ? 2.0f * half_length : half_length + 0.5f;
@@ -80,7 +79,6 @@ bool smooth_line_corners(const RasterDraw& draw, const ShadedVertices::Slot* con
     to[slots] = {{-across, half_width, i < 2 ? -half_length : half_length, half_length}};
     corner[i] = to;
   }
-  return true;
 }
 
 bool snap_smooth_triangle(const RasterDraw& draw, const ShadedVertices::Slot* const corner[3],

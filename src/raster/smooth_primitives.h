@@ -15,8 +15,9 @@ bool setup_smooth_point(const RasterDraw& draw, const ShadedVertices::Slot* corn
                         RasterPrimitive& out);
 
 /// The corners of the rectangle that an antialiased line is: two at each end. Their slots are those of the
-/// line's ends, and the coverage numbers behind them. False: the line has no length.
-bool smooth_line_corners(const RasterDraw& draw, const ShadedVertices::Slot* const end[2], Arena& arena,
+/// line's ends, and the coverage numbers behind them. A line without length covers nothing: all its fragments
+/// have the coverage 0.
+void smooth_line_corners(const RasterDraw& draw, const ShadedVertices::Slot* const end[2], Arena& arena,
                          const ShadedVertices::Slot* corner[4]);
 
 /// The corners of a triangle in 1/256 pixel, in the order of set-up.

@@ -235,15 +235,14 @@ void TileBinner::smooth_triangles(const AssembledTriangles& batch) {
 void TileBinner::smooth_line(const ShadedVertices::Slot* const end[2], bool back) {
   const RasterDraw* const plain = std::exchange(draw_, draw_->smooth_line);
   const ShadedVertices::Slot* corner[4];
-  if (smooth_line_corners(*draw_, end, arena_, corner)) {
-    // Areas are positive, and those that are not are back-facing: set-up exchanges these corners again.
-    const int first = back, second = 1 - first;
-    AssembledTriangles two;
-    two.count = 2;
-    two.corner[first][0] = corner[2], two.corner[second][0] = corner[1], two.corner[2][0] = corner[0];
-    two.corner[first][1] = corner[3], two.corner[second][1] = corner[1], two.corner[2][1] = corner[2];
-    bin_triangles(two);
-  }
+  smooth_line_corners(*draw_, end, arena_, corner);
+  // Areas are positive, and those that are not are back-facing: set-up exchanges these corners again.
+  const int first = back, second = 1 - first;
+  AssembledTriangles two;
+  two.count = 2;
+  two.corner[first][0] = corner[2], two.corner[second][0] = corner[1], two.corner[2][0] = corner[0];
+  two.corner[first][1] = corner[3], two.corner[second][1] = corner[1], two.corner[2][1] = corner[2];
+  bin_triangles(two);
   draw_ = plain;
 }
 

@@ -34,13 +34,14 @@ std::vector<Vertex> random_quads(Random& r) {
   return vertices;
 }
 
-/// One draw, or several Begin/End pairs in a row.
-void draw_vertices(const Gl& gl, Random& r, const std::vector<Vertex>& vertices) {
+/// One draw, or several Begin/End pairs in a row, of the vertices' colors or of the first one.
+void draw_vertices(const Gl& gl, Random& r, const std::vector<Vertex>& vertices, bool colored) {
   const int cut = r.chance(40) ? 4 : 1000;
+  if (!colored) gl.Color4fv(vertices[0].color);
   gl.Begin(GL_QUADS);
   for (size_t i = 0; i < vertices.size(); ++i) {
     if (i && i % size_t(cut) == 0) gl.End(), gl.Begin(GL_QUADS);
-    gl.Color4fv(vertices[i].color);
+    if (colored) gl.Color4fv(vertices[i].color);
     gl.Vertex3fv(vertices[i].position);
   }
   gl.End();
@@ -55,17 +56,22 @@ void draw_random_quads(Stage& s) {
     const std::vector<Vertex> vertices = random_quads(r);
     gl.ShadeModel(r.chance(50) ? GL_SMOOTH : GL_FLAT);
     gl.PolygonMode(GL_FRONT_AND_BACK, r.chance(15) ? GL_LINE : GL_FILL);
+    const bool colored = r.chance(70), lit = r.chance(15);
+    (lit ? gl.Enable : gl.Disable)(GL_LIGHTING);
     const int path = r.integer(0, 3);
     if (path == 0) {
-      draw_vertices(gl, r, vertices);
+      // Where OSMesa merges draws and one of them has colors, the other one has, too.
+      if (!colored) gl.Finish();
+      draw_vertices(gl, r, vertices, colored);
+      if (!colored) gl.Finish();
     } else if (path == 1) {
       gl.NewList(1, GL_COMPILE);
-      draw_vertices(gl, r, vertices);
+      draw_vertices(gl, r, vertices, colored);
       gl.EndList();
       gl.CallList(1);
     } else {
       gl.EnableClientState(GL_VERTEX_ARRAY);
-      gl.EnableClientState(GL_COLOR_ARRAY);
+      if (colored) gl.EnableClientState(GL_COLOR_ARRAY);
       gl.ColorPointer(4, GL_FLOAT, sizeof(Vertex), vertices[0].color);
       gl.VertexPointer(3, GL_FLOAT, sizeof(Vertex), vertices[0].position);
       std::vector<GLushort> index(vertices.size());
