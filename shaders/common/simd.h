@@ -90,6 +90,15 @@ SOFTGL_INLINE IntV max_(IntV a, IntV b) {
 SOFTGL_INLINE IntV multiply(IntV a, IntV b) { return (IntV)((UintV)a * (UintV)b); }
 #endif
 
+/// Sums of bytes, at most 255.
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+SOFTGL_INLINE IntV add_bytes(IntV a, IntV b) { return (IntV)_mm512_adds_epu8((__m512i)a, (__m512i)b); }
+#elif defined(__AVX2__)
+SOFTGL_INLINE IntV add_bytes(IntV a, IntV b) { return (IntV)_mm256_adds_epu8((__m256i)a, (__m256i)b); }
+#else
+SOFTGL_INLINE IntV add_bytes(IntV a, IntV b) { return (IntV)_mm_adds_epu8((__m128i)a, (__m128i)b); }
+#endif
+
 /// The floor of numbers up to 2^22 that are at least 2^-16 off every integer.
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 SOFTGL_INLINE IntV floor_off_integers(FloatV v) {

@@ -130,6 +130,14 @@ SOFTGL_INLINE bool is_over(const FragmentKey& key) {
          key.blend_destination_alpha == destination;
 }
 
+/// ONE, ONE with ADD: the product with 1 is the byte itself.
+SOFTGL_INLINE bool is_sum(const FragmentKey& key) {
+  const auto one = uint64_t(BlendFactor::One);
+  return key.blend && key.blend_equation == uint64_t(BlendEquation::Add) && key.blend_source_rgb == one &&
+         key.blend_source_alpha == one && key.blend_destination_rgb == one &&
+         key.blend_destination_alpha == one;
+}
+
 /// GL 1.5, 4.1.9; `operation` counts from GL_CLEAR.
 SOFTGL_INLINE IntV logic_words(unsigned operation, IntV s, IntV d) {
   switch (operation) {

@@ -23,7 +23,8 @@ constexpr int kCoverageNumbers = 9;
 
 /// Stages run over lanes [0, lanes); lanes is a multiple of 16. In blocks cut from a large triangle each
 /// strip of 16 lanes is an 8x2-pixel strip of the surface; in blocks gathered from small triangles every lane
-/// is on its own, so no stage may look at a neighbouring lane unless its program says so (reads_quads).
+/// is on its own, so no stage may look at a neighbouring lane unless its program says so (reads_quads): then
+/// lanes i, i + 1, i + 8 and i + 9 are always a 2x2 quad, though each of another place.
 struct alignas(64) FragmentBlock {
   int32_t lanes;
   alignas(64) int32_t x[kLanes], y[kLanes]; // window coordinates of the pixel, y down

@@ -66,7 +66,8 @@ struct Merger {
   const FragmentProgram& program;
   const FragmentKey& key = program.key;
   const bool tests = Compare(key.depth_function) != Compare::Always || key.depth_write || key.stencil;
-  const bool over = is_over(key), floats = DepthFormat(key.depth_format) == DepthFormat::Z32F;
+  const bool over = is_over(key), sum = is_sum(key),
+             floats = DepthFormat(key.depth_format) == DepthFormat::Z32F;
   const IntV mask = splat(int32_t(word_mask(key)));
 
   /// Stencil and depth test with their writes to `place`; gives the lanes that live on.
@@ -120,6 +121,8 @@ struct Merger {
     const IntV target = load(place);
     if (over)
       source = blend_over(source, target);
+    else if (sum)
+      source = add_bytes(source, target);
     else if (key.logic_op)
       source = logic_words(unsigned(key.blend_source_rgb), source, target);
     else if (key.blend)

@@ -39,6 +39,14 @@ SOFTGL_INLINE CoordinatesRead coordinates_read(const FragmentProgram& program, i
   return {program.r_units >> unit & 1 ? 3 : 2, (program.lod_units >> unit & 1) != 0};
 }
 
+/// Sets the differences of a strip's coordinates.
+SOFTGL_INLINE void strip_differences(BlockCoordinates& t, int lane, int count) {
+  const float* value[3] = {t.s, t.t, t.r};
+  float* dx[3] = {t.ds_dx, t.dt_dx, t.dr_dx};
+  float* dy[3] = {t.ds_dy, t.dt_dy, t.dr_dy};
+  for (int k = 0; k < count; ++k) quad_differences(value[k] + lane, dx[k] + lane, dy[k] + lane);
+}
+
 SOFTGL_INLINE float* lanes_of(FragmentBlock& block, const Varying& v, int component) {
   return reinterpret_cast<float*>(reinterpret_cast<char*>(&block) + v.lanes) + component * kLanes;
 }
@@ -47,14 +55,13 @@ template <int n> struct Count {
   constexpr operator int() const { return n; }
 };
 
-/// Fills the inputs of lanes [0, block.lanes), which are strips of one primitive; block.x and block.y are
-/// set. `FromCorner`: planes count from the corner of the first pixel, not from its center.
-template <bool FromCorner = false>
-static void interpolate_block(const RasterDraw& draw, const RasterPrimitive& p, FragmentBlock& block) {
+/// Fills the inputs of lanes [first, end), which are strips of one primitive; block.x and block.y are set.
+/// `FromCorner`: planes count from the corner of the first pixel, not from its center.
+template <bool FromCorner> static void interpolate_block(const RasterDraw& draw, const RasterPrimitive& p,
+                                                         int first, int end, FragmentBlock& block) {
   const FragmentProgram& program = *draw.program;
-  const int lanes = block.lanes;
   alignas(64) float x[kLanes], y[kLanes], w[kLanes];
-  for (int i = 0; i < lanes; i += kWidth) {
+  for (int i = first; i < end; i += kWidth) {
     FloatV vx = to_float(load(block.x + i)), vy = to_float(load(block.y + i));
     if constexpr (FromCorner) vx += 0.5f, vy += 0.5f;
     store(x + i, vx), store(y + i, vy);
@@ -64,7 +71,7 @@ static void interpolate_block(const RasterDraw& draw, const RasterPrimitive& p, 
       __attribute__((always_inline)) {
     PlaneV q[components];
     for (int k = 0; k < components; ++k) q[k] = {splat(plane[k].a), splat(plane[k].gx), splat(plane[k].gy)};
-    for (int i = 0; i < lanes; i += kWidth) {
+    for (int i = first; i < end; i += kWidth) {
       const FloatV vx = load(x + i), vy = load(y + i), vw = load(w + i);
       for (int k = 0; k < components; ++k)
         store(out + k * kLanes + i, constant ? q[k].a : value_at(q[k], vx, vy) * vw);
@@ -82,27 +89,24 @@ static void interpolate_block(const RasterDraw& draw, const RasterPrimitive& p, 
       for (int k = 0; k < v.components; ++k) fill(plane + k, out + k * kLanes, v.flat, Count<1>());
   }
   if (draw.facing)
-    for (int i = 0; i < lanes; i += kWidth) store(block.back + i, splat(-int32_t(p.back)));
+    for (int i = first; i < end; i += kWidth) store(block.back + i, splat(-int32_t(p.back)));
   for (int k = 0; k < draw.coverage_numbers; ++k)
-    for (int i = 0; i < lanes; i += kWidth)
+    for (int i = first; i < end; i += kWidth)
       store(block.coverage[k] + i, splat(p.plane[coverage_plane(draw) + k].a));
   for (int u = 0; u < kMaxTextureUnits; ++u) {
     if (draw.unit_plane[u] < 0) continue;
     const Plane* q = p.plane + draw.unit_plane[u];
     BlockCoordinates& t = block.unit[u];
     float* value[3] = {t.s, t.t, t.r};
-    float* dx[3] = {t.ds_dx, t.dt_dx, t.dr_dx};
-    float* dy[3] = {t.ds_dy, t.dt_dy, t.dr_dy};
     const CoordinatesRead read = coordinates_read(program, u);
     const bool flat = draw.flat_units >> u & 1;
-    for (int i = 0; i < lanes; i += kWidth) {
+    for (int i = first; i < end; i += kWidth) {
       const FloatV vx = load(x + i), vy = load(y + i), vw = flat ? splat(1.0f) : load(w + i);
       const FloatV rq = splat(1.0f) / (at(q[3], vx, vy) * vw);
       for (int k = 0; k < read.count; ++k) store(value[k] + i, (at(q[k], vx, vy) * vw) * rq);
     }
     if (!read.differences) continue;
-    for (int k = 0; k < read.count; ++k)
-      for (int i = 0; i < lanes; i += kStripLanes) quad_differences(value[k] + i, dx[k] + i, dy[k] + i);
+    for (int i = first; i < end; i += kStripLanes) strip_differences(t, i, read.count);
   }
 }
 
@@ -111,17 +115,23 @@ SOFTGL_INLINE PlaneV plane_of_w(const RasterDraw& draw, int unit, const PlaneV& 
   return draw.flat_units >> unit & 1 ? PlaneV{splat(1.0f), FloatV{}, FloatV{}} : w;
 }
 
-/// Coordinates of one unit for lanes [lane, lane + kWidth), each with its own planes: at the lane's pixel and
-/// at three corners of its 2x2 quad.
+/// Coordinates of one unit for lanes [lane, lane + kWidth), each with its own planes; 1/w and 1/q there.
+SOFTGL_INLINE void coordinates_at(BlockCoordinates& t, int lane, CoordinatesRead read, const PlaneV& w,
+                                  const PlaneV q[4], FloatV x, FloatV y) {
+  float* value[3] = {t.s, t.t, t.r};
+  const FloatV one = splat(1.0f), w_here = one / value_at(w, x, y),
+               q_here = one / (value_at(q[3], x, y) * w_here);
+  for (int k = 0; k < read.count; ++k) store(value[k] + lane, (value_at(q[k], x, y) * w_here) * q_here);
+}
+
+/// The same, and their differences across the lane's 2x2 quad.
 SOFTGL_INLINE void interpolate_unit(BlockCoordinates& t, int lane, CoordinatesRead read, const PlaneV& w,
                                     const PlaneV q[4], IntV px, IntV py) {
-  float* value[3] = {t.s, t.t, t.r};
+  coordinates_at(t, lane, read, w, q, to_float(px), to_float(py));
+  if (!read.differences) return;
   float* dx[3] = {t.ds_dx, t.dt_dx, t.dr_dx};
   float* dy[3] = {t.ds_dy, t.dt_dy, t.dr_dy};
-  const FloatV x = to_float(px), y = to_float(py), one = splat(1.0f);
-  const FloatV w_here = one / value_at(w, x, y), q_here = one / (value_at(q[3], x, y) * w_here);
-  for (int k = 0; k < read.count; ++k) store(value[k] + lane, (value_at(q[k], x, y) * w_here) * q_here);
-  if (!read.differences) return;
+  const FloatV one = splat(1.0f);
   const FloatV x0 = to_float(px & ~1), y0 = to_float(py & ~1), x1 = x0 + 1.0f, y1 = y0 + 1.0f;
   const FloatV w00 = one / value_at(w, x0, y0), w10 = one / value_at(w, x1, y0),
                w01 = one / value_at(w, x0, y1);
@@ -134,13 +144,15 @@ SOFTGL_INLINE void interpolate_unit(BlockCoordinates& t, int lane, CoordinatesRe
   }
 }
 
-/// Fills the inputs of lanes [0, block.lanes), each of its own primitive.
-static void interpolate_lanes(const RasterDraw& draw, const RasterPrimitive* const* primitive,
-                              FragmentBlock& block) {
+/// Fills the inputs of lanes [0, block.lanes), each of its own primitive. `Quads`: the lanes of 2x2 quads,
+/// laid out as in strips, are of one primitive.
+template <bool Quads> static void
+interpolate_lanes(const RasterDraw& draw, const RasterPrimitive* const* primitive, FragmentBlock& block) {
   const FragmentProgram& program = *draw.program;
+  // Vectors at i and i + 8 have the same primitives: their planes are brought together once.
+  constexpr int kRows = Quads && kWidth <= 8 ? 2 : 1;
   for (int i = 0; i < block.lanes; i += kWidth) {
-    const IntV px = load(block.x + i), py = load(block.y + i);
-    const FloatV x = to_float(px), y = to_float(py);
+    if (kRows == 2 && i & 8) continue;
     auto plane = [&](int index) {
       FloatV v[4];
       load_transposed(
@@ -148,26 +160,39 @@ static void interpolate_lanes(const RasterDraw& draw, const RasterPrimitive* con
       return PlaneV{v[0], v[1], v[2]};
     };
     const PlaneV w = plane(kPlaneW);
-    const FloatV rw = splat(1.0f) / value_at(w, x, y);
+    FloatV x[kRows], y[kRows], rw[kRows];
+    for (int r = 0; r < kRows; ++r) {
+      x[r] = to_float(load(block.x + i + 8 * r)), y[r] = to_float(load(block.y + i + 8 * r));
+      rw[r] = splat(1.0f) / value_at(w, x[r], y[r]);
+    }
     auto put = [&](int index, float* out, bool constant) {
       const PlaneV p = plane(index);
-      store(out + i, constant ? p.a : value_at(p, x, y) * rw);
+      for (int r = 0; r < kRows; ++r)
+        store(out + i + 8 * r, constant ? p.a : value_at(p, x[r], y[r]) * rw[r]);
     };
     for (int v = 0; v < draw.varying_count; ++v)
       for (int k = 0; k < draw.varying[v].components; ++k)
         put(draw.varying[v].plane + k, lanes_of(block, draw.varying[v], k), draw.varying[v].flat);
-    if (draw.facing)
-      for (int k = 0; k < kWidth; ++k) block.back[i + k] = -int32_t(primitive[i + k]->back);
-    for (int n = 0; n < draw.coverage_numbers; ++n)
-      for (int k = 0; k < kWidth; ++k)
-        block.coverage[n][i + k] = primitive[i + k]->plane[coverage_plane(draw) + n].a;
+    for (int r = 0; r < kRows; ++r)
+      for (int k = i + 8 * r; k < i + 8 * r + kWidth; ++k) {
+        if (draw.facing) block.back[k] = -int32_t(primitive[k]->back);
+        for (int n = 0; n < draw.coverage_numbers; ++n)
+          block.coverage[n][k] = primitive[k]->plane[coverage_plane(draw) + n].a;
+      }
     for (int u = 0; u < kMaxTextureUnits; ++u) {
       if (draw.unit_plane[u] < 0) continue;
       const CoordinatesRead read = coordinates_read(program, u);
+      BlockCoordinates& t = block.unit[u];
       PlaneV q[4];
       for (int k = 0; k < read.count; ++k) q[k] = plane(draw.unit_plane[u] + k);
       q[3] = plane(draw.unit_plane[u] + 3);
-      interpolate_unit(block.unit[u], i, read, plane_of_w(draw, u, w), q, px, py);
+      const PlaneV unit_w = plane_of_w(draw, u, w);
+      if constexpr (Quads) {
+        for (int r = 0; r < kRows; ++r) coordinates_at(t, i + 8 * r, read, unit_w, q, x[r], y[r]);
+        if (read.differences) strip_differences(t, i & ~(kStripLanes - 1), read.count);
+      } else {
+        interpolate_unit(t, i, read, unit_w, q, load(block.x + i), load(block.y + i));
+      }
     }
   }
 }

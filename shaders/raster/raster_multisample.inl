@@ -32,6 +32,8 @@ static void merge_samples(const RasterDraw& draw, const TileTarget& tile, Fragme
     store(alpha + i, load(block.color[3] + i));
     if (one) store(block.color[3] + i, splat(1.0f));
   }
+  alignas(64) uint32_t words[kLanes];
+  pack_block(draw, block, words);
   for (int s = 0; s < kSamples; ++s) {
     TileTarget samples = tile;
     samples.color = static_cast<uint8_t*>(tile.color) + size_t(s) * tile.color_step;
@@ -45,18 +47,18 @@ static void merge_samples(const RasterDraw& draw, const TileTarget& tile, Fragme
         if (by_alpha) v &= covered_by_alpha(load(alpha + first + i), s);
         store(live + i, v);
       }
-      merge_strip(merger, samples, block, first, batch.pixels.pixel[k], live, depth + first);
+      merge_strip(merger, samples, block, words, first, batch.pixels.pixel[k], live, depth + first);
     }
   }
 }
 
-static void run_samples(const RasterDraw& draw, const TileTarget& tile, const RasterPrimitive& p,
-                        FragmentBlock& block, SampleBatch& batch) {
-  block.lanes = batch.pixels.strips * kStripLanes;
+static void run_samples(const RasterDraw& draw, const TileTarget& tile, FragmentBlock& block,
+                        SampleBatch& batch) {
+  if (batch.pixels.strips == 0) return;
   if (draw.raster->per_sample)
-    interpolate_block<true>(draw, p, block);
+    interpolate_strips<true>(draw, batch.pixels, block);
   else
-    interpolate_block<false>(draw, p, block);
+    interpolate_strips<false>(draw, batch.pixels, block);
   const FragmentProgram& program = *draw.program;
   for (int i = 0; i < program.step_count; ++i)
     program.step[i].stage(block, *program.constants, program.step[i].unit);
@@ -114,7 +116,8 @@ struct SampleCoverage {
 } // namespace
 
 template <bool Depth> static void multisampled_primitive(const RasterDraw& draw, const TileTarget& tile,
-                                                         const RasterPrimitive& p, FragmentBlock& block) {
+                                                         const RasterPrimitive& p, FragmentBlock& block,
+                                                         SampleBatch& batch) {
   const SampleCoverage coverage(draw, p, tile);
   const RasterConstants& r = *draw.raster;
   const uint64_t* stipple = p.edges == 3 ? r.stipple : nullptr; // triangles only: not lines and points
@@ -123,7 +126,7 @@ template <bool Depth> static void multisampled_primitive(const RasterDraw& draw,
   const int32_t x0 = p.x0 > tile.x ? p.x0 - tile.x : 0, y0 = p.y0 > tile.y ? p.y0 - tile.y : 0;
   const int32_t x1 = p.x1 < tile.x + kTileSize ? p.x1 - tile.x : kTileSize,
                 y1 = p.y1 < tile.y + kTileSize ? p.y1 - tile.y : kTileSize;
-  SampleBatch batch;
+  const Compare function = Compare(draw.program->key.depth_function);
   for (int by = y0 & ~7; by < y1; by += 8) {
     for (int bx = x0 & ~7; bx < x1; bx += 8) {
       uint64_t covered[kSamples], any = 0;
@@ -136,12 +139,14 @@ template <bool Depth> static void multisampled_primitive(const RasterDraw& draw,
       for (int strip = 0; any; ++strip, any >>= kStripLanes) {
         const uint32_t mask = uint32_t(any) & 0xffff;
         if (!mask) continue;
-        const int k = batch.pixels.strips++, lane = k * kStripLanes;
+        const int k = batch.pixels.strips, lane = k * kStripLanes;
+        const int pixel = pixel_in_tile(bx, by) + strip * kStripLanes;
         const FloatV x = splat(float(tile.x + bx)), y = splat(float(tile.y + by + 2 * strip));
+        uint32_t live[kSamples], any_live = 0;
+        for (int s = 0; s < kSamples; ++s) live[s] = uint32_t(covered[s] >> (kStripLanes * strip)) & 0xffff;
         for (int i = 0; i < kStripLanes / kWidth; ++i) {
           const int at_lane = lane + i * kWidth;
           const FloatV px = x + row_of_eight(i), py = y + row_number(i);
-          store(block.live + at_lane, mask_of_bits(mask >> (i * kWidth)));
           store(block.x + at_lane, round_to_int(px));
           store(block.y + at_lane, round_to_int(py));
           if constexpr (Depth) {
@@ -150,30 +155,39 @@ template <bool Depth> static void multisampled_primitive(const RasterDraw& draw,
               return floats ? depth_float(z) : depth_bits(z, scale);
             };
             const float center = r.per_sample ? 0.5f : 0.0f;
-            store(block.depth + at_lane, depth(center, center)); // for stages that change it
-            for (int s = 0; s < kSamples; ++s)
-              store(batch.depth[s] + at_lane, r.per_sample
-                                                  ? depth(float(kSampleX[s]) / 256, float(kSampleY[s]) / 256)
-                                                  : depth(0.0f, 0.0f));
+            const IntV z_center = depth(center, center);
+            store(block.depth + at_lane, z_center); // for stages that change it
+            for (int s = 0; s < kSamples; ++s) {
+              const IntV z =
+                  r.per_sample ? depth(float(kSampleX[s]) / 256, float(kSampleY[s]) / 256) : z_center;
+              store(batch.depth[s] + at_lane, z);
+              if (!draw.early_depth) continue;
+              const IntV stored = load(tile.depth_stencil + s * kTilePixels + pixel + i * kWidth) & 0xffffff;
+              live[s] &= ~(~sign_bits(compare_words(function, z, stored)) << (i * kWidth) &
+                           ((2u << (kWidth - 1)) - 1) << (i * kWidth));
+            }
           }
         }
-        for (int s = 0; s < kSamples; ++s)
-          batch.covered[s][k] = uint16_t(covered[s] >> (kStripLanes * strip));
-        batch.pixels.pixel[k] = pixel_in_tile(bx, by) + strip * kStripLanes;
-        if (batch.pixels.strips == kLanes / kStripLanes) run_samples(draw, tile, p, block, batch);
+        for (int s = 0; s < kSamples; ++s) batch.covered[s][k] = uint16_t(live[s]), any_live |= live[s];
+        if (!any_live) continue;
+        for (int i = 0; i < kStripLanes; i += kWidth)
+          store(block.live + lane + i, mask_of_bits(any_live >> i));
+        batch.pixels.add(p, pixel);
+        if (batch.pixels.full()) run_samples(draw, tile, block, batch);
       }
     }
   }
-  if (batch.pixels.strips) run_samples(draw, tile, p, block, batch);
 }
 
 template <bool Depth> static void multisampled_primitives(const TileTarget& tile, const RasterDraw& draw,
                                                           const RasterPrimitive* const* primitive,
                                                           int32_t count, FragmentBlock& block) {
+  SampleBatch batch;
   for (int32_t i = 0; i < count; ++i) {
     prefetch(primitive, i, count);
-    multisampled_primitive<Depth>(draw, tile, *primitive[i], block);
+    multisampled_primitive<Depth>(draw, tile, *primitive[i], block, batch);
   }
+  run_samples(draw, tile, block, batch);
 }
 
 } // namespace SOFTGL_ISA

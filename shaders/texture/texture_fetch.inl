@@ -27,6 +27,17 @@ static inline float srgb_to_linear(float v) {
   return odd * v + even;
 }
 
+/// The word of a depth.
+static inline __attribute__((always_inline)) uint32_t depth_word(const TextureLevel& level, int face,
+                                                                 size_t index) {
+  typedef uint32_t AliasedDepth __attribute__((may_alias));
+  return reinterpret_cast<const AliasedDepth*>(level.face[face])[index];
+}
+/// 32 bits do not fit a float: OSMesa keeps the upper 23.
+static inline __attribute__((always_inline)) float wide_depth(uint32_t v) {
+  return (bits_float(int32_t((v >> 9) | 0x3f800000u)) - 1.0f) * 1.00000011920930376163766f;
+}
+
 /// One texel as floats; the border outside.
 static inline void fetch_float(const TextureUnitConstants& t, const TextureLevel& level, int face, int32_t x,
                                int32_t y, int32_t z, float* rgba) {
@@ -58,12 +69,9 @@ static inline void fetch_float(const TextureUnitConstants& t, const TextureLevel
       rgba[k] = v > -1.0f ? v : -1.0f;
     }
   } else {
-    typedef uint32_t AliasedDepth __attribute__((may_alias));
-    const uint32_t v = *reinterpret_cast<const AliasedDepth*>(level.face[face] + index * 4);
-    // 32 bits do not fit a float: OSMesa keeps the upper 23.
-    const float wide = (bits_float(int32_t((v >> 9) | 0x3f800000u)) - 1.0f) * 1.00000011920930376163766f;
+    const uint32_t v = depth_word(level, face, index);
     const float d = t.texel == TextureTexel::DepthFloat ? bits_float(int32_t(v))
-                    : t.shift[0] == 32                  ? wide
+                    : t.shift[0] == 32                  ? wide_depth(v)
                                                         : float(int32_t(v)) * t.scale[0];
     rgba[0] = rgba[1] = rgba[2] = d;
     rgba[3] = 1;

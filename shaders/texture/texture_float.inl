@@ -130,11 +130,24 @@ static inline void compare_nearest_level(const FragmentBlock& block, const Block
                                          const TextureUnitConstants& t, const TextureLevel* const* level,
                                          const int32_t* x, const int32_t* y, FloatTexels& out) {
   alignas(64) float texel[kLanes];
+  alignas(64) uint32_t word[kLanes];
+  alignas(64) int32_t inside[kLanes];
   for (int i = 0; i < block.lanes; ++i) {
-    float v[4];
-    fetch_float(t, *level[i], 0, x[i], y[i], 0, v);
-    texel[i] = v[0];
+    const TextureLevel& l = *level[i];
+    inside[i] = mask_of(uint32_t(x[i]) < uint32_t(l.width)) & mask_of(uint32_t(y[i]) < uint32_t(l.height));
+    const size_t row = size_t(y[i] & inside[i]) * size_t(l.row);
+    word[i] = depth_word(l, 0, row + size_t(x[i] & inside[i]));
   }
+  const float border = t.border[0];
+  const auto decode = [&](auto depth) {
+    SOFTGL_FOR_LANES(block, i) texel[i] = select(inside[i], depth(word[i]), border);
+  };
+  if (t.texel == TextureTexel::DepthFloat)
+    decode([](uint32_t v) { return bits_float(int32_t(v)); });
+  else if (t.shift[0] == 32)
+    decode([](uint32_t v) { return wide_depth(v); });
+  else
+    decode([scale = t.scale[0]](uint32_t v) { return float(int32_t(v)) * scale; });
   const auto compare = [&](auto passes) {
     SOFTGL_FOR_LANES(block, i) {
       const float one = keep(mask_of(passes(compared_r(t, c.r[i]), texel[i])), 1.0f);

@@ -13,6 +13,8 @@ constexpr const char* kNames[] = {
     "tiny",
     // Triangles up to 16x16 pixels are shaded side by side; else set up one by one, as large ones.
     "small",
+    // Small primitives of programs that look at 2x2 quads are packed by quads; else cut into strips.
+    "quads",
     // The fragments of a tiny triangle share its planes; else planes for each fragment.
     "shared_planes",
     // Blocks without stages go straight to the tile; else through a fragment block.

@@ -12,6 +12,7 @@ namespace softgl {
 enum class FastPath : uint32_t {
   Tiny,
   Small,
+  Quads,
   SharedPlanes,
   Direct,
   WholeBlocks,

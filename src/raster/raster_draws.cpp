@@ -99,12 +99,15 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
   // Depths that are floats are tested by strips alone, and so are samples.
   const bool depth_floats = static_cast<DepthFormat>(key.depth_format) == DepthFormat::Z32F,
              strips = depth_floats || draw.raster->samples > 1;
-  d.small = is_enabled(FastPath::Small) && (format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565) &&
-            !d.program->reads_quads && !d.program->writes_depth && !d.raster->stipple && !strips;
+  const bool packed = (format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565) &&
+                      !d.program->writes_depth && !d.raster->stipple && !strips;
+  d.small = packed && !d.program->reads_quads && is_enabled(FastPath::Small);
+  d.quads = packed && d.program->reads_quads && takes(FastPath::Quads);
   d.direct = draw.fragment->step_count == 0 && !d.raster->stipple && format == ColorFormat::Rgba8 &&
              !key.stencil && !strips && (!draw.samples || key.color_mask == 0) && takes(FastPath::Direct);
-  d.early_depth =
-      !key.stencil && !depth_floats && !draw.fragment->writes_depth && takes(FastPath::EarlyDepth);
+  // With NotEqual a fragment may fail now and pass when those before it, of the same batch, are drawn.
+  d.early_depth = !key.stencil && static_cast<Compare>(key.depth_function) != Compare::NotEqual &&
+                  !depth_floats && !draw.fragment->writes_depth && takes(FastPath::EarlyDepth);
   d.whole_blocks = takes(FastPath::WholeBlocks);
   for (int c = 0; c < 4; ++c)
     if (key.color_mask >> c & 1) d.color_mask |= 0xffu << (8 * c);

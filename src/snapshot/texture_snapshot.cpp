@@ -193,8 +193,9 @@ bool reads_r(const TextureUnitConstants& t) {
   return t.shape == TextureShape::ThreeD || t.shape == TextureShape::Cube || t.compares;
 }
 
-bool finds_level(const TextureUnitConstants& t) {
-  return t.shape == TextureShape::Cube || t.mip != TextureMip::None || t.min_linear != t.mag_linear;
+/// Of cube maps choose_face finds the differences.
+bool reads_differences(const TextureUnitConstants& t) {
+  return t.shape != TextureShape::Cube && (t.mip != TextureMip::None || t.min_linear != t.mag_linear);
 }
 
 } // namespace
@@ -221,7 +222,7 @@ void append_texture_stages(Context& c, Arena& arena, FragmentProgram& program, F
       program.add(kernels.choose_face, u);
     }
     if (reads_r(*units[u])) program.r_units = uint8_t(program.r_units | 1u << u);
-    if (finds_level(*units[u])) program.lod_units = uint8_t(program.lod_units | 1u << u);
+    if (reads_differences(*units[u])) program.lod_units = uint8_t(program.lod_units | 1u << u);
   }
   auto fused = [&](int u) {
     return simple && fixed_point(*units[u]) && is_modulate(chain.unit[u], u, base[u]) &&

@@ -98,6 +98,28 @@ void draw_textures(const Gl& gl) {
   gl.DeleteTextures(1, &texture);
 }
 
+/// Small and large triangles with a cube map.
+void draw_cube_map(const Gl& gl) {
+  GLuint texture;
+  gl.GenTextures(1, &texture);
+  gl.BindTexture(GL_TEXTURE_CUBE_MAP, texture);
+  std::vector<GLubyte> texels(size_t(8) * 8 * 4);
+  for (size_t i = 0; i < texels.size(); ++i) texels[i] = GLubyte(i * 53);
+  for (int face = 0; face < 6; ++face)
+    gl.TexImage2D(GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face), 0, GL_RGBA8, 8, 8, 0, GL_RGBA,
+                  GL_UNSIGNED_BYTE, texels.data() + 4 * face);
+  gl.TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl.Enable(GL_TEXTURE_CUBE_MAP);
+  gl.Begin(GL_TRIANGLE_STRIP);
+  for (int i = 0; i < 40; ++i) {
+    const float x = i < 30 ? 0.02f * float(i) - 0.9f : 0.1f * float(i - 30) - 0.3f, y = i & 1 ? 0.9f : 0.8f;
+    gl.TexCoord3f(x, y - 0.85f, 0.3f - x), gl.Vertex3f(x, y, -0.95f);
+  }
+  gl.End();
+  gl.Disable(GL_TEXTURE_CUBE_MAP);
+  gl.DeleteTextures(1, &texture);
+}
+
 /// Lit with alpha 1 everywhere.
 void draw_opaque(const Gl& gl) {
   gl.Enable(GL_LIGHTING), gl.Enable(GL_LIGHT0);
@@ -121,6 +143,7 @@ void draw_everything(Stage& s) {
   draw_arrays(gl);
   draw_list(gl);
   draw_textures(gl);
+  draw_cube_map(gl);
   draw_opaque(gl);
   gl.Finish();
   std::vector<GLubyte> pixels(size_t(s.width) * size_t(s.height) * 4);

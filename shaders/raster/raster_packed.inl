@@ -1,0 +1,179 @@
+// Small primitives whose fragments go through the stages of their program: those of several primitives
+// packed densely into a block.
+#pragma once
+
+#include "shaders/raster/raster_block.inl"
+
+namespace softgl {
+namespace SOFTGL_ISA {
+
+/// Merges `count` fragments that share no pixel; depth, color and live of m are set.
+static void merge_fragments(const TileTarget& tile, const FragmentProgram& program, const uint32_t* pixel,
+                            int32_t count, MergeBlock& m) {
+  const bool words = ColorFormat(program.key.color_format) == ColorFormat::Rgba8;
+  auto* color = static_cast<uint32_t*>(tile.color);
+  auto* halves = static_cast<uint16_t*>(tile.color);
+  m.lanes = (count + 15) & ~15;
+  for (int32_t i = 0; i < count; ++i) m.target[i] = words ? color[pixel[i]] : expand_565(halves[pixel[i]]);
+  if (tile.depth_stencil)
+    for (int32_t i = 0; i < count; ++i) m.depth_stencil[i] = tile.depth_stencil[pixel[i]];
+  for (int32_t i = count; i < m.lanes; ++i)
+    m.live[i] = m.color[i] = m.target[i] = m.depth[i] = m.depth_stencil[i] = 0;
+  const Merger merger{program};
+  for (int i = 0; i < m.lanes; i += kWidth) {
+    const IntV live = merger.depth_stencil(load(m.live + i), load(m.depth + i), m.depth_stencil + i);
+    if (tile.samples) *tile.samples += count_lanes(live);
+    merger.color(live, load(m.color + i), m.target + i);
+  }
+  for (int32_t i = 0; i < count; ++i) {
+    if (words)
+      color[pixel[i]] = m.target[i];
+    else
+      halves[pixel[i]] = cut_565(m.target[i]);
+  }
+  if (tile.depth_stencil && (program.key.depth_write || program.key.stencil))
+    for (int32_t i = 0; i < count; ++i) tile.depth_stencil[pixel[i]] = m.depth_stencil[i];
+}
+
+/// Primitives at most so wide and high are shaded with lane = fragment, packed densely: measured on 10-pixel
+/// textured triangles, strips leave five of six lanes dead.
+constexpr int kDenseBox = 16;
+/// The same where the lanes of whole 2x2 quads are needed.
+constexpr int kQuadsBox = 32;
+
+/// Fragments of several small primitives of one draw, no two on the same pixel, on their way through the
+/// program: one a lane, or by quads, of which lanes may be dead. The lanes of a quad lie as in a strip.
+struct PackedBatch {
+  int32_t lanes = 0; // or four times the quads
+  uint32_t pixel[kLanes];
+  const RasterPrimitive* primitive[kLanes];
+  uint64_t used[kTilePixels / 64] = {}; // pixels of the batch, by 8x8 block
+};
+
+/// The first lane of quad n of a block.
+SOFTGL_INLINE int lane_of_quad(int n) { return (n & ~3) * 4 + (n & 3) * 2; }
+
+/// Dead lanes behind the last ones repeat the first, up to the end of the strip.
+static void fill_last_strip(const RasterDraw& draw, FragmentBlock& block, PackedBatch& batch) {
+  block.lanes = (batch.lanes + kStripLanes - 1) & ~(kStripLanes - 1);
+  auto repeat = [&](int to, int from) {
+    block.x[to] = block.x[from], block.y[to] = block.y[from];
+    block.depth[to] = block.live[to] = 0;
+    batch.primitive[to] = batch.primitive[from];
+  };
+  if (!draw.quads) {
+    for (int i = batch.lanes; i < block.lanes; ++i) repeat(i, 0);
+    return;
+  }
+  for (int n = batch.lanes / 4; n < block.lanes / 4; ++n)
+    for (int i = 0; i < 4; ++i) {
+      const int lane = (i & 1) + (i & 2) * 4;
+      repeat(lane_of_quad(n) + lane, lane);
+    }
+}
+
+static void run_packed(const RasterDraw& draw, const TileTarget& tile, FragmentBlock& block,
+                       PackedBatch& batch) {
+  if (batch.lanes == 0) return;
+  fill_last_strip(draw, block, batch);
+  if (draw.quads)
+    interpolate_lanes<true>(draw, batch.primitive, block);
+  else
+    interpolate_lanes<false>(draw, batch.primitive, block);
+  const FragmentProgram& program = *draw.program;
+  for (int i = 0; i < program.step_count; ++i)
+    program.step[i].stage(block, *program.constants, program.step[i].unit);
+  MergeBlock m;
+  for (int i = 0; i < block.lanes; i += kWidth)
+    store(m.color + i, pack_color(load(block.color[0] + i), load(block.color[1] + i),
+                                  load(block.color[2] + i), load(block.color[3] + i)));
+  int32_t count = 0;
+  for (int i = 0; i < block.lanes; ++i) {
+    m.color[count] = m.color[i], m.depth[count] = block.depth[i], batch.pixel[count] = batch.pixel[i];
+    m.live[count] = ~uint32_t(0);
+    count += block.live[i] != 0;
+  }
+  merge_fragments(tile, program, batch.pixel, count, m);
+  batch.lanes = 0;
+  memset(batch.used, 0, sizeof batch.used);
+}
+
+/// The depths of the pixels `covered` of a block, and which of them pass the depth test if it is early.
+/// Depths of vectors without a covered pixel are not set.
+SOFTGL_INLINE uint64_t test_block(const RasterDraw& draw, const TileTarget& tile, const RasterPrimitive& p,
+                                  int bx, int by, uint64_t covered, uint32_t* depth) {
+  constexpr uint64_t kAll = (uint64_t(1) << (kWidth - 1) << 1) - 1;
+  const FragmentKey& key = draw.program->key;
+  const Compare function = Compare(key.depth_function);
+  const float scale = depth_scale(key);
+  const bool floats = DepthFormat(key.depth_format) == DepthFormat::Z32F, early = draw.early_depth;
+  const uint32_t* stored = tile.depth_stencil + pixel_in_tile(bx, by);
+  const BlockPlane plane = block_plane(p.plane[kPlaneZ], tile.x + bx);
+  const FloatV offset = splat(p.depth_offset);
+  uint64_t live = covered;
+  for (int i = 0; i < 64; i += kWidth) {
+    if (!(covered >> i & kAll)) continue;
+    const FloatV y = row_coordinates(tile.y + by, i >> 3);
+    const FloatV z = plane.gy * y + plane.column[kWidth < 8 ? i / kWidth & 1 : 0] + offset;
+    const IntV word = floats ? depth_float(z) : depth_bits(z, scale);
+    store(depth + i, word);
+    if (!early) continue;
+    const IntV passes = compare_words(function, word, load(stored + i) & 0xffffff);
+    live &= ~(uint64_t(~sign_bits(passes) & uint32_t(kAll)) << i);
+  }
+  return live;
+}
+
+/// The quads of an 8x8 block, by the bits of their first pixels, that have a pixel of `live`.
+SOFTGL_INLINE uint64_t quads_of(uint64_t live) {
+  live |= live >> 8;
+  return (live | live >> 1) & 0x0055005500550055u;
+}
+
+template <bool Depth> static void packed_primitive(const RasterDraw& draw, const TileTarget& tile,
+                                                   const RasterPrimitive& p, FragmentBlock& block,
+                                                   PackedBatch& batch) {
+  TileEdges edges;
+  if (!clip_to_tile<4>(draw, p, tile.x, tile.y, edges)) return;
+  EdgeSteps<4> steps;
+  if (!edges.inside) edge_steps<4>(edges, steps);
+  for (int by = edges.y0 & ~7; by < edges.y1; by += 8)
+    for (int bx = edges.x0 & ~7; bx < edges.x1; bx += 8) {
+      uint64_t live = edges.inside ? box_mask(edges, bx, by) : block_coverage<4>(edges, steps, bx, by);
+      if (!live) continue;
+      alignas(64) uint32_t depth[64];
+      if constexpr (Depth) live = test_block(draw, tile, p, bx, by, live, depth);
+      if (!live) continue;
+      const int first = pixel_in_tile(bx, by);
+      uint64_t& used = batch.used[first >> 6];
+      if (used & live) run_packed(draw, tile, block, batch);
+      used |= live;
+      auto put = [&](int lane, int bit) __attribute__((always_inline)) {
+        block.x[lane] = tile.x + bx + (bit & 7);
+        block.y[lane] = tile.y + by + (bit >> 3);
+        const auto mask = uint32_t(mask_of(live >> bit & 1));
+        block.live[lane] = mask;
+        if constexpr (Depth) block.depth[lane] = depth[bit] & mask;
+        batch.pixel[lane] = uint32_t(first + bit);
+        batch.primitive[lane] = &p;
+      };
+      const int step = draw.quads ? 4 : 1;
+      for (uint64_t left = draw.quads ? quads_of(live) : live; left; left &= left - 1) {
+        const int bit = __builtin_ctzll(left);
+        if (draw.quads) {
+          const int lane = lane_of_quad(batch.lanes / 4);
+          put(lane, bit), put(lane + 1, bit + 1), put(lane + 8, bit + 8), put(lane + 9, bit + 9);
+        } else {
+          put(batch.lanes, bit);
+        }
+        batch.lanes += step;
+        if (batch.lanes == kLanes) {
+          run_packed(draw, tile, block, batch);
+          used |= live; // what follows of this block, and more than that
+        }
+      }
+    }
+}
+
+} // namespace SOFTGL_ISA
+} // namespace softgl
