@@ -40,6 +40,7 @@ struct TextureUnitConstants {
   bool counts_texels; // coordinates are not fractions of the size (GL_ARB_texture_rectangle)
   bool min_linear, mag_linear;
   bool seamless; // a linear filter takes texels across the edges of a cube map's faces
+  bool no_alpha; // the base format has none: it is 1, whatever the weights of texels come to
   TextureMip mip;
   // Level of detail. adjusts_lod: bias or limits are in force, which selects another formula (see
   // texture_lod.inl).

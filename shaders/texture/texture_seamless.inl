@@ -159,6 +159,7 @@ static inline void sample_seamless_level(const FragmentBlock& block, const Block
     for (int k = 0; k < 4; ++k)
       out.v[k][i] = weight[3] * v[3][k][i] +
                     (weight[2] * v[2][k][i] + (weight[1] * v[1][k][i] + weight[0] * v[0][k][i]));
+    if (t.no_alpha) out.v[3][i] = 1.0f;
   }
 }
 

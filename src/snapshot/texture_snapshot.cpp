@@ -56,6 +56,16 @@ void set_level_of_detail(const TextureParameters& p, float unit_bias, TextureUni
   t.adjusts_lod = t.lod_bias != 0 || t.has_min_lod || t.has_max_lod;
 }
 
+bool has_alpha(GLenum base_format) {
+  switch (base_format) {
+  case GL_ALPHA:
+  case GL_LUMINANCE_ALPHA:
+  case GL_INTENSITY:
+  case GL_RGBA: return true;
+  default: return false;
+  }
+}
+
 /// The border color as a texel of the format.
 void set_border(Vec4 color, const TexelFormat& format, TextureUnitConstants& t) {
   const bool floats = format.layout == TexelLayout::Float;
@@ -167,6 +177,7 @@ TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum&
     t->color[i] = state.env_color[i] > 0 ? std::min(state.env_color[i], 1.0f) : 0.0f; // no NaN
   base = sampled_base(*object, *image.format);
   set_border(p.border_color, *image.format, *t);
+  t->no_alpha = !has_alpha(image.format->base);
   if (image.format->layout == TexelLayout::Depth) {
     t->compares = p.compare_mode == GL_COMPARE_R_TO_TEXTURE;
     t->compare_function = uint8_t(p.compare_function - GL_NEVER);
