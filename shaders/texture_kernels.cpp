@@ -43,10 +43,9 @@ static void sample_float_stage(FragmentBlock& block, const FragmentConstants& co
   sample_float(block, c, *constants.texture[unit], texel);
   const TextureUnitConstants& t = *constants.texture[unit];
   if (is_depth(t.texel)) {
-    SOFTGL_FOR_LANES(block, i) {
-      const float d = texel.v[0][i];
-      texel.v[0][i] = texel.v[1][i] = texel.v[2][i] = t.depth_target == 2 ? 0.0f : d;
-      texel.v[3][i] = t.depth_target == 0 ? 1.0f : d;
+    for (int k = 3; k >= 0; --k) { // the depths are in the first
+      const int32_t takes = -(t.depth_components >> k & 1);
+      SOFTGL_FOR_LANES(block, i) texel.v[k][i] = select(takes, texel.v[0][i], k == 3 ? 1.0f : 0.0f);
     }
   }
   const UnitTexels out(block, unit);

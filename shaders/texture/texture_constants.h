@@ -52,7 +52,7 @@ struct TextureUnitConstants {
   // Depth textures: comparison of r with the texel (3.8.14), and where the result goes.
   bool compares;
   uint8_t compare_function; // GL_NEVER .. GL_ALWAYS as 0 .. 7
-  uint8_t depth_target;     // 0 luminance (d d d 1), 1 intensity (d d d d), 2 alpha (0 0 0 d)
+  uint8_t depth_components; // bit k: component k is the depth; those that are not are 0, alpha is 1
   float color[4];           // of the environment
 };
 

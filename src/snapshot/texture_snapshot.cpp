@@ -131,9 +131,9 @@ void set_levels(const TextureObject& object, CompleteLevels levels, TextureUnitC
 }
 
 GLenum sampled_base(const TextureObject& object, const TexelFormat& format) {
-  if (format.layout == TexelLayout::Depth) return object.parameters.depth_mode;
+  const GLenum base = format.layout == TexelLayout::Depth ? object.parameters.depth_mode : format.base;
   // Red, and red and green, are used as RGB (GL_ARB_texture_rg).
-  return format.base == GL_RED || format.base == GL_RG ? GLenum(GL_RGB) : format.base;
+  return base == GL_RED || base == GL_RG ? GLenum(GL_RGB) : base;
 }
 
 /// Where OSMesa 22.3.6 looks whether a size is a power of two: level 0, if the base level is one of its
@@ -181,7 +181,10 @@ TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum&
   if (image.format->layout == TexelLayout::Depth) {
     t->compares = p.compare_mode == GL_COMPARE_R_TO_TEXTURE;
     t->compare_function = uint8_t(p.compare_function - GL_NEVER);
-    t->depth_target = p.depth_mode == GL_INTENSITY ? 1 : p.depth_mode == GL_ALPHA ? 2 : 0;
+    t->depth_components = p.depth_mode == GL_INTENSITY ? 15
+                          : p.depth_mode == GL_ALPHA   ? 8
+                          : p.depth_mode == GL_RED     ? 1
+                                                       : 7;
   }
   for (auto& face : object->image)
     for (int i = 0; i < levels.count; ++i)

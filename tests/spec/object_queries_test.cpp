@@ -169,7 +169,7 @@ void set_all(const Gl& gl, uint64_t seed) {
     gl.TexParameterf(target, GL_TEXTURE_LOD_BIAS, float(r.integer(-20, 20)));
     gl.TexParameteri(target, GL_TEXTURE_BASE_LEVEL, r.integer(0, 3));
     gl.TexParameteri(target, GL_TEXTURE_MAX_LEVEL, r.integer(0, 2000));
-    gl.TexParameteri(target, GL_DEPTH_TEXTURE_MODE, r.pick({GL_LUMINANCE, GL_INTENSITY, GL_ALPHA}));
+    gl.TexParameteri(target, GL_DEPTH_TEXTURE_MODE, r.pick({GL_LUMINANCE, GL_INTENSITY, GL_ALPHA, GL_RED}));
     gl.TexParameteri(target, GL_TEXTURE_COMPARE_MODE, r.pick({GL_NONE, GL_COMPARE_R_TO_TEXTURE}));
     gl.TexParameteri(target, GL_TEXTURE_COMPARE_FUNC, GLint(GL_NEVER) + r.integer(0, 7));
     if (target != GL_TEXTURE_CUBE_MAP)

@@ -21,6 +21,13 @@ bool is_cube_complete(const TextureObject& object) {
   return true;
 }
 
+bool has_stencil(const TextureObject& object) {
+  const GLint level = object.parameters.base_level;
+  const TextureImage* image =
+      level >= 0 && level < kMaxTextureLevels ? object.image[0][level].get() : nullptr;
+  return image && !image->empty() && image->format->base == GL_DEPTH_STENCIL;
+}
+
 } // namespace
 
 void gl::GenerateMipmap(Context& c, GLenum target) {
@@ -28,6 +35,9 @@ void gl::GenerateMipmap(Context& c, GLenum target) {
   if (t == kTextureTargets || t == kTextureRectangle) return set_error(c, GL_INVALID_ENUM);
   const auto object = target_object(c, {t, 0, false});
   if (t == kTextureCube && !is_cube_complete(*object)) return set_error(c, GL_INVALID_OPERATION);
+  // The mean of stencil values is none: GL_EXT_packed_depth_stencil leaves it open (issue 12), OpenGL 3.0 and
+  // OSMesa refuse it.
+  if (has_stencil(*object)) return set_error(c, GL_INVALID_OPERATION);
   mark_images(c, *object);
   for (int face = 0; face < (t == kTextureCube ? 6 : 1); ++face) generate_mipmaps(*object, face);
 }

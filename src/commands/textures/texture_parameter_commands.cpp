@@ -77,7 +77,7 @@ void TexParameter(Context& c, GLenum target, GLenum pname, const GLfloat* params
     break;
   case GL_GENERATE_MIPMAP: p.generate_mipmap = value != 0; break;
   case GL_DEPTH_TEXTURE_MODE:
-    if (token != GL_LUMINANCE && token != GL_INTENSITY && token != GL_ALPHA)
+    if (token != GL_LUMINANCE && token != GL_INTENSITY && token != GL_ALPHA && token != GL_RED)
       return set_error(c, GL_INVALID_ENUM);
     p.depth_mode = token;
     break;

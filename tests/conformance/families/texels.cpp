@@ -83,7 +83,7 @@ void one_texture(Stage& s, GLenum target, const TexelOptions& o) {
   const Float4 border = r.color();
   gl.TexParameterfv(target, GL_TEXTURE_BORDER_COLOR, border.data());
   if (o.depth) {
-    gl.TexParameteri(target, GL_DEPTH_TEXTURE_MODE, r.pick({GL_LUMINANCE, GL_INTENSITY, GL_ALPHA}));
+    gl.TexParameteri(target, GL_DEPTH_TEXTURE_MODE, r.pick({GL_LUMINANCE, GL_INTENSITY, GL_ALPHA, GL_RED}));
     gl.TexParameteri(target, GL_TEXTURE_COMPARE_MODE, r.pick({GL_NONE, GL_COMPARE_R_TO_TEXTURE}));
     gl.TexParameteri(
         target, GL_TEXTURE_COMPARE_FUNC,
