@@ -61,6 +61,7 @@ struct TextureKernels {
   FragmentStage sample_fixed;   // 8 bits per component, REPEAT or CLAMP_TO_EDGE
   FragmentStage modulate_fixed; // the same and GL_MODULATE; leaves no texel
   FragmentStage sample_float;   // everything else
+  FragmentStage sample_anisotropic;
   FragmentStage replace, modulate;
   FragmentStage combine; // all units' environments in one, and the color sum
 };

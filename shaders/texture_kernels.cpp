@@ -1,6 +1,7 @@
 // The table of the texture kernels of one instruction set.
 #include "shaders/common/isa.h"
 #include "shaders/kernels.h"
+#include "shaders/texture/texture_anisotropic.inl"
 #include "shaders/texture/texture_environment.inl"
 #include "shaders/texture/texture_fixed.inl"
 #include "shaders/texture/texture_float.inl"
@@ -37,11 +38,8 @@ static void modulate_fixed_stage(FragmentBlock& block, const FragmentConstants& 
   }
 }
 
-static void sample_float_stage(FragmentBlock& block, const FragmentConstants& constants, int unit) {
-  const BlockCoordinates& c = block.unit[unit];
-  FloatTexels texel;
-  sample_float(block, c, *constants.texture[unit], texel);
-  const TextureUnitConstants& t = *constants.texture[unit];
+/// Leaves filtered texels where the environments read them.
+static void put_texels(FragmentBlock& block, const TextureUnitConstants& t, int unit, FloatTexels& texel) {
   if (is_depth(t.texel)) {
     for (int k = 3; k >= 0; --k) { // the depths are in the first
       const int32_t takes = -(t.depth_components >> k & 1);
@@ -52,6 +50,18 @@ static void sample_float_stage(FragmentBlock& block, const FragmentConstants& co
   for (int k = 0; k < 4; ++k) SOFTGL_FOR_LANES(block, i) out.v[k][i] = texel.v[k][i];
 }
 
+static void sample_float_stage(FragmentBlock& block, const FragmentConstants& constants, int unit) {
+  FloatTexels texel;
+  sample_float(block, block.unit[unit], *constants.texture[unit], texel);
+  put_texels(block, *constants.texture[unit], unit, texel);
+}
+
+static void sample_anisotropic_stage(FragmentBlock& block, const FragmentConstants& constants, int unit) {
+  FloatTexels texel;
+  sample_anisotropic(block, block.unit[unit], *constants.texture[unit], texel);
+  put_texels(block, *constants.texture[unit], unit, texel);
+}
+
 extern const TextureKernels texture_kernels;
 const TextureKernels texture_kernels = {
     .isa = SOFTGL_STRING(SOFTGL_ISA),
@@ -59,6 +69,7 @@ const TextureKernels texture_kernels = {
     .sample_fixed = sample_fixed_stage,
     .modulate_fixed = modulate_fixed_stage,
     .sample_float = sample_float_stage,
+    .sample_anisotropic = sample_anisotropic_stage,
     .replace = environment_replace,
     .modulate = environment_modulate,
     .combine = environment_combine,

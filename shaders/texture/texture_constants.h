@@ -46,6 +46,10 @@ struct TextureUnitConstants {
   // texture_lod.inl).
   bool adjusts_lod, constant_lod, has_min_lod, has_max_lod;
   float lod_bias, min_lod, max_lod;
+  // Texels under an ellipse are taken instead (texture_anisotropic.inl). level[0] is number first_level of
+  // the texture, and level 0 has or had the size zero_width x zero_height.
+  bool anisotropic;
+  int32_t first_level, zero_width, zero_height;
   float border[4];  // what a border texel looks like in this base format
   uint8_t shift[4]; // stored component >> shift is the integer that scale turns into [0,1]
   float scale[4];

@@ -78,7 +78,8 @@ static inline void float_linear_axis(const FragmentBlock& block, const TextureUn
   }
 }
 
-static inline void float_nearest_axis(const FragmentBlock& block, const TextureUnitConstants& t, int axis,
+template <class Lanes>
+static inline void float_nearest_axis(const Lanes& block, const TextureUnitConstants& t, int axis,
                                       const float* __restrict coordinate, const int32_t* __restrict sizes,
                                       int32_t* __restrict out) {
   const float below_one = 0.999999940395355224609375f;

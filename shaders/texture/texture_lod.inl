@@ -53,6 +53,14 @@ static inline void squared_rho(const FragmentBlock& block, const BlockCoordinate
   }
 }
 
+/// Half the logarithm to the base of 2; between powers of two it is linear (OSMesa 22.3.6).
+static inline __attribute__((always_inline)) float half_log2(float v) {
+  const int32_t bits = float_bits(v);
+  const int32_t exponent = ((bits >> 23) & 255) - 128; // less one: the mantissa is in [1, 2)
+  const float mantissa = bits_float((bits & 0x007fffff) | 0x3f800000);
+  return (float(exponent) + mantissa) * 0.5f;
+}
+
 static inline void find_levels(const FragmentBlock& block, const BlockCoordinates& c,
                                const TextureUnitConstants& t, LaneLevels& out) {
   alignas(64) float rho[kLanes];
@@ -80,11 +88,7 @@ static inline void find_levels(const FragmentBlock& block, const BlockCoordinate
     const float bias = t.lod_bias;
     const float low = t.has_min_lod ? t.min_lod : -1e30f, high = t.has_max_lod ? t.max_lod : 1e30f;
     SOFTGL_FOR_LANES(block, i) {
-      const float r = squared ? rho[i] : rho[i] * rho[i];
-      const int32_t bits = float_bits(r);
-      const int32_t exponent = ((bits >> 23) & 255) - 128; // less one: the mantissa is in [1, 2)
-      const float mantissa = bits_float((bits & 0x007fffff) | 0x3f800000);
-      float l = (float(exponent) + mantissa) * 0.5f + bias;
+      float l = half_log2(squared ? rho[i] : rho[i] * rho[i]) + bias;
       l = select(mask_of(l < high), l, high);
       lod[i] = select(mask_of(l > low), l, low);
     }

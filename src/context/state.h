@@ -16,6 +16,7 @@
 namespace softgl {
 
 constexpr int kMaxTextureSize = 16384;
+constexpr float kMaxAnisotropy = 16;
 constexpr int kMax3DTextureSize = 2048;
 constexpr int kMaxViewportDimension = 16384;
 

@@ -146,6 +146,15 @@ const TextureImage& level_zero(const TextureObject& object, int base_level) {
   return fits ? *zero : *base;
 }
 
+/// Of images with rows of texels without comparison; else the filter stays isotropic, as it may.
+void set_anisotropy(const TextureObject& object, int base_level, TextureUnitConstants& t) {
+  t.anisotropic = object.parameters.max_anisotropy >= 2 && t.shape != TextureShape::OneD &&
+                  !t.counts_texels && !t.compares;
+  const TextureImage& zero = level_zero(object, base_level);
+  t.zero_width = zero.width, t.zero_height = zero.height;
+  t.first_level = &zero == object.image[0][0].get() ? base_level : 0;
+}
+
 TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum& base) {
   const TextureUnitState& state = c.state.texture.unit[unit];
   const TextureTarget target = enabled_target(state);
@@ -186,6 +195,7 @@ TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum&
                           : p.depth_mode == GL_RED     ? 1
                                                        : 7;
   }
+  set_anisotropy(*object, levels.first, *t);
   for (auto& face : object->image)
     for (int i = 0; i < levels.count; ++i)
       if (auto& kept = face[levels.first + i]) c.frame.retain(kept, kept->texels.size());
@@ -196,7 +206,7 @@ TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum&
 /// filters.
 bool fixed_point(const TextureUnitConstants& t) {
   auto fixed = [&](int axis) { return t.wrap[axis] <= TextureWrap::ClampToEdge; };
-  if (t.seamless) return false;
+  if (t.seamless || t.anisotropic) return false;
   if (t.shape == TextureShape::Cube && t.mip != TextureMip::None && t.min_linear != t.mag_linear)
     return false;
   return t.texel == TextureTexel::Rgba8 && fixed(0) && fixed(1) &&
@@ -209,7 +219,8 @@ bool reads_r(const TextureUnitConstants& t) {
 
 /// Of cube maps choose_face finds the differences.
 bool reads_differences(const TextureUnitConstants& t) {
-  return t.shape != TextureShape::Cube && (t.mip != TextureMip::None || t.min_linear != t.mag_linear);
+  return t.shape != TextureShape::Cube &&
+         (t.mip != TextureMip::None || t.min_linear != t.mag_linear || t.anisotropic);
 }
 
 } // namespace
@@ -244,7 +255,10 @@ void append_texture_stages(Context& c, Arena& arena, FragmentProgram& program, F
   };
   for (int u = 0; u < kMaxTextureUnits; ++u)
     if (units[u] && !fused(u))
-      program.add(fixed_point(*units[u]) ? kernels.sample_fixed : kernels.sample_float, u);
+      program.add(units[u]->anisotropic    ? kernels.sample_anisotropic
+                  : fixed_point(*units[u]) ? kernels.sample_fixed
+                                           : kernels.sample_float,
+                  u);
   if (!simple) {
     // The color sum has a part in the order of additions. That of lit fragments is clamped and comes later.
     chain.color_sum = program.key.color_sum && !program.key.lit;

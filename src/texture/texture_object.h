@@ -99,6 +99,7 @@ struct TextureParameters {
   GLenum depth_mode = GL_LUMINANCE, compare_mode = GL_NONE, compare_function = GL_LEQUAL;
   bool generate_mipmap = false;
   GLenum srgb_decode = GL_DECODE_EXT; // GL_EXT_texture_sRGB_decode
+  float max_anisotropy = 1;           // GL_EXT_texture_filter_anisotropic
 };
 
 struct TextureObject {

@@ -52,11 +52,11 @@ constexpr GLenum kImages[] = {GL_TEXTURE_1D,
 void ask_textures(Asked& a) {
   const Gl& gl = a.gl;
   for (GLenum target : kTargets)
-    for (GLenum p :
-         {GL_TEXTURE_BORDER_COLOR, GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER, GL_TEXTURE_WRAP_S,
-          GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R, GL_TEXTURE_PRIORITY, GL_TEXTURE_RESIDENT, GL_TEXTURE_MIN_LOD,
-          GL_TEXTURE_MAX_LOD, GL_TEXTURE_BASE_LEVEL, GL_TEXTURE_MAX_LEVEL, GL_TEXTURE_LOD_BIAS,
-          GL_DEPTH_TEXTURE_MODE, GL_TEXTURE_COMPARE_MODE, GL_TEXTURE_COMPARE_FUNC, GL_GENERATE_MIPMAP})
+    for (GLenum p : {GL_TEXTURE_BORDER_COLOR, GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER, GL_TEXTURE_WRAP_S,
+                     GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R, GL_TEXTURE_PRIORITY, GL_TEXTURE_RESIDENT,
+                     GL_TEXTURE_MIN_LOD, GL_TEXTURE_MAX_LOD, GL_TEXTURE_BASE_LEVEL, GL_TEXTURE_MAX_LEVEL,
+                     GL_TEXTURE_LOD_BIAS, GL_DEPTH_TEXTURE_MODE, GL_TEXTURE_COMPARE_MODE,
+                     GL_TEXTURE_COMPARE_FUNC, GL_GENERATE_MIPMAP, GL_TEXTURE_MAX_ANISOTROPY_EXT})
       a(
           "texture " + std::to_string(target) + " " + std::to_string(p),
           [&](GLfloat* v) { gl.GetTexParameterfv(target, p, v); },
@@ -167,6 +167,7 @@ void set_all(const Gl& gl, uint64_t seed) {
     gl.TexParameterf(target, GL_TEXTURE_MIN_LOD, float(r.integer(-5, 5)));
     gl.TexParameterf(target, GL_TEXTURE_MAX_LOD, float(r.integer(-5, 5)));
     gl.TexParameterf(target, GL_TEXTURE_LOD_BIAS, float(r.integer(-20, 20)));
+    gl.TexParameterf(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, float(r.integer(2, 24)) * 0.75f);
     gl.TexParameteri(target, GL_TEXTURE_BASE_LEVEL, r.integer(0, 3));
     gl.TexParameteri(target, GL_TEXTURE_MAX_LEVEL, r.integer(0, 2000));
     gl.TexParameteri(target, GL_DEPTH_TEXTURE_MODE, r.pick({GL_LUMINANCE, GL_INTENSITY, GL_ALPHA, GL_RED}));

@@ -34,10 +34,11 @@ constexpr const char* kExtensions =
     "GL_EXT_pixel_buffer_object GL_EXT_rescale_normal GL_EXT_secondary_color GL_EXT_separate_specular_color "
     "GL_EXT_shadow_funcs GL_EXT_stencil_two_side GL_EXT_stencil_wrap GL_EXT_texture3D "
     "GL_EXT_texture_compression_latc GL_EXT_texture_compression_rgtc GL_EXT_texture_compression_s3tc "
-    "GL_EXT_texture_edge_clamp GL_EXT_texture_env_add GL_EXT_texture_env_combine GL_EXT_texture_lod_bias "
-    "GL_EXT_texture_object GL_EXT_texture_sRGB GL_EXT_texture_sRGB_decode GL_EXT_texture_shared_exponent "
-    "GL_EXT_texture_snorm GL_EXT_vertex_array GL_NV_depth_clamp GL_NV_fog_distance GL_NV_primitive_restart "
-    "GL_SGIS_generate_mipmap GL_SGIS_texture_border_clamp GL_SGIS_texture_edge_clamp GL_SGIS_texture_lod "
+    "GL_EXT_texture_edge_clamp GL_EXT_texture_env_add GL_EXT_texture_env_combine "
+    "GL_EXT_texture_filter_anisotropic GL_EXT_texture_lod_bias GL_EXT_texture_object GL_EXT_texture_sRGB "
+    "GL_EXT_texture_sRGB_decode GL_EXT_texture_shared_exponent GL_EXT_texture_snorm GL_EXT_vertex_array "
+    "GL_NV_depth_clamp GL_NV_fog_distance GL_NV_primitive_restart GL_SGIS_generate_mipmap "
+    "GL_SGIS_texture_border_clamp GL_SGIS_texture_edge_clamp GL_SGIS_texture_lod "
     "GL_SOFTGL_phong_illumination GL_WIN_phong_shading ";
 
 /// Lives as long as the process, however often the text changes (the number of threads may).

@@ -67,6 +67,10 @@ void TexParameter(Context& c, GLenum target, GLenum pname, const GLfloat* params
   case GL_TEXTURE_MIN_LOD: p.min_lod = value; break;
   case GL_TEXTURE_MAX_LOD: p.max_lod = value; break;
   case GL_TEXTURE_LOD_BIAS: p.lod_bias = value; break;
+  case GL_TEXTURE_MAX_ANISOTROPY_EXT:
+    if (!(value >= 1)) return set_error(c, GL_INVALID_VALUE);
+    p.max_anisotropy = std::min(value, kMaxAnisotropy);
+    break;
   case GL_TEXTURE_BASE_LEVEL:
     if (value < 0 || (t == kTextureRectangle && to_int(value) != 0)) return set_error(c, GL_INVALID_VALUE);
     p.base_level = to_int(value);
@@ -121,6 +125,7 @@ int get_parameter(Context& c, GLenum target, GLenum pname, float* v, bool& color
   case GL_TEXTURE_MIN_LOD: v[0] = p.min_lod; return 1;
   case GL_TEXTURE_MAX_LOD: v[0] = p.max_lod; return 1;
   case GL_TEXTURE_LOD_BIAS: v[0] = p.lod_bias; return 1;
+  case GL_TEXTURE_MAX_ANISOTROPY_EXT: v[0] = p.max_anisotropy; return 1;
   case GL_TEXTURE_BASE_LEVEL: v[0] = float(p.base_level); return 1;
   case GL_TEXTURE_MAX_LEVEL: v[0] = float(p.max_level); return 1;
   case GL_GENERATE_MIPMAP: v[0] = p.generate_mipmap; return 1;

@@ -11,7 +11,8 @@ namespace softgl::test {
 namespace {
 
 struct TexelOptions {
-  bool one_dimensional = false, three_dimensional = false, cube = false, several_units = false, depth = false;
+  bool one_dimensional = false, three_dimensional = false, cube = false, several_units = false, depth = false,
+       anisotropic = false;
 };
 
 void image(Stage& s, GLenum target, GLint internal_format, int level, int w, int h, int d) {
@@ -106,6 +107,8 @@ void one_texture(Stage& s, GLenum target, const TexelOptions& o) {
   if (r.chance(20)) gl.TexParameterf(target, GL_TEXTURE_MIN_LOD, r.real(-1, 3));
   if (r.chance(20)) gl.TexParameterf(target, GL_TEXTURE_MAX_LOD, r.real(0, 4));
   if (r.chance(20)) gl.TexParameterf(target, GL_TEXTURE_LOD_BIAS, r.real(-2, 2));
+  if (o.anisotropic)
+    gl.TexParameterf(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, r.pick({1.5f, 2.0f, 4.0f, 16.0f, 100.0f}));
   gl.TexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, r.chance(15) ? r.real(-2, 2) : 0.0f);
   gl.Enable(target);
 }
@@ -127,7 +130,7 @@ void draw_with(Stage& s, const TexelOptions& o) {
     random_environment(s, units, false); // a texture may be incomplete
   }
   gl.ActiveTexture(GL_TEXTURE0);
-  const float scale = r.pick({0.6f, 1.0f, 2.0f, 8.0f, 40.0f});
+  const float scale = r.pick({0.6f, 1.0f, 2.0f, 8.0f, o.anisotropic ? 4.0f : 40.0f});
   const bool projective = r.chance(30), perspective = r.chance(50);
   gl.Begin(GL_TRIANGLES);
   for (int triangle = 0; triangle < 2; ++triangle)
@@ -175,6 +178,15 @@ void draw_texels_depth(Stage& s) {
   o.depth = true;
   draw_with(s, o);
 }
+/// Scales are small: an ellipse may be as long as the texture is repeated.
+void draw_anisotropic(Stage& s) {
+  TexelOptions o;
+  o.anisotropic = true;
+  const int shape = s.random.integer(0, 5);
+  o.three_dimensional = shape == 0, o.cube = shape == 1;
+  if (s.random.chance(50)) s.gl.Enable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  draw_with(s, o);
+}
 void draw_units(Stage& s) {
   TexelOptions o;
   o.several_units = true;
@@ -182,7 +194,7 @@ void draw_units(Stage& s) {
 }
 
 SceneRegistration texels{{"texels", draw_texels, true}}, one{{"texels_1d", draw_texels_1d, true}},
-    several{{"texture_units", draw_units, true}};
+    several{{"texture_units", draw_units, true}}, anisotropic{{"anisotropy", draw_anisotropic, true}};
 SceneRegistration three{{"texels_3d", draw_texels_3d, true}}, cube{{"texels_cube", draw_texels_cube, true}},
     seamless{{"texels_seamless", draw_texels_seamless, true}},
     depth{{"texels_depth", draw_texels_depth, true}};

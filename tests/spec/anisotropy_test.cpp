@@ -1,0 +1,96 @@
+// GL_EXT_texture_filter_anisotropic: the parameter, and textures whose filter stays as it is.
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "spec/refused_calls.h"
+#include "spec/state_snapshot.h"
+#include "support/runner.h"
+
+namespace softgl::test {
+namespace {
+
+void give_image(const Gl& gl, GLenum target, GLenum format) {
+  std::vector<GLubyte> texels(size_t(32) * 32 * 4);
+  for (size_t i = 0; i < texels.size(); ++i) texels[i] = GLubyte(i * 71 + (i >> 5) * 13);
+  if (target == GL_TEXTURE_1D)
+    gl.TexImage1D(target, 0, GLint(format), 32, 0, format, GL_UNSIGNED_BYTE, texels.data());
+  else
+    gl.TexImage2D(target, 0, GLint(format), 32, 32, 0, format, GL_UNSIGNED_BYTE, texels.data());
+  gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl.Enable(target);
+}
+
+/// A square whose coordinates go to `s` and `t`.
+void square(const Gl& gl, float s, float t) {
+  gl.Begin(GL_QUADS);
+  gl.TexCoord3f(0, 0, 0.2f), gl.Vertex2f(-1, -1);
+  gl.TexCoord3f(s, 0, 0.4f), gl.Vertex2f(1, -1);
+  gl.TexCoord3f(s, t, 0.6f), gl.Vertex2f(1, 1);
+  gl.TexCoord3f(0, t, 0.8f), gl.Vertex2f(-1, 1);
+  gl.End();
+}
+
+/// The picture of a squeezed texture.
+std::vector<uint8_t> squeezed(GLenum target, GLenum format, float anisotropy, float t) {
+  const Scene scene{"squeezed", [&](Stage& s) {
+                      give_image(s.gl, target, format);
+                      s.gl.TexParameterf(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, anisotropy);
+                      if (format == GL_DEPTH_COMPONENT)
+                        s.gl.TexParameteri(target, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_R_TO_TEXTURE);
+                      square(s.gl, target == GL_TEXTURE_RECTANGLE ? 32.0f : 1.0f, t);
+                    }};
+  return draw(softgl_library(), scene, 0).color;
+}
+
+} // namespace
+
+TEST_CASE("The greatest anisotropy is from 1 to 16", "[spec][errors][textures][anisotropy]") {
+  // clang-format off
+  static const BadCall calls[] = {
+      BAD(INVALID_VALUE, TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 0.5f)),
+      BAD(INVALID_VALUE, TexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 0)),
+      BAD(INVALID_VALUE, TexParameterf(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_ANISOTROPY_EXT, -4)),
+  };
+  // clang-format on
+  for (const Gl* gl : {&softgl_library(), &osmesa_library()}) {
+    INFO(gl->name);
+    CurrentContext context(*gl);
+    const StateSnapshot before = take_snapshot(*gl, false);
+    expect_refused(*gl, calls, [&] { CHECK(compare_snapshots(before, take_snapshot(*gl, false)) == ""); });
+    GLfloat most = 0;
+    gl->GetTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, &most);
+    CHECK(most == 1);
+    gl->PushAttrib(GL_TEXTURE_BIT);
+    for (const float given : {3.5f, 16.0f, 100.0f}) {
+      gl->TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, given);
+      gl->GetTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, &most);
+      CHECK(most == std::min(given, 16.0f));
+    }
+    gl->PopAttrib();
+    gl->GetTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, &most);
+    CHECK(most == 1);
+  }
+}
+
+TEST_CASE("Anisotropy changes no filter of one dimension, rectangles and comparisons",
+          "[spec][textures][anisotropy][deviation]") {
+  for (const auto& [target, format] : {std::pair<GLenum, GLenum>{GL_TEXTURE_1D, GL_RGBA},
+                                       {GL_TEXTURE_RECTANGLE, GL_RGBA},
+                                       {GL_TEXTURE_2D, GL_DEPTH_COMPONENT}}) {
+    INFO("target " << target << ", format " << format);
+    CHECK(squeezed(target, format, 16, 20) == squeezed(target, format, 1, 20));
+  }
+  CHECK(squeezed(GL_TEXTURE_2D, GL_RGBA, 1.5f, 20) == squeezed(GL_TEXTURE_2D, GL_RGBA, 1, 20));
+  CHECK(squeezed(GL_TEXTURE_2D, GL_RGBA, 2, 20) != squeezed(GL_TEXTURE_2D, GL_RGBA, 1, 20));
+}
+
+TEST_CASE("Ellipses of more than 65536 texels are filtered without anisotropy",
+          "[spec][textures][anisotropy][deviation]") {
+  for (const float huge : {1e6f, 1e30f, INFINITY})
+    CHECK(squeezed(GL_TEXTURE_2D, GL_RGBA, 16, huge) == squeezed(GL_TEXTURE_2D, GL_RGBA, 1, huge));
+}
+
+} // namespace softgl::test
