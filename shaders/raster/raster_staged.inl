@@ -24,7 +24,7 @@ SOFTGL_INLINE void merge_strip(const Merger& merger, const TileTarget& tile, con
             merger.depth_stencil(load(live + i), load(depth + i), tile.depth_stencil + (pixel + i)));
   if (tile.samples)
     for (int i = 0; i < kStripLanes; i += kWidth) *tile.samples += count_lanes(load(live + i));
-  if (format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565) {
+  if (format == ColorFormat::Rgb565 || (format == ColorFormat::Rgba8 && !merger.key.encoded)) {
     uint32_t expanded[kStripLanes];
     uint32_t* words = format == ColorFormat::Rgba8 ? static_cast<uint32_t*>(tile.color) + pixel : expanded;
     uint16_t* halves = static_cast<uint16_t*>(tile.color) + pixel;
@@ -43,7 +43,7 @@ SOFTGL_INLINE void merge_strip(const Merger& merger, const TileTarget& tile, con
     if (!live[i]) continue;
     const float color[4] = {block.color[0][first + i], block.color[1][first + i], block.color[2][first + i],
                             block.color[3][first + i]};
-    store_wide(merger.program, format, color, tile.color, size_t(pixel + i));
+    store_encoded(merger.program, color, tile.color, size_t(pixel + i));
   }
 }
 
