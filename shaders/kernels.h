@@ -46,7 +46,7 @@ struct RasterKernels {
   // Stages of fragment programs.
   FragmentStage light; // colors from normals, eye positions and materials
   FragmentStage color_sum, color_sum_clamped, fog_linear, fog_exp, fog_exp2;
-  FragmentStage clamp_depth;
+  FragmentStage clamp_color, clamp_depth;
   FragmentStage alpha_test_8, alpha_test_float; // `unit` is the comparison
   FragmentStage image[4];                       // by PixelElement; in front of all others
   FragmentStage point_coverage, line_coverage, polygon_coverage;

@@ -24,6 +24,7 @@ const RasterKernels raster_kernels = {
     .fog_linear = stage_fog_linear,
     .fog_exp = stage_fog_exp,
     .fog_exp2 = stage_fog_exp2,
+    .clamp_color = stage_clamp_color,
     .clamp_depth = stage_clamp_depth,
     .alpha_test_8 = stage_alpha_test_8,
     .alpha_test_float = stage_alpha_test_float,

@@ -19,6 +19,20 @@ enum class ColorFormat : uint8_t { Rgba8, Rgba16, RgbaFloat, Rgb565 };
 constexpr int bytes_per_pixel(ColorFormat f) {
   return f == ColorFormat::Rgba8 ? 4 : f == ColorFormat::Rgba16 ? 8 : f == ColorFormat::RgbaFloat ? 16 : 2;
 }
+/// What the numbers of a color are. Signed ones are int16_t where Rgba16 has uint16_t, also those of 8 bits.
+enum class ColorNumbers : uint8_t { Unsigned, Signed, Float };
+/// What of a color is kept. Unsigned numbers of fewer bits than the ColorFormat has fill its bits by
+/// repeating their own. A component that is not kept is 0, alpha 1. Luminance and intensity are kept as red.
+struct ColorEncoding {
+  ColorNumbers numbers = ColorNumbers::Unsigned;
+  uint8_t bits[4] = {8, 8, 8, 8}; // of r g b a; 0: not kept
+  bool srgb = false;              // red, green and blue are not linear (GL_EXT_framebuffer_sRGB)
+  bool operator==(const ColorEncoding&) const = default;
+};
+/// How many components are kept.
+constexpr int kept_components(const ColorEncoding& e) {
+  return (e.bits[0] > 0) + (e.bits[1] > 0) + (e.bits[2] > 0) + (e.bits[3] > 0);
+}
 /// Z24S8 keeps depth in bits 0-23 and stencil in 24-31 of a uint32_t; Z16 keeps depth in bits 0-15 of a
 /// uint32_t. Z32F keeps a float of [0, 1] in a uint32_t; if there are stencil values, each is a uint32_t
 /// kTilePixels behind its depth.
@@ -60,6 +74,7 @@ struct Surface {
   int32_t tiles_x, tiles_y;
   ColorFormat color_format;
   DepthFormat depth_format;
+  ColorEncoding encoding;
   uint32_t name;                     // of the framebuffer object, for the trace; 0: the window
   bool y_up;                         // row 0 is the bottom row of GL's window coordinates, not the top one
   int32_t plane_width, plane_height; // pixels of the larger plane: a clear of the surface leaves those beyond

@@ -20,6 +20,7 @@ struct FragmentConstants {
   int32_t alpha_reference_8;   // the same in 1/255, rounded
   float blend_color[4];
   uint8_t blend_color_8[4];
+  ColorEncoding encoding;          // of the surface's colors; not srgb where sRGB is switched off
   BlendEquation blend_equation[2]; // of rgb and of alpha, where the key says BlendEquation::Separate
   uint8_t stencil_reference, stencil_value_mask, stencil_write_mask;
   uint32_t least_depth, greatest_depth; // of the stage that clamps depths, in the depth buffer's integers

@@ -45,7 +45,7 @@ struct FragmentKey {
   // Which interpolated inputs the stages read.
   uint64_t lit : 1; // lighting makes the color out of normal, eye position and material; otherwise it is
                     // interpolated
-  uint64_t secondary : 1, fog_coordinate : 1, flat : 1;
+  uint64_t secondary : 1, flat : 1;
   uint64_t texture_units : 8; // units whose coordinates are read
   // Stages after texturing.
   uint64_t color_sum : 1;
@@ -65,6 +65,7 @@ struct FragmentKey {
   uint64_t color_mask : 4;   // bit 0 = red .. bit 3 = alpha
   uint64_t color_format : 2; // ColorFormat
   uint64_t depth_format : 2; // DepthFormat
+  uint64_t encoded : 1;      // Rgba8 colors are merged one by one, as FragmentConstants::encoding says
 };
 static_assert(sizeof(FragmentKey) == 8, "a fragment key is 64 bits");
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "shaders/fragment/fragment_blend.inl"
+#include "shaders/fragment/fragment_encode.inl"
 #include "shaders/fragment/fragment_stages.inl"
 
 namespace softgl {
@@ -140,121 +141,6 @@ SOFTGL_INLINE uint32_t expand_565(uint32_t v) {
 }
 SOFTGL_INLINE uint16_t cut_565(uint32_t c) {
   return uint16_t((c & 0xf8) << 8 | (c >> 5 & 0x7e0) | (c >> 19 & 0x1f));
-}
-
-/// The factor of channel c (3 = alpha) of one pixel; `one` is the number that stands for 1.
-template <class T>
-SOFTGL_INLINE T factor_of_channel(BlendFactor f, int c, const T* s, const T* d, const T* constant, T one) {
-  switch (f) {
-  case BlendFactor::Zero: return 0;
-  case BlendFactor::One: return one;
-  case BlendFactor::SourceColor: return s[c];
-  case BlendFactor::OneMinusSourceColor: return one - s[c];
-  case BlendFactor::SourceAlpha: return s[3];
-  case BlendFactor::OneMinusSourceAlpha: return one - s[3];
-  case BlendFactor::DestinationAlpha: return d[3];
-  case BlendFactor::OneMinusDestinationAlpha: return one - d[3];
-  case BlendFactor::DestinationColor: return d[c];
-  case BlendFactor::OneMinusDestinationColor: return one - d[c];
-  case BlendFactor::SourceAlphaSaturate: return c == 3 ? one : s[3] < one - d[3] ? s[3] : one - d[3];
-  case BlendFactor::ConstantColor: return constant[c];
-  case BlendFactor::OneMinusConstantColor: return one - constant[c];
-  case BlendFactor::ConstantAlpha: return constant[3];
-  case BlendFactor::OneMinusConstantAlpha: return one - constant[3];
-  }
-  return 0;
-}
-
-SOFTGL_INLINE float combine_products(BlendEquation equation, float a, float b) {
-  return equation == BlendEquation::Subtract          ? a - b
-         : equation == BlendEquation::ReverseSubtract ? b - a
-                                                      : a + b;
-}
-/// 16-bit sums saturate.
-SOFTGL_INLINE int64_t combine_products(BlendEquation equation, int64_t a, int64_t b) {
-  const int64_t v = equation == BlendEquation::Subtract          ? a - b
-                    : equation == BlendEquation::ReverseSubtract ? b - a
-                                                                 : a + b;
-  return v < 0 ? 0 : v > 65535 ? 65535 : v;
-}
-SOFTGL_INLINE float product(float a, float b) { return a * b; }
-/// a * b / 65535 as OSMesa 22.3.6 rounds it.
-SOFTGL_INLINE int64_t product(int64_t a, int64_t b) {
-  const int64_t p = a * b;
-  return (p + (p >> 16) + 0x8000) >> 16;
-}
-
-/// Blending of one pixel of a float (T = float) or 16-bit (T = int64_t) surface.
-template <class T> static void blend_wide(const FragmentProgram& program, const T* constant, T one,
-                                          const T* s, const T* d, T* out) {
-  const FragmentKey& key = program.key;
-  const bool separate = BlendEquation(key.blend_equation) == BlendEquation::Separate;
-  for (int c = 0; c < 4; ++c) {
-    const auto equation =
-        separate ? program.constants->blend_equation[c == 3] : BlendEquation(key.blend_equation);
-    if (equation == BlendEquation::Min) {
-      out[c] = s[c] < d[c] ? s[c] : d[c];
-      continue;
-    }
-    if (equation == BlendEquation::Max) {
-      out[c] = s[c] > d[c] ? s[c] : d[c];
-      continue;
-    }
-    const auto sf = BlendFactor(c == 3 ? key.blend_source_alpha : key.blend_source_rgb);
-    const auto df = BlendFactor(c == 3 ? key.blend_destination_alpha : key.blend_destination_rgb);
-    out[c] = combine_products(equation, product(s[c], factor_of_channel(sf, c, s, d, constant, one)),
-                              product(d[c], factor_of_channel(df, c, s, d, constant, one)));
-  }
-}
-
-SOFTGL_INLINE uint16_t unorm_16(float v) {
-  const float c = v > 0.0f ? (v < 1.0f ? v : 1.0f) : 0.0f;
-  return uint16_t(_mm_cvtss_si32(_mm_set_ss(c * 65535.0f)));
-}
-
-SOFTGL_INLINE uint16_t logic_16(unsigned operation, uint16_t s, uint16_t d) {
-  const uint16_t results[16] = {0,
-                                uint16_t(s & d),
-                                uint16_t(s & ~d),
-                                s,
-                                uint16_t(~s & d),
-                                d,
-                                uint16_t(s ^ d),
-                                uint16_t(s | d),
-                                uint16_t(~(s | d)),
-                                uint16_t(~(s ^ d)),
-                                uint16_t(~d),
-                                uint16_t(s | ~d),
-                                uint16_t(~s),
-                                uint16_t(~s | d),
-                                uint16_t(~(s & d)),
-                                0xffff};
-  return results[operation];
-}
-
-/// One pixel of a 16-bit or float surface.
-static void store_wide(const FragmentProgram& program, ColorFormat format, const float source[4], void* color,
-                       size_t pixel) {
-  const FragmentKey& key = program.key;
-  const FragmentConstants& k = *program.constants;
-  if (format == ColorFormat::Rgba16) {
-    uint16_t* target = static_cast<uint16_t*>(color) + 4 * pixel;
-    int64_t s[4], d[4], out[4], constant[4];
-    for (int c = 0; c < 4; ++c)
-      out[c] = s[c] = unorm_16(source[c]), d[c] = target[c], constant[c] = unorm_16(k.blend_color[c]);
-    if (key.blend) blend_wide<int64_t>(program, constant, 65535, s, d, out);
-    for (int c = 0; c < 4; ++c) {
-      if (!(key.color_mask >> c & 1)) continue;
-      target[c] = key.logic_op ? logic_16(unsigned(key.blend_source_rgb), uint16_t(out[c]), target[c])
-                               : uint16_t(out[c]);
-    }
-    return;
-  }
-  float* target = static_cast<float*>(color) + 4 * pixel;
-  float out[4] = {source[0], source[1], source[2], source[3]};
-  if (key.blend) blend_wide<float>(program, k.blend_color, 1.0f, source, target, out);
-  for (int c = 0; c < 4; ++c)
-    if (key.color_mask >> c & 1) target[c] = out[c];
 }
 
 } // namespace SOFTGL_ISA

@@ -61,6 +61,13 @@ static void stage_fog_exp2(FragmentBlock& block, const FragmentConstants& consta
   mix_fog(block, constants, f);
 }
 
+/// GL_CLAMP_FRAGMENT_COLOR (GL_ARB_color_buffer_float).
+static void stage_clamp_color(FragmentBlock& block, const FragmentConstants&, int) {
+  const int lanes = block.lanes;
+  for (int c = 0; c < 4; ++c)
+    for (int i = 0; i < lanes; ++i) block.color[c][i] = saturate(block.color[c][i]);
+}
+
 /// GL_ARB_depth_clamp: depths stay within those of glDepthRange.
 static void stage_clamp_depth(FragmentBlock& block, const FragmentConstants& constants, int) {
   const int lanes = block.lanes;

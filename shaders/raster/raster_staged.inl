@@ -59,7 +59,7 @@ SOFTGL_INLINE void merge_strip(const Merger& merger, const TileTarget& tile, con
     living |= v;
   }
   if (!any(living)) return;
-  if (format == ColorFormat::Rgba8) {
+  if (format == ColorFormat::Rgba8 && !merger.key.encoded) {
     uint32_t* target = static_cast<uint32_t*>(tile.color) + pixel;
     for (int i = 0; i < kStripLanes; i += kWidth)
       merger.color(load(live + i), load(words + first + i), target + i);
@@ -78,7 +78,7 @@ SOFTGL_INLINE void merge_strip(const Merger& merger, const TileTarget& tile, con
     if (!live[i]) continue;
     const float color[4] = {block.color[0][first + i], block.color[1][first + i], block.color[2][first + i],
                             block.color[3][first + i]};
-    store_wide(merger.program, format, color, tile.color, size_t(pixel + i));
+    store_encoded(merger.program, color, tile.color, size_t(pixel + i));
   }
 }
 

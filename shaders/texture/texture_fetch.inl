@@ -2,6 +2,7 @@
 #pragma once
 
 #include "shaders/common/lane_math.h"
+#include "shaders/common/srgb.h"
 #include "shaders/fragment/fragment_block.h"
 #include "shaders/texture/texture_constants.h"
 
@@ -17,15 +18,6 @@ struct FloatAxis {
 struct FloatTexels {
   alignas(64) float v[4][kLanes];
 };
-
-/// A byte of an sRGB color. OSMesa takes a cubic in place of the power 2.4.
-static inline float srgb_to_linear(float v) {
-  const float scale = 255.0f, square = v * v;
-  if (v <= 15.0f) return v * (1.0f / (12.6f * scale));
-  const float even = (0.6935f / (scale * scale)) * square + 0.0023f;
-  const float odd = (0.3012f / (scale * scale * scale)) * square + 0.0030f / scale;
-  return odd * v + even;
-}
 
 /// The word of a depth.
 static inline __attribute__((always_inline)) uint32_t depth_word(const TextureLevel& level, int face,

@@ -63,6 +63,7 @@ struct VertexProgram {
   bool fog, fog_from_attribute;
   FogDistance fog_distance; // Radial: needs the eye position
   bool depth_clamp;         // the near and the far plane clip nothing
+  bool clamp_colors;        // GL_ARB_color_buffer_float
   bool point_attenuated;
   const TransformConstants* transform;
   const ClipPlaneConstants* clip_planes;                    // null: none enabled

@@ -97,12 +97,12 @@ static inline void shade_block(VertexBlock& b, const VertexJob& job, uint32_t fi
       float(*color)[kLanes] = b.lighting.color[face];
       const int slot = face ? layout.back_color : layout.color;
       if (slot < 0) continue;
-      clamp_lanes(color, 4, n);
+      if (p.clamp_colors) clamp_lanes(color, 4, n);
       store_slot(color[0], color[1], color[2], color[3], out + slot, slots, count);
     }
   } else if (layout.color >= 0) {
     fetch_attribute(job, kColor, first, count, n, 4, b.color);
-    clamp_lanes(b.color, 4, n);
+    if (p.clamp_colors) clamp_lanes(b.color, 4, n);
     store_slot(b.color[0], b.color[1], b.color[2], b.color[3], out + layout.color, slots, count);
   } else {
     store_lighting_inputs(b, job, first, count, n, out);
@@ -126,7 +126,7 @@ static inline void shade_block(VertexBlock& b, const VertexJob& job, uint32_t fi
         for (int c = 0; c < 3; ++c) broadcast(0.0f, color[c], n);
       else if (!separate)
         fetch_attribute(job, kSecondaryColor, first, count, n, 3, color);
-      clamp_lanes(color, 3, n);
+      if (p.clamp_colors) clamp_lanes(color, 3, n);
       store_slot(color[0], color[1], color[2], b.fog, out + slot, slots, count);
     }
   }

@@ -102,6 +102,7 @@ struct LightingState {
   Vec4 model_ambient{0.2f, 0.2f, 0.2f, 1};
   bool local_viewer = false, two_side = false;
   GLenum color_control = GL_SINGLE_COLOR;
+  GLenum clamp_vertex_color = GL_TRUE;            // GL_ARB_color_buffer_float
   GLenum specular_vector = GL_HALF_VECTOR_SOFTGL; // GL_SOFTGL_phong_illumination
   uint32_t terms = GL_ALL_TERM_BITS_SOFTGL;
   Vec3 material_indexes[2] = {{0, 1, 1},
@@ -205,6 +206,8 @@ struct ColorBufferState {
   GLuint index_mask = 0xffffffffu;
   Vec4 clear_color{0, 0, 0, 0};
   float clear_index = 0;
+  bool framebuffer_srgb = false;
+  GLenum clamp_fragment_color = GL_FIXED_ONLY, clamp_read_color = GL_FIXED_ONLY; // GL_ARB_color_buffer_float
 };
 struct DepthState {
   bool test = false, mask = true;

@@ -67,7 +67,7 @@ FragmentKey simplify(FragmentKey k) {
     k.blend = k.logic_op = 0;
     k.blend_equation = k.blend_source_rgb = k.blend_destination_rgb = k.blend_source_alpha =
         k.blend_destination_alpha = 0;
-    k.color_sum = k.fog_mode = k.fog_coordinate = k.secondary = 0;
+    k.color_sum = k.fog_mode = k.secondary = 0;
   }
   return k;
 }
@@ -100,7 +100,7 @@ std::string to_string(const FragmentKey& k) {
   std::string mask = "mask:";
   for (int i = 0; i < 4; ++i) mask += (k.color_mask >> i & 1) ? "rgba"[i] : '-';
   add(mask);
-  add(color_names[k.color_format]);
+  add(std::string(color_names[k.color_format]) + (k.encoded ? ",encoded" : ""));
   add(depth_names[k.depth_format]);
   return s;
 }

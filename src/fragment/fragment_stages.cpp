@@ -4,7 +4,19 @@
 
 namespace softgl {
 
-void append_fragment_stages(FragmentProgram& program) {
+namespace {
+
+/// OSMesa 22.3.6 compares alpha as it is stored where the components are four bytes, the last of them unused
+/// or not.
+bool stores_alpha_bytes(const FragmentProgram& program) {
+  const uint8_t* bits = program.constants->encoding.bits;
+  return static_cast<ColorFormat>(program.key.color_format) == ColorFormat::Rgba8 && bits[0] == 8 &&
+         bits[1] == 8 && bits[2] == 8;
+}
+
+} // namespace
+
+void append_fragment_stages(FragmentProgram& program, bool clamp) {
   const FragmentKey& key = program.key;
   const RasterKernels& k = *kernels().raster;
   if (key.color_sum) program.add(key.lit ? k.color_sum_clamped : k.color_sum);
@@ -14,9 +26,9 @@ void append_fragment_stages(FragmentProgram& program) {
   case FogMode::Exp: program.add(k.fog_exp); break;
   case FogMode::Exp2: program.add(k.fog_exp2); break;
   }
+  if (clamp) program.add(k.clamp_color);
   if (static_cast<Compare>(key.alpha_function) != Compare::Always)
-    program.add(static_cast<ColorFormat>(key.color_format) == ColorFormat::Rgba8 ? k.alpha_test_8
-                                                                                 : k.alpha_test_float,
+    program.add(stores_alpha_bytes(program) ? k.alpha_test_8 : k.alpha_test_float,
                 static_cast<int32_t>(key.alpha_function));
 }
 

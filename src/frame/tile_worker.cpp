@@ -120,7 +120,7 @@ void clear_color(const ClearRecord& c, const Surface& s, uint32_t tile, const Bo
   case ColorFormat::Rgba16: {
     uint64_t value = 0, mask = 0;
     for (int i = 0; i < 4; ++i) {
-      value |= uint64_t(c.color_value[i]) << (16 * i);
+      value |= uint64_t(uint16_t(int32_t(c.color_value[i]))) << (16 * i);
       if (c.color_mask[i]) mask |= uint64_t(0xffff) << (16 * i);
     }
     fill(static_cast<uint64_t*>(s.color) + first, color_samples(s), value, mask, box, whole);

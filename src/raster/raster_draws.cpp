@@ -67,7 +67,7 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
   vary(offsetof(FragmentBlock, color), l.color, l.back_color, 0, 4, flat(kColor));
   if (key.secondary)
     vary(offsetof(FragmentBlock, secondary), l.secondary, l.back_secondary, 0, 3, flat(kSecondaryColor));
-  if (key.fog_coordinate) vary(offsetof(FragmentBlock, fog), l.secondary, -1, 3, 1, false);
+  if (key.fog_mode) vary(offsetof(FragmentBlock, fog), l.secondary, -1, 3, 1, false);
   if (key.lit) {
     constexpr size_t kLighting = offsetof(FragmentBlock, lighting);
     vary(kLighting + offsetof(LightingBlock, normal), l.normal, -1, 0, 3, false);
@@ -99,12 +99,13 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
   // Depths that are floats are tested by strips alone, and so are samples.
   const bool depth_floats = static_cast<DepthFormat>(key.depth_format) == DepthFormat::Z32F,
              strips = depth_floats || draw.raster->samples > 1;
-  const bool packed = (format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565) &&
+  const bool packed = (format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565) && !key.encoded &&
                       !d.program->writes_depth && !d.raster->stipple && !strips;
   d.small = packed && !d.program->reads_quads && is_enabled(FastPath::Small);
   d.quads = packed && d.program->reads_quads && takes(FastPath::Quads);
   d.direct = draw.fragment->step_count == 0 && !d.raster->stipple && format == ColorFormat::Rgba8 &&
-             !key.stencil && !strips && (!draw.samples || key.color_mask == 0) && takes(FastPath::Direct);
+             !key.encoded && !key.stencil && !strips && (!draw.samples || key.color_mask == 0) &&
+             takes(FastPath::Direct);
   // With NotEqual a fragment may fail now and pass when those before it, of the same batch, are drawn.
   d.early_depth = !key.stencil && static_cast<Compare>(key.depth_function) != Compare::NotEqual &&
                   !depth_floats && !draw.fragment->writes_depth && takes(FastPath::EarlyDepth);

@@ -70,7 +70,7 @@ bool make_state_fragment_program(const Making& m, SnapshotCache& cache) {
 
 bool make_fragment_inputs(const Making&, SnapshotCache& cache) {
   const FragmentKey& key = cache.fragment->key;
-  return set(cache.fragment_inputs, uint32_t(key.lit | key.secondary << 1 | key.fog_coordinate << 2 |
+  return set(cache.fragment_inputs, uint32_t(key.lit | key.secondary << 1 | uint64_t(key.fog_mode != 0) << 2 |
                                              uint64_t(key.texture_units) << 3));
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/kernel_table.h"
 #include "base/unit_range.h"
+#include "context/color_clamping.h"
 #include "context/context.h"
 #include "fragment/fragment_keys.h"
 #include "fragment/fragment_stages.h"
@@ -98,7 +99,19 @@ void set_fog(const FogState& fog, FragmentKey& key, FragmentConstants& k) {
     key.fog_mode = uint64_t(FogMode::Exp2);
     k.fog_scale = static_cast<float>(fog.density * 1.20112240878644931); // sqrt(log2 e)
   }
-  key.fog_coordinate = 1;
+}
+
+/// The encoding in which colors are stored now, and the key's part of it.
+void set_encoding(const Context& c, FragmentKey& key, FragmentConstants& k) {
+  const Surface& surface = c.draw->surface;
+  k.encoding = surface.encoding;
+  k.encoding.srgb = surface.encoding.srgb && c.state.color_buffer.framebuffer_srgb;
+  for (int i = 0; i < 4; ++i)
+    if (k.encoding.bits[i] == 0) key.color_mask &= ~(uint64_t(1) << i);
+  if (surface.color_format != ColorFormat::Rgba8) return;
+  bool whole = true; // bytes
+  for (uint8_t bits : k.encoding.bits) whole = whole && (bits == 0 || bits == 8);
+  key.encoded = k.encoding.srgb || !whole || (key.blend && kept_components(k.encoding) == 1);
 }
 
 } // namespace
@@ -153,8 +166,8 @@ const FragmentProgram* make_fragment_program(Context& context, Arena& arena, con
   }
   if (draws_color(context))
     for (int i = 0; i < 4; ++i) key.color_mask |= uint64_t(c.mask[i]) << i;
-  // Surfaces without alpha keep it at 1, so that destination alpha reads as 1.
-  if (!context.draw->has_alpha) key.color_mask &= 7;
+  // Components that the surface does not keep stay 0, and alpha 1, so that destination alpha reads as 1.
+  set_encoding(context, key, k);
 
   key = simplify(key); // before the textures: their stages may take the color sum over
   if (image) {
@@ -170,7 +183,7 @@ const FragmentProgram* make_fragment_program(Context& context, Arena& arena, con
   }
   if (key.lit) program.add(kernels().raster->light);
   append_texture_stages(context, arena, program, k);
-  append_fragment_stages(program);
+  append_fragment_stages(program, clamps_fragment_colors(context));
   return &program;
 }
 
@@ -246,12 +259,14 @@ const FragmentProgram* make_stencil_program(Context& context, Arena& arena, cons
 }
 
 const FragmentProgram* make_copy_program(Context& context, Arena& arena, const PixelImage& image) {
-  FragmentProgram& program = make_image_program(context, arena, image, *arena.make<FragmentConstants>());
+  auto& k = *arena.make<FragmentConstants>();
+  FragmentProgram& program = make_image_program(context, arena, image, k);
   program.writes_depth = image.kind == PixelElement::Depth;
   if (program.writes_depth)
     program.key.depth_write = 1;
   else
-    program.key.color_mask = context.draw->has_alpha ? 15 : 7;
+    program.key.color_mask = 15;
+  set_encoding(context, program.key, k);
   return &program;
 }
 

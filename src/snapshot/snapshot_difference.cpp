@@ -30,8 +30,8 @@ MEMBERS(TextureUnitConstants, level, last_level, shape, texel, wrap, counts_texe
 MEMBERS(CombinerStep, operation, result, a, b)
 MEMBERS(CombinerProgram, step_count, result, constant, step)
 MEMBERS(FragmentConstants, fog_color, fog_scale, fog_offset, alpha_reference, alpha_reference_8, blend_color,
-        blend_color_8, blend_equation, stencil_reference, stencil_value_mask, stencil_write_mask, least_depth,
-        greatest_depth, lighting, texture, combiner, image)
+        blend_color_8, encoding, blend_equation, stencil_reference, stencil_value_mask, stencil_write_mask,
+        least_depth, greatest_depth, lighting, texture, combiner, image)
 MEMBERS(FragmentStep, stage, unit)
 MEMBERS(FragmentProgram, key, constants, step_count, step, r_units, lod_units, writes_depth, reads_quads,
         coverage)
@@ -46,9 +46,9 @@ MEMBERS(CoordinateConstants, mode, transform, plane, matrix)
 MEMBERS(PointConstants, size, minimum, maximum, attenuation)
 MEMBERS(PolygonConstants, mode, ccw_is_front, cull_front, cull_back, two_sided, offset)
 MEMBERS(VertexProgram, eye_position, eye_position_late, eye_unit, normal, normal_to_eye, normalize,
-        unit_normal, lit, fog, fog_from_attribute, fog_distance, depth_clamp, point_attenuated, transform,
-        clip_planes, lighting, coordinates, reflection_z, point, polygons, line_stipple, stipple_pattern,
-        stipple_factor)
+        unit_normal, lit, fog, fog_from_attribute, fog_distance, depth_clamp, clamp_colors, point_attenuated,
+        transform, clip_planes, lighting, coordinates, reflection_z, point, polygons, line_stipple,
+        stipple_pattern, stipple_factor)
 MEMBERS(ShadedLayout, color, secondary, back_color, back_secondary, point, texcoord, normal, eye, tracked,
         material, slots)
 MEMBERS(LightConstants, positional, attenuated, spot, position, half_vector, attenuation, spot_direction,

@@ -188,7 +188,8 @@ TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum&
   set_border(p.border_color, *image.format, *t);
   t->no_alpha = !has_alpha(image.format->base);
   if (image.format->layout == TexelLayout::Depth) {
-    t->compares = p.compare_mode == GL_COMPARE_R_TO_TEXTURE;
+    // Cube maps have no coordinate left to compare with.
+    t->compares = p.compare_mode == GL_COMPARE_R_TO_TEXTURE && t->shape != TextureShape::Cube;
     t->compare_function = uint8_t(p.compare_function - GL_NEVER);
     t->depth_components = p.depth_mode == GL_INTENSITY ? 15
                           : p.depth_mode == GL_ALPHA   ? 8

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "context/color_clamping.h"
 #include "context/context.h"
 #include "shaders/fragment/fragment_program.h"
 #include "snapshot/polygons.h"
@@ -160,7 +161,7 @@ ShadedLayout make_layout(const Context& c, const FragmentKey& key, const int8_t 
   } else {
     l.color = next++;
   }
-  if (key.secondary || key.fog_coordinate) l.secondary = next++;
+  if (key.secondary || key.fog_mode) l.secondary = next++;
   if (two_sided) l.back_color = next++;
   if (two_sided && key.secondary) l.back_secondary = next++;
   if (points && c.state.point.attenuated()) l.point = next++;
@@ -178,11 +179,12 @@ const VertexProgram* make_vertex_program(const Context& c, const SnapshotCache& 
   p->clip_planes = cache.clip_planes;
   p->lighting = cache.lighting;
   p->lit = cache.lighting && !key.lit;
-  p->fog = key.fog_coordinate;
+  p->fog = key.fog_mode != 0;
   p->fog_from_attribute = s.fog.coordinate_source == GL_FOG_COORDINATE;
   p->fog_distance = fog_distance(s.fog.distance_mode);
   p->eye_position = p->fog && !p->fog_from_attribute && p->fog_distance == FogDistance::Radial;
   p->depth_clamp = s.transform.depth_clamp;
+  p->clamp_colors = clamps_vertex_colors(c);
   p->normal_to_eye = cache.eye_space;
   p->normalize = s.transform.normalize;
   p->unit_normal = p->normalize && key.lit;

@@ -7,6 +7,7 @@
 
 #include "base/pages.h"
 #include "surface/accumulation.h"
+#include "surface/stored_color.h"
 
 namespace softgl {
 namespace {
@@ -58,6 +59,7 @@ bool Framebuffer::allocate(int width, int height, ColorFormat color_format) {
   s.plane_height = height;
   s.color_columns = s.depth_columns = s.tiles_x;
   s.color_format = color_format;
+  s.encoding = whole_encoding(color_format, has_alpha);
   s.depth_format = depth_bits == 0 && stencil_bits == 0    ? DepthFormat::None
                    : depth_bits == 16 && stencil_bits == 0 ? DepthFormat::Z16
                                                            : DepthFormat::Z24S8;
@@ -94,13 +96,7 @@ bool Framebuffer::allocate(int width, int height, ColorFormat color_format) {
       return false;
     }
   }
-  if (!has_alpha) {
-    const size_t pixels = color_bytes / size_t(bytes_per_pixel(color_format));
-    if (color_format == ColorFormat::Rgba16)
-      for (size_t i = 0; i < pixels; ++i) static_cast<uint16_t*>(s.color)[4 * i + 3] = 0xffff;
-    if (color_format == ColorFormat::RgbaFloat)
-      for (size_t i = 0; i < pixels; ++i) static_cast<float*>(s.color)[4 * i + 3] = 1.0f;
-  }
+  if (!has_alpha) { fill_alpha(color_format, s.encoding, s.color, color_bytes); }
   if (resolved && !resolved->allocate(width, height, color_format)) {
     unmap_pages(s.color, color_bytes);
     if (depth_bytes) unmap_pages(s.depth_stencil, depth_bytes);

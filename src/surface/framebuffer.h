@@ -13,6 +13,8 @@
 
 namespace softgl {
 
+struct TexelFormat; // texture/texel_format.h
+
 /// The caller's memory and how OSMesa was told to fill it.
 struct ClientBuffer {
   void* data = nullptr;
@@ -30,9 +32,10 @@ struct FramebufferCounts {
 struct RenderTarget {
   Surface surface{}; // empty where nothing can be drawn
   int depth_bits = 0, stencil_bits = 0,
-      accumulation_bits = 0; // a depth_stencil plane may serve only one of the two
-  bool has_alpha = true;     // false for RGB and RGB_565: alpha reads as 1 and is never written
-  bool unwritten = false;    // something may wait to be written to the planes (TileWords)
+      accumulation_bits = 0;           // a depth_stencil plane may serve only one of the two
+  bool has_alpha = true;               // false for RGB and RGB_565: alpha reads as 1 and is never written
+  const TexelFormat* texels = nullptr; // of what is attached: how its colors are texels
+  bool unwritten = false;              // something may wait to be written to the planes (TileWords)
 };
 
 /// The window. Its surface is empty before the first MakeCurrent.

@@ -7,7 +7,10 @@
 #include <vector>
 
 #include "base/assert.h"
+#include "shaders/common/srgb.h"
+#include "texture/base_format.h"
 #include "texture/pixel_formats.h"
+#include "texture/texel_format.h"
 
 namespace softgl {
 namespace {
@@ -80,18 +83,10 @@ void copy_stencil_row(const Surface& s, int x, int y, int count, uint32_t* row) 
   }
 }
 
-void color_row_to_bytes(ColorFormat format, const void* row, int count, uint8_t (*rgba)[4]) {
-  switch (format) {
-  case ColorFormat::Rgba8: std::memcpy(rgba, row, size_t(count) * 4); return;
-  case ColorFormat::Rgba16:
-    for (int i = 0; i < count * 4; ++i)
-      rgba[i / 4][i % 4] = uint8_t(convert_unorm(static_cast<const uint16_t*>(row)[i], 16, 8));
-    return;
-  case ColorFormat::RgbaFloat:
-    for (int i = 0; i < count * 4; ++i)
-      rgba[i / 4][i % 4] = uint8_t(float_to_unorm(static_cast<const float*>(row)[i], 8));
-    return;
-  case ColorFormat::Rgb565:
+void color_row_to_bytes(const Surface& s, const void* row, int count, uint8_t (*rgba)[4]) {
+  if (s.color_format == ColorFormat::Rgba8) {
+    std::memcpy(rgba, row, size_t(count) * 4);
+  } else if (s.color_format == ColorFormat::Rgb565) {
     for (int i = 0; i < count; ++i) {
       const uint32_t p = static_cast<const uint16_t*>(row)[i];
       rgba[i][0] = uint8_t(convert_unorm(p >> 11, 5, 8));
@@ -99,20 +94,47 @@ void color_row_to_bytes(ColorFormat format, const void* row, int count, uint8_t 
       rgba[i][2] = uint8_t(convert_unorm(p & 31, 5, 8));
       rgba[i][3] = 255;
     }
-    return;
+  } else if (s.color_format == ColorFormat::Rgba16 && s.encoding.numbers == ColorNumbers::Unsigned) {
+    for (int i = 0; i < count * 4; ++i)
+      rgba[i / 4][i % 4] = uint8_t(convert_unorm(static_cast<const uint16_t*>(row)[i], 16, 8));
+  } else {
+    for (int i = 0; i < count; ++i) {
+      const size_t pixel = size_t(i) * size_t(bytes_per_pixel(s.color_format));
+      float color[1][4];
+      color_row_to_floats(s, static_cast<const unsigned char*>(row) + pixel, 1, color);
+      for (int k = 0; k < 4; ++k) rgba[i][k] = uint8_t(float_to_unorm(color[0][k], 8));
+    }
   }
 }
 
-void color_row_to_floats(ColorFormat format, const void* row, int count, float (*rgba)[4]) {
-  switch (format) {
-  case ColorFormat::Rgba8:
+namespace {
+
+/// Numbers of integers that fill Stored; those that are not kept are 0 or, as alpha, all ones.
+template <class Stored>
+void unsigned_row_to_floats(const Surface& s, const void* row, int count, float (*rgba)[4]) {
+  constexpr int kWide = int(sizeof(Stored) * 8);
+  for (int k = 0; k < 4; ++k) {
+    const int bits = s.encoding.bits[k] ? s.encoding.bits[k] : kWide;
+    for (int i = 0; i < count; ++i)
+      rgba[i][k] =
+          unorm_to_float(uint32_t(static_cast<const Stored*>(row)[4 * i + k]) >> (kWide - bits), bits);
+  }
+}
+
+} // namespace
+
+void color_row_to_floats(const Surface& s, const void* row, int count, float (*rgba)[4]) {
+  switch (s.color_format) {
+  case ColorFormat::Rgba8: return unsigned_row_to_floats<uint8_t>(s, row, count, rgba);
+  case ColorFormat::Rgba16: {
+    if (s.encoding.numbers == ColorNumbers::Unsigned)
+      return unsigned_row_to_floats<uint16_t>(s, row, count, rgba);
+    const bool narrow = *std::max_element(s.encoding.bits, s.encoding.bits + 4) == 8;
+    const float scale = 1.0f / (narrow ? 127.0f : 32767.0f);
     for (int i = 0; i < count * 4; ++i)
-      rgba[i / 4][i % 4] = unorm_to_float(static_cast<const uint8_t*>(row)[i], 8);
+      rgba[i / 4][i % 4] = std::max(float(static_cast<const int16_t*>(row)[i]) * scale, -1.0f);
     return;
-  case ColorFormat::Rgba16:
-    for (int i = 0; i < count * 4; ++i)
-      rgba[i / 4][i % 4] = unorm_to_float(static_cast<const uint16_t*>(row)[i], 16);
-    return;
+  }
   case ColorFormat::RgbaFloat: std::memcpy(rgba, row, size_t(count) * 16); return;
   case ColorFormat::Rgb565:
     for (int i = 0; i < count; ++i) {
@@ -124,6 +146,12 @@ void color_row_to_floats(ColorFormat format, const void* row, int count, float (
     }
     return;
   }
+}
+
+void color_row_to_linear_floats(const Surface& s, const void* row, int count, float (*rgba)[4]) {
+  color_row_to_floats(s, row, count, rgba);
+  for (int i = 0; i < count; ++i)
+    for (int k = 0; k < 3; ++k) rgba[i][k] = srgb_to_linear(float(static_cast<const uint8_t*>(row)[4 * i + k]));
 }
 
 float depth_to_float(DepthFormat format, uint32_t word) {
@@ -138,6 +166,16 @@ uint32_t float_to_depth(DepthFormat format, float depth) {
   return uint32_t(std::lrint(depth * float(largest_depth(format))));
 }
 
+void spread_colors(const TexelFormat* texels, uint8_t (*rgba)[4], size_t count) {
+  if (!texels) return;
+  for (size_t i = 0; i < count; ++i) spread<uint8_t>(texels->base, rgba[i], 255);
+}
+
+void spread_colors(const TexelFormat* texels, float (*rgba)[4], size_t count) {
+  if (!texels) return;
+  for (size_t i = 0; i < count; ++i) spread<float>(texels->base, rgba[i], 1.0f);
+}
+
 void read_rgba8(const Surface& s, int x, int y, int width, int height, uint8_t (*rgba)[4]) {
   if (width <= 0 || height <= 0) return;
   std::memset(rgba, 0, size_t(width) * size_t(height) * 4);
@@ -145,7 +183,7 @@ void read_rgba8(const Surface& s, int x, int y, int width, int height, uint8_t (
   for_each_row(s, x, y, width, height,
                [&](int row_of_surface, int first, int count, size_t line, size_t column) {
                  copy_color_row(s, first, row_of_surface, count, row.data());
-                 color_row_to_bytes(s.color_format, row.data(), count, rgba + line * size_t(width) + column);
+                 color_row_to_bytes(s, row.data(), count, rgba + line * size_t(width) + column);
                });
 }
 
@@ -156,7 +194,7 @@ void read_rgba_float(const Surface& s, int x, int y, int width, int height, floa
   for_each_row(s, x, y, width, height,
                [&](int row_of_surface, int first, int count, size_t line, size_t column) {
                  copy_color_row(s, first, row_of_surface, count, row.data());
-                 color_row_to_floats(s.color_format, row.data(), count, rgba + line * size_t(width) + column);
+                 color_row_to_floats(s, row.data(), count, rgba + line * size_t(width) + column);
                });
 }
 

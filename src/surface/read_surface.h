@@ -1,11 +1,14 @@
 // Reading pixels back from the surface, in GL's coordinates (y up).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "shaders/common/surface.h"
 
 namespace softgl {
+
+struct TexelFormat; // texture/texel_format.h
 
 /// The row of the surface that GL's window coordinate y means.
 inline int surface_row(const Surface& surface, int y) { return surface.y_up ? y : surface.height - 1 - y; }
@@ -17,13 +20,20 @@ void copy_depth_stencil_row(const Surface& surface, int x, int y, int count, uin
 /// The stencil values alone; the surface has some.
 void copy_stencil_row(const Surface& surface, int x, int y, int count, uint32_t* row);
 
-/// Colors as bytes or as floats. The one of fewer bits rounds as OSMesa 22.3.6 does: 5 and 6 bits are
-/// repeated.
-void color_row_to_bytes(ColorFormat format, const void* row, int count, uint8_t (*rgba)[4]);
-void color_row_to_floats(ColorFormat format, const void* row, int count, float (*rgba)[4]);
+/// Colors of a row in the surface's format as bytes or as floats. Bits are repeated or rounded as
+/// OSMesa 22.3.6 does. Luminance and intensity are red. sRGB stays what it is.
+void color_row_to_bytes(const Surface& surface, const void* row, int count, uint8_t (*rgba)[4]);
+void color_row_to_floats(const Surface& surface, const void* row, int count, float (*rgba)[4]);
+/// The same of an sRGB surface, made linear.
+void color_row_to_linear_floats(const Surface& surface, const void* row, int count, float (*rgba)[4]);
 float depth_to_float(DepthFormat format, uint32_t word);
 /// The word of a depth of [0, 1]: the nearest integer, or the float itself.
 uint32_t float_to_depth(DepthFormat format, float depth);
+
+/// Colors that were read as a texture with the same texels gives them: luminance and intensity in all
+/// components that they stand for. `texels`: RenderTarget::texels; null changes nothing.
+void spread_colors(const TexelFormat* texels, uint8_t (*rgba)[4], size_t count);
+void spread_colors(const TexelFormat* texels, float (*rgba)[4], size_t count);
 
 /// Copies a rectangle (lower left corner x, y; bottom row first) as bytes; zeros outside.
 void read_rgba8(const Surface& surface, int x, int y, int width, int height, uint8_t (*rgba)[4]);

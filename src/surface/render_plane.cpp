@@ -5,17 +5,40 @@
 
 #include "base/pages.h"
 #include "surface/framebuffer.h"
+#include "surface/stored_color.h"
 #include "texture/texel_format.h"
 
 namespace softgl {
 namespace {
 
-RenderFormat color_format(ColorFormat format, int red, int green, int blue, int alpha) {
+/// `layout`: the texels'.
+ColorFormat storage(const TexelFormat& t) {
+  switch (t.layout) {
+  case TexelLayout::Float: return ColorFormat::RgbaFloat;
+  case TexelLayout::Rgba16:
+  case TexelLayout::Signed16: return ColorFormat::Rgba16;
+  default: return t.bits[0] == 5 && t.bits[1] == 6 ? ColorFormat::Rgb565 : ColorFormat::Rgba8;
+  }
+}
+
+RenderFormat color_format(const TexelFormat& t) {
+  const bool luminance = t.base == GL_LUMINANCE || t.base == GL_LUMINANCE_ALPHA;
+  // Three numbers with one exponent have no masks; OSMesa 22.3.6 does not draw to luminance of sRGB.
+  const bool drawn = t.block == BlockFormat::None && t.bits[0] != 9 && !(t.srgb && luminance);
   RenderFormat f;
-  f.kind = RenderFormat::Kind::Color;
-  f.color = format;
-  const int bits[4] = {red, green, blue, alpha};
-  for (int i = 0; i < 4; ++i) f.bits[i] = uint8_t(bits[i]);
+  f.kind = drawn ? RenderFormat::Kind::Color : RenderFormat::Kind::None;
+  f.color = storage(t);
+  f.texels = &t;
+  f.encoding.numbers = t.layout == TexelLayout::Float      ? ColorNumbers::Float
+                       : t.layout == TexelLayout::Signed16 ? ColorNumbers::Signed
+                                                           : ColorNumbers::Unsigned;
+  f.encoding.srgb = t.srgb;
+  const bool one = luminance || t.base == GL_INTENSITY; // for red, green and blue
+  for (int i = 0; i < 4; ++i) {
+    const bool absent = (i > 0 && i < 3 && one) || (i == 3 && t.base == GL_INTENSITY);
+    f.encoding.bits[i] = absent ? 0 : t.bits[i];
+    f.bits[i] = one && i < 3 ? 0 : f.encoding.bits[i];
+  }
   return f;
 }
 
@@ -35,58 +58,38 @@ RenderFormat depth_format(int depth, int stencil) {
 
 RenderFormat renderbuffer_format(GLenum internal_format) {
   switch (internal_format) {
-  case GL_RGBA:
-  case GL_RGBA2:
-  case GL_RGBA4:
-  case GL_RGB5_A1:
-  case GL_RGBA8: return color_format(ColorFormat::Rgba8, 8, 8, 8, 8);
-  case GL_R3_G3_B2:
-  case GL_RGB:
-  case GL_RGB4:
-  case GL_RGB5:
-  case GL_RGB8: return color_format(ColorFormat::Rgba8, 8, 8, 8, 0);
-  case GL_RGB565: return color_format(ColorFormat::Rgb565, 5, 6, 5, 0);
-  case GL_RGB10:
-  case GL_RGB12:
-  case GL_RGB16: return color_format(ColorFormat::Rgba16, 16, 16, 16, 0);
-  case GL_RGB10_A2:
-  case GL_RGBA12:
-  case GL_RGBA16: return color_format(ColorFormat::Rgba16, 16, 16, 16, 16);
-  case GL_DEPTH_COMPONENT16: return depth_format(16, 0);
-  case GL_DEPTH_COMPONENT:
-  case GL_DEPTH_COMPONENT24:
-  case GL_DEPTH_COMPONENT32: return depth_format(24, 0);
-  case GL_DEPTH_STENCIL:
-  case GL_DEPTH24_STENCIL8: return depth_format(24, 8);
-  case GL_DEPTH_COMPONENT32F: return depth_format(32, 0);
-  case GL_DEPTH32F_STENCIL8: return depth_format(32, 8);
   case GL_STENCIL_INDEX:
   case GL_STENCIL_INDEX1:
   case GL_STENCIL_INDEX4:
   case GL_STENCIL_INDEX8:
   case GL_STENCIL_INDEX16: return depth_format(0, 8);
-  default: return {};
+  case 1: // numbers of components and generic compressed formats are for texture images
+  case 2:
+  case 3:
+  case 4:
+  case GL_SRGB:
+  case GL_SRGB_ALPHA:
+  case GL_COMPRESSED_ALPHA:
+  case GL_COMPRESSED_LUMINANCE:
+  case GL_COMPRESSED_LUMINANCE_ALPHA:
+  case GL_COMPRESSED_INTENSITY:
+  case GL_COMPRESSED_RGB:
+  case GL_COMPRESSED_RGBA:
+  case GL_COMPRESSED_RED:
+  case GL_COMPRESSED_RG:
+  case GL_COMPRESSED_SRGB:
+  case GL_COMPRESSED_SRGB_ALPHA: return {};
+  default: break;
   }
+  const TexelFormat* texels = choose_texel_format(GLint(internal_format), 0, 0, false);
+  return texels ? render_format(*texels) : RenderFormat{};
 }
 
 RenderFormat render_format(const TexelFormat& t) {
-  const auto has = [&](int red, int green, int blue, int alpha) {
-    return t.bits[0] == red && t.bits[1] == green && t.bits[2] == blue && t.bits[3] == alpha;
-  };
-  if (t.layout == TexelLayout::Float || t.layout == TexelLayout::Signed16) return {};
   switch (t.base) {
-  case GL_RGBA:
-    if (has(8, 8, 8, 8)) return color_format(ColorFormat::Rgba8, 8, 8, 8, 8);
-    if (has(16, 16, 16, 16)) return color_format(ColorFormat::Rgba16, 16, 16, 16, 16);
-    return {};
-  case GL_RGB:
-    if (has(8, 8, 8, 0)) return color_format(ColorFormat::Rgba8, 8, 8, 8, 0);
-    if (has(5, 6, 5, 0)) return color_format(ColorFormat::Rgb565, 5, 6, 5, 0);
-    if (has(16, 16, 16, 0)) return color_format(ColorFormat::Rgba16, 16, 16, 16, 0);
-    return {};
   case GL_DEPTH_COMPONENT: return depth_format(t.floats ? 32 : t.bits[0] == 16 ? 16 : 24, 0);
   case GL_DEPTH_STENCIL: return depth_format(t.floats ? 32 : 24, 8);
-  default: return {};
+  default: return color_format(t);
   }
 }
 
@@ -102,8 +105,7 @@ RenderPlane::RenderPlane(const RenderFormat& f, int w, int h, int n)
   bytes = size_t(tiles()) * step * size_t(n) * kTilePixels * size_t(pixel_bytes());
   memory = map_pages(bytes);
   if (!memory) throw std::bad_alloc();
-  if (f.is_color() && !f.has_alpha() && f.color == ColorFormat::Rgba16)
-    for (size_t i = 0; i < bytes / 8; ++i) static_cast<uint16_t*>(memory)[4 * i + 3] = 0xffff;
+  if (f.is_color() && !f.has_alpha()) fill_alpha(f.color, f.encoding, memory, bytes);
 }
 
 RenderPlane::~RenderPlane() { unmap_pages(memory, bytes); }
@@ -133,10 +135,12 @@ void assemble(GLuint name, int width, int height, RenderPlane* color, RenderPlan
   s.color_columns = s.depth_columns = s.tiles_x;
   if (color) {
     s.color_format = color->format.color;
+    s.encoding = color->format.encoding;
     s.color = color->memory;
     s.color_tile = color->tile.data();
     s.color_columns = color->tiles_x;
     target.has_alpha = color->format.has_alpha();
+    target.texels = color->format.texels;
   }
   if (depth_stencil) {
     s.depth_format = depth_stencil->format.depth;

@@ -17,12 +17,14 @@ struct TexelFormat;
 struct RenderFormat {
   enum class Kind : uint8_t { None, Color, DepthStencil } kind = Kind::None; // None: it cannot be drawn to
   ColorFormat color = ColorFormat::Rgba8;
+  ColorEncoding encoding;              // of colors
+  const TexelFormat* texels = nullptr; // of colors: how an image of texels stores them
   DepthFormat depth = DepthFormat::None;
-  uint8_t bits[4] = {}; // red, green, blue, alpha
+  uint8_t bits[4] = {}; // red, green, blue, alpha; not those of luminance and intensity
   uint8_t depth_bits = 0, stencil_bits = 0;
 
   bool is_color() const { return kind == Kind::Color; }
-  bool has_alpha() const { return bits[3] != 0; }
+  bool has_alpha() const { return encoding.bits[3] != 0; }
   /// Depths are floats.
   bool has_floats() const { return depth == DepthFormat::Z32F; }
   /// Stencil values have words of their own, behind those of the depths (DepthFormat).
@@ -31,10 +33,11 @@ struct RenderFormat {
   bool operator==(const RenderFormat&) const = default;
 };
 
-/// The format of a renderbuffer; Kind::None where `internal_format` is not color-, depth- or
-/// stencil-renderable. Fewer bits than a plane keeps are stored as if more had been asked for (4.4.2.1).
+/// The format of a renderbuffer, that of a texture of the same internal format; Kind::None where
+/// `internal_format` is not color-, depth- or stencil-renderable, or has no size and is of sRGB.
 RenderFormat renderbuffer_format(GLenum internal_format);
-/// The format in which images of texels are drawn to; Kind::None where they cannot be.
+/// The format in which images of texels are drawn to; Kind::None where they cannot be, whose bits are known,
+/// too.
 RenderFormat render_format(const TexelFormat& texels);
 
 /// Memory of one plane, with one or kSamples samples a pixel. Its tiles have fixed places.

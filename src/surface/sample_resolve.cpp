@@ -36,7 +36,7 @@ void average_samples(const Surface& s, int x, int y, int count, unsigned char* r
                      float (*pixels)[4]) {
   for (int i = 0; i < s.samples; ++i) {
     copy_color_row(sample_surface(s, i), x, y, count, row);
-    color_row_to_floats(s.color_format, row, count, i == 0 ? pixels : sample);
+    color_row_to_floats(s, row, count, i == 0 ? pixels : sample);
     if (i == 0) continue;
     for (int pixel = 0; pixel < count; ++pixel)
       for (int k = 0; k < 4; ++k) pixels[pixel][k] += sample[pixel][k];

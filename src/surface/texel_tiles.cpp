@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "texture/pixel_formats.h"
+#include "surface/plane_texels.h"
 #include "texture/texture_object.h"
 
 namespace softgl {
@@ -20,16 +20,6 @@ template <class Visit> void for_each_run(const RenderPlane& p, uint32_t tile, Vi
       visit(x0 + x, y0 + y, size_t(pixel_in_tile(x, y)), std::min(kRun, columns - x));
 }
 
-uint16_t to_565(const unsigned char* texel) {
-  return uint16_t((texel[0] & 0xf8) << 8 | (texel[1] & 0xfc) << 3 | texel[2] >> 3);
-}
-void from_565(uint32_t v, unsigned char* texel) {
-  texel[0] = uint8_t(convert_unorm(v >> 11 & 31, 5, 8));
-  texel[1] = uint8_t(convert_unorm(v >> 5 & 63, 6, 8));
-  texel[2] = uint8_t(convert_unorm(v & 31, 5, 8));
-  texel[3] = 255;
-}
-
 /// Depths of 32 bits are drawn to with 24.
 uint32_t drawn_depth(uint32_t texel, int bits) { return bits == 32 ? texel >> 8 : texel; }
 uint32_t stored_depth(uint32_t word, int bits) {
@@ -43,34 +33,26 @@ void load_tile(RenderPlane& p, const TextureImage& image, int z, uint32_t tile) 
   unsigned char* pixels = p.pixels(tile);
   TileWords& words = p.tile[tile];
   const size_t texel_bytes = size_t(image.format->bytes());
-  const bool wide = p.format.color == ColorFormat::Rgba16, alpha = p.format.has_alpha();
   const uint32_t waiting = words.waits ? words.word & 0xff000000u : 0;
   const bool floats = p.format.has_floats();
   for_each_run(p, tile, [&](int x, int y, size_t at, int count) {
     const unsigned char* texels = image.at(x, y, z);
+    if (p.format.is_color()) {
+      texels_to_pixels(*image.format, p.format.color, texels, count, pixels + at * size_t(p.pixel_bytes()));
+      return;
+    }
     for (int i = 0; i < count; ++i, texels += texel_bytes) {
-      const size_t pixel = at + size_t(i);
-      if (!p.format.is_color() && floats) {
-        auto* word = reinterpret_cast<uint32_t*>(pixels) + pixel;
+      auto* word = reinterpret_cast<uint32_t*>(pixels) + at + i;
+      if (floats) {
         std::memcpy(word, texels, 4);
         if (!image.stencils.empty()) word[kTilePixels] = *image.stencil_at(x + i, y, z);
-      } else if (!p.format.is_color()) {
-        auto* word = reinterpret_cast<uint32_t*>(pixels) + pixel;
-        uint32_t texel;
-        std::memcpy(&texel, texels, 4);
-        const uint32_t stencil = image.stencils.empty() ? words.waits ? waiting : *word & 0xff000000u
-                                                        : uint32_t(*image.stencil_at(x + i, y, z)) << 24;
-        *word = drawn_depth(texel, image.format->bits[0]) | stencil;
-      } else if (p.format.color == ColorFormat::Rgb565) {
-        const uint16_t v = to_565(texels);
-        std::memcpy(pixels + 2 * pixel, &v, 2);
-      } else if (wide) {
-        std::memcpy(pixels + 8 * pixel, texels, 8);
-        if (!alpha) reinterpret_cast<uint16_t*>(pixels)[4 * pixel + 3] = 0xffff;
-      } else {
-        std::memcpy(pixels + 4 * pixel, texels, 4);
-        if (!alpha) pixels[4 * pixel + 3] = 255;
+        continue;
       }
+      uint32_t texel;
+      std::memcpy(&texel, texels, 4);
+      const uint32_t stencil = image.stencils.empty() ? words.waits ? waiting : *word & 0xff000000u
+                                                      : uint32_t(*image.stencil_at(x + i, y, z)) << 24;
+      *word = drawn_depth(texel, image.format->bits[0]) | stencil;
     }
   });
   words.waits = words.changed = false;
@@ -89,15 +71,14 @@ void store_tile(RenderPlane& p, TextureImage& image, int z, uint32_t tile) {
   std::fill_n(same, kRun, words.word);
   const unsigned char* pixels = p.pixels(tile);
   const size_t texel_bytes = size_t(image.format->bytes());
-  const bool bytes = p.format.is_color() && p.format.color == ColorFormat::Rgba8;
-  const bool depth_alone = !p.format.is_color() && !p.format.has_floats() && image.stencils.empty();
+  const bool depth_alone = !p.format.has_floats() && image.stencils.empty();
   const int depth_bits = image.format->bits[0];
   for_each_run(p, tile, [&](int x, int y, size_t at, int count) {
     unsigned char* texels = image.at(x, y, z);
     const unsigned char* from =
         words.waits ? reinterpret_cast<const unsigned char*>(same) : pixels + at * size_t(p.pixel_bytes());
-    if (bytes) {
-      std::memcpy(texels, from, 4 * size_t(count));
+    if (p.format.is_color()) {
+      pixels_to_texels(*image.format, p.format.color, from, count, texels);
       return;
     }
     if (depth_alone) {
@@ -108,24 +89,16 @@ void store_tile(RenderPlane& p, TextureImage& image, int z, uint32_t tile) {
       return;
     }
     for (int i = 0; i < count; ++i, texels += texel_bytes) {
-      if (!p.format.is_color() && p.format.has_floats()) {
+      if (p.format.has_floats()) {
         std::memcpy(texels, from + 4 * i, 4);
         const auto* stencil = reinterpret_cast<const uint32_t*>(pixels) + at + kTilePixels;
         if (!image.stencils.empty()) *image.stencil_at(x + i, y, z) = uint8_t(stencil[i]);
-      } else if (!p.format.is_color()) {
+      } else {
         uint32_t word;
         std::memcpy(&word, from + 4 * i, 4);
         if (!image.stencils.empty()) *image.stencil_at(x + i, y, z) = uint8_t(word >> 24);
         word = stored_depth(word, image.format->bits[0]);
         std::memcpy(texels, &word, 4);
-      } else if (p.format.color == ColorFormat::Rgb565) {
-        uint16_t v;
-        std::memcpy(&v, from + 2 * i, 2);
-        from_565(v, texels);
-      } else {
-        std::memcpy(texels, from + 8 * i, 8);
-        const uint16_t one = 1; // what an absent component is stored as
-        if (!p.format.has_alpha()) std::memcpy(texels + 6, &one, 2);
       }
     }
   });

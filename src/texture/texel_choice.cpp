@@ -142,6 +142,7 @@ const TexelFormat* choose_texel_format(GLint internal_format, GLenum format, GLe
   case GL_R3_G3_B2: return &kRgb332;
   case GL_RGB4: return &kRgb4;
   case GL_RGB5: return &kRgb5;
+  case GL_RGB565: return &kRgb565;
   case GL_RGB10: return &kRgb10;
   case GL_RGB12:
   case GL_RGB16: return &kRgb16;

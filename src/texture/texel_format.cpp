@@ -5,6 +5,7 @@
 #include <cstring>
 #include <limits>
 
+#include "texture/base_format.h"
 #include "texture/pixel_formats.h"
 #include "texture/pixel_transfer.h"
 #include "texture/small_floats.h"
@@ -14,45 +15,6 @@ namespace softgl {
 namespace {
 
 constexpr int kRow = 256; // texels converted at a time
-
-// Red, green, blue, alpha of the client's group to what the base format keeps, spread over the texel
-// (table 3.15).
-template <class T> void spread(GLenum base, T* v, T absent_one) {
-  switch (base) {
-  case GL_ALPHA: v[0] = v[1] = v[2] = 0; break;
-  case GL_LUMINANCE:
-    v[1] = v[2] = v[0];
-    v[3] = absent_one;
-    break;
-  case GL_LUMINANCE_ALPHA: v[1] = v[2] = v[0]; break;
-  case GL_INTENSITY: v[1] = v[2] = v[3] = v[0]; break;
-  case GL_RGB: v[3] = absent_one; break;
-  case GL_RED:
-    v[1] = v[2] = 0;
-    v[3] = absent_one;
-    break;
-  case GL_RG:
-    v[2] = 0;
-    v[3] = absent_one;
-    break;
-  default: break;
-  }
-}
-// And back: luminance and intensity are returned as red (table 6.1).
-template <class T> void gather(GLenum base, T* v, T absent_one) {
-  switch (base) {
-  case GL_LUMINANCE:
-  case GL_INTENSITY:
-    v[1] = v[2] = 0;
-    v[3] = absent_one;
-    break;
-  case GL_LUMINANCE_ALPHA: v[1] = v[2] = 0; break;
-  case GL_RGB:
-  case GL_RED:
-  case GL_RG: v[3] = absent_one; break;
-  default: break;
-  }
-}
 
 // Bits repeated until they fill a byte.
 uint8_t fill_byte(uint32_t v, int bits) { return uint8_t(convert_unorm(v, bits, 8)); }

@@ -203,20 +203,4 @@ TEST_CASE("Mipmaps of sRGB textures average what is stored", "[spec][textures][f
   for (const GLubyte v : back) CHECK((v >= 99 && v <= 101));
 }
 
-TEST_CASE("Textures of floats and signed components cannot be drawn to",
-          "[spec][textures][float][deviation]") {
-  const Gl& gl = softgl_library();
-  for (const GLint format : {GL_RGBA32F, GL_RGBA16F, GL_RGB32F, GL_RGBA8_SNORM, GL_RGBA16_SNORM}) {
-    CurrentContext context(gl);
-    GLuint framebuffer = 0, texture = 0;
-    gl.GenTextures(1, &texture);
-    gl.BindTexture(GL_TEXTURE_2D, texture);
-    gl.TexImage2D(GL_TEXTURE_2D, 0, format, 8, 8, 0, GL_RGBA, GL_FLOAT, nullptr);
-    gl.GenFramebuffers(1, &framebuffer);
-    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
-    CHECK(gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_UNSUPPORTED);
-  }
-}
-
 } // namespace softgl::test

@@ -132,7 +132,7 @@ TEST_CASE("Each rule of completeness is checked", "[spec][framebuffers]") {
   CHECK((status(gl) == GL_FRAMEBUFFER_COMPLETE && get(gl, GL_STENCIL_BITS) == 8 &&
          get(gl, GL_DEPTH_BITS) == 0));
   // Images of textures: missing levels, slices that are not there, formats that cannot be drawn to.
-  const GLuint texture = make_texture(gl, GL_RGBA8, 8, 8), alpha = make_texture(gl, GL_ALPHA8, 8, 8);
+  const GLuint texture = make_texture(gl, GL_RGBA8, 8, 8), shared = make_texture(gl, GL_RGB9_E5, 8, 8);
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 1);
   CHECK(status(gl) == GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT);
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
@@ -141,7 +141,7 @@ TEST_CASE("Each rule of completeness is checked", "[spec][framebuffers]") {
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, 8, 8, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT,
                 nullptr);
   CHECK(status(gl) == GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT);
-  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, alpha, 0);
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, shared, 0);
   CHECK(status(gl) == GL_FRAMEBUFFER_UNSUPPORTED);
   GLuint volume = 0;
   gl.GenTextures(1, &volume);

@@ -188,7 +188,7 @@ Canvas staged(const Vertices& v, bool small, const Kernels& k, ColorFormat forma
   Canvas canvas(157, 131, format);
   Draw draw(canvas.surface);
   FragmentKey& key = draw.program.key;
-  key.fog_mode = uint64_t(FogMode::Exp2), key.fog_coordinate = 1;
+  key.fog_mode = uint64_t(FogMode::Exp2);
   key.alpha_function = uint64_t(Compare::Greater);
   key.depth_function = uint64_t(Compare::LessEqual);
   key.blend = 1;

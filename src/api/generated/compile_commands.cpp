@@ -761,6 +761,14 @@ void compile_LogicOp(Context& c, GLenum opcode) {
     if (may_execute(c)) gl::LogicOp(c, opcode);
   }
 }
+void compile_ClampColor(Context& c, GLenum target, GLenum clamp) {
+  const ClampColorArguments kept_call{target, clamp};
+  new (record(c, uint16_t(Opcode::ClampColor), sizeof kept_call)) ClampColorArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::ClampColor(c, target, clamp);
+  }
+}
 void compile_BeginQuery(Context& c, GLenum target, GLuint id) {
   const BeginQueryArguments kept_call{target, id};
   new (record(c, uint16_t(Opcode::BeginQuery), sizeof kept_call)) BeginQueryArguments(kept_call);

@@ -99,6 +99,7 @@ void compile_BlendEquation(Context& c, GLenum mode);
 void compile_BlendEquationSeparate(Context& c, GLenum modeRGB, GLenum modeAlpha);
 void compile_BlendColor(Context& c, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha);
 void compile_LogicOp(Context& c, GLenum opcode);
+void compile_ClampColor(Context& c, GLenum target, GLenum clamp);
 void compile_BeginQuery(Context& c, GLenum target, GLuint id);
 void compile_EndQuery(Context& c, GLenum target);
 void compile_DrawBuffer(Context& c, GLenum buf);

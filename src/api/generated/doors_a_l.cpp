@@ -375,6 +375,28 @@ SOFTGL_EXPORT GLenum APIENTRY glCheckFramebufferStatusEXT(GLenum target) try {
   out_of_memory();
   return 0;
 }
+SOFTGL_EXPORT void APIENTRY glClampColor(GLenum target, GLenum clamp) try {
+  SOFTGL_TRACED(glClampColor, target, clamp);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_ClampColor(c, target, clamp);
+    if (!may_execute(c)) return;
+  }
+  gl::ClampColor(c, target, clamp);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glClampColorARB(GLenum target, GLenum clamp) try {
+  SOFTGL_TRACED(glClampColorARB, target, clamp);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_ClampColor(c, target, clamp);
+    if (!may_execute(c)) return;
+  }
+  gl::ClampColor(c, target, clamp);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glClear(GLbitfield mask) try {
   SOFTGL_TRACED(glClear, mask);
   Context& c = *current_context;

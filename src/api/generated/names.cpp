@@ -42,6 +42,8 @@ DOOR(glCallList);
 DOOR(glCallLists);
 DOOR(glCheckFramebufferStatus);
 DOOR(glCheckFramebufferStatusEXT);
+DOOR(glClampColor);
+DOOR(glClampColorARB);
 DOOR(glClear);
 DOOR(glClearAccum);
 DOOR(glClearColor);
@@ -691,6 +693,8 @@ const NamedDoor kNamedDoors[] = {
     {"glCallLists", door_glCallLists},
     {"glCheckFramebufferStatus", door_glCheckFramebufferStatus},
     {"glCheckFramebufferStatusEXT", door_glCheckFramebufferStatusEXT},
+    {"glClampColor", door_glClampColor},
+    {"glClampColorARB", door_glClampColorARB},
     {"glClear", door_glClear},
     {"glClearAccum", door_glClearAccum},
     {"glClearColor", door_glClearColor},

@@ -45,6 +45,8 @@ enum class TracedCall : uint16_t {
   glCallLists,
   glCheckFramebufferStatus,
   glCheckFramebufferStatusEXT,
+  glClampColor,
+  glClampColorARB,
   glClear,
   glClearAccum,
   glClearColor,

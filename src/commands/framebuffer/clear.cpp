@@ -10,34 +10,10 @@
 #include "context/context.h"
 #include "snapshot/drawn_box.h"
 #include "snapshot/render_targets.h"
+#include "surface/stored_color.h"
 
 namespace softgl {
 namespace {
-
-/// OSMesa 22.3.6: float to integer rounds to nearest even; where it clears by drawing a rectangle (a part of
-/// the surface or of its components), 5 and 6 bits are cut from the 8-bit value, as everything drawn is.
-/// Where it clears all, halves go up but in 8 bits.
-void store_color(ColorFormat format, const Vec4& color, bool drawn, float (&value)[4]) {
-  for (int i = 0; i < 4; ++i) {
-    switch (format) {
-    case ColorFormat::Rgba8: value[i] = std::nearbyint(unit_range(color[i]) * 255.0f); break;
-    case ColorFormat::Rgba16: {
-      const float v = unit_range(color[i]) * 65535.0f;
-      value[i] = drawn ? std::nearbyint(v) : std::floor(v + 0.5f);
-      break;
-    }
-    case ColorFormat::Rgb565: {
-      const int byte = int(std::nearbyint(unit_range(color[i]) * 255.0f));
-      if (drawn)
-        value[i] = float(i == 1 ? byte >> 2 : byte >> 3);
-      else
-        value[i] = std::floor(unit_range(color[i]) * (i == 1 ? 63.0f : 31.0f) + 0.5f);
-      break;
-    }
-    case ColorFormat::RgbaFloat: value[i] = color[i]; break;
-    }
-  }
-}
 
 /// The depth in the surface's integers. OSMesa 22.3.6 clears a whole buffer in double; a part of it, or one
 /// whose stencil is masked, by drawing a rectangle, whose depth goes through float.
@@ -72,12 +48,14 @@ void Clear(Context& c, GLbitfield mask) {
   const bool accumulation = (mask & GL_ACCUM_BUFFER_BIT) && prepare_accumulation_clear(c);
   const bool part = record.x0 > 0 || record.y0 > 0 || record.x1 < surface.width || record.y1 < surface.height;
   if ((mask & GL_COLOR_BUFFER_BIT) && draws_color(c)) {
+    bool all = true; // of the components that are kept
     for (int i = 0; i < 4; ++i) {
-      record.color_mask[i] = s.color_buffer.mask[i] && (i < 3 || target.has_alpha);
+      record.color_mask[i] = s.color_buffer.mask[i] && surface.encoding.bits[i];
       record.color = record.color || record.color_mask[i];
+      all = all && record.color_mask[i] == (surface.encoding.bits[i] != 0);
     }
-    const bool all = record.color_mask[0] && record.color_mask[1] && record.color_mask[2];
-    store_color(surface.color_format, s.color_buffer.clear_color, part || !all, record.color_value);
+    const bool srgb = surface.encoding.srgb && s.color_buffer.framebuffer_srgb;
+    store_clear_color(surface, srgb, &s.color_buffer.clear_color[0], part || !all, record.color_value);
   }
   if ((mask & GL_DEPTH_BUFFER_BIT) && target.depth_bits > 0 && s.depth.mask) {
     const GLuint stencil_mask = s.stencil.front.write_mask & 0xff;
@@ -100,10 +78,7 @@ void Clear(Context& c, GLbitfield mask) {
 }
 
 void ClearColor(Context& c, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
-  const Vec4 color{red, green, blue, alpha};
-  // A floating-point surface keeps what it is given, as OSMesa's does.
-  const bool fixed_point = c.draw->surface.color_format != ColorFormat::RgbaFloat;
-  c.state.color_buffer.clear_color = fixed_point ? glm::clamp(color, 0.0f, 1.0f) : color;
+  c.state.color_buffer.clear_color = Vec4(red, green, blue, alpha);
 }
 
 void ClearIndex(Context& c, GLfloat value) { c.state.color_buffer.clear_index = value; }

@@ -152,6 +152,16 @@ void SampleCoverage(Context& c, GLfloat value, GLboolean invert) {
   multisample.coverage_invert = invert != 0;
 }
 
+void ClampColor(Context& c, GLenum target, GLenum clamp) {
+  if (clamp != GL_TRUE && clamp != GL_FALSE && clamp != GL_FIXED_ONLY) return set_error(c, GL_INVALID_ENUM);
+  switch (target) {
+  case GL_CLAMP_VERTEX_COLOR: edit<&State::lighting>(c).clamp_vertex_color = clamp; return;
+  case GL_CLAMP_FRAGMENT_COLOR: edit<&State::color_buffer>(c).clamp_fragment_color = clamp; return;
+  case GL_CLAMP_READ_COLOR: edit<&State::color_buffer>(c).clamp_read_color = clamp; return;
+  default: set_error(c, GL_INVALID_ENUM);
+  }
+}
+
 void AlphaFunc(Context& c, GLenum func, GLfloat ref) {
   if (!is_comparison(func)) return set_error(c, GL_INVALID_ENUM);
   ColorBufferState& color = edit<&State::color_buffer>(c);

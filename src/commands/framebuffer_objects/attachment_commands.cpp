@@ -77,6 +77,16 @@ GLint component_bits(const RenderFormat& f, GLenum pname) {
   }
 }
 
+/// What the components are, stencil values apart.
+GLint component_type(const RenderFormat& f) {
+  if (!f.texels) return f.has_floats() ? GL_FLOAT : GL_UNSIGNED_NORMALIZED;
+  switch (f.encoding.numbers) {
+  case ColorNumbers::Float: return GL_FLOAT;
+  case ColorNumbers::Signed: return GL_SIGNED_NORMALIZED;
+  default: return GL_UNSIGNED_NORMALIZED;
+  }
+}
+
 bool is_component_size(GLenum pname) {
   return pname >= GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE && pname <= GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE;
 }
@@ -192,11 +202,9 @@ void GetFramebufferAttachmentParameteriv(Context& c, GLenum target, GLenum attac
     *params = component_bits(format, pname);
   } else if (pname == GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) {
     if (attachment == GL_DEPTH_STENCIL_ATTACHMENT) return set_error(c, GL_INVALID_OPERATION);
-    *params = attachment == GL_STENCIL_ATTACHMENT ? GL_INDEX
-              : format.has_floats()               ? GL_FLOAT
-                                                  : GL_UNSIGNED_NORMALIZED;
+    *params = attachment == GL_STENCIL_ATTACHMENT ? GL_INDEX : component_type(format);
   } else if (pname == GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING) {
-    *params = GL_LINEAR;
+    *params = format.encoding.srgb ? GL_SRGB : GL_LINEAR;
   } else if (a.texture) {
     get_texture_parameter(c, a, pname, params);
   } else {

@@ -126,6 +126,7 @@ void blit_resolved_colors(Context& c, const Blit& blit, const BlitSamples& sampl
   for (int y = 0; y < blit.source_height(); ++y)
     average_samples(samples.from, blit.columns.source_first, blit.rows.source_first + y, int(width),
                     row.data(), &sample[0].rgba, &pixels[size_t(y) * width].rgba);
+  spread_colors(c.read->texels, &pixels[0].rgba, blit.source_pixels());
   submit_copy(c, blit.image(PixelElement::Floats, pixels, arena), blit.box(), samples.to);
 }
 
@@ -138,11 +139,13 @@ void blit_colors(Context& c, const Blit& blit, const BlitSamples& samples) {
     for (int y = 0; y < blit.source_height(); ++y) {
       copy_color_row(s, blit.columns.source_first, blit.rows.source_first + y, blit.source_width(),
                      row.data());
-      convert(s.color_format, row.data(), blit.source_width(),
-              pixels + size_t(y) * size_t(blit.source_width()));
+      auto* to = pixels + size_t(y) * size_t(blit.source_width());
+      convert(s, row.data(), blit.source_width(), to);
+      spread_colors(c.read->texels, to, size_t(blit.source_width()));
     }
   };
-  if (s.color_format == ColorFormat::Rgba8) {
+  const bool srgb = s.encoding.srgb && c.state.color_buffer.framebuffer_srgb;
+  if (s.color_format == ColorFormat::Rgba8 && !srgb) {
     auto* pixels = reinterpret_cast<uint8_t(*)[4]>(arena.allocate_array<uint32_t>(blit.source_pixels()));
     read(pixels, color_row_to_bytes);
     if (blit.linear) {
@@ -153,7 +156,7 @@ void blit_colors(Context& c, const Blit& blit, const BlitSamples& samples) {
     return submit_copy(c, blit.image(PixelElement::Bytes, pixels, arena), blit.box(), samples.to);
   }
   auto* pixels = reinterpret_cast<float(*)[4]>(arena.allocate_array<PixelFloats>(blit.source_pixels()));
-  read(pixels, color_row_to_floats);
+  read(pixels, srgb ? color_row_to_linear_floats : color_row_to_floats);
   if (blit.linear) {
     auto* mixed = reinterpret_cast<float(*)[4]>(arena.allocate_array<PixelFloats>(blit.pixels()));
     mix_pixels<float, float>(blit, pixels, mixed);
@@ -213,10 +216,9 @@ void gl::BlitFramebuffer(Context& c, GLint srcX0, GLint srcY0, GLint srcX1, GLin
       (from.surface.depth_format == DepthFormat::Z32F) != (to.surface.depth_format == DepthFormat::Z32F);
   if ((depth && from.depth_bits != to.depth_bits) || (stencil && mixes_floats))
     return set_error(c, GL_INVALID_OPERATION);
-  if (color && is_float(from.surface) != is_float(to.surface)) return set_error(c, GL_INVALID_OPERATION);
   const Surface &s = from.surface, &t = to.surface;
   const bool multisampled = s.samples > 1 || t.samples > 1;
-  if (multisampled && color && (s.color_format != t.color_format || from.has_alpha != to.has_alpha))
+  if (multisampled && color && (s.color_format != t.color_format || s.encoding != t.encoding))
     return set_error(c, GL_INVALID_OPERATION);
   // Ends so far away are not met by any surface, and their differences fit an integer.
   constexpr GLint kFar = 1 << 28;

@@ -175,6 +175,7 @@ void BlendEquation(Context& c, GLenum mode);
 void BlendEquationSeparate(Context& c, GLenum modeRGB, GLenum modeAlpha);
 void BlendColor(Context& c, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha);
 void LogicOp(Context& c, GLenum opcode);
+void ClampColor(Context& c, GLenum target, GLenum clamp);
 void GenQueries(Context& c, GLsizei n, GLuint* ids);
 void DeleteQueries(Context& c, GLsizei n, const GLuint* ids);
 GLboolean IsQuery(Context& c, GLuint id);

@@ -393,6 +393,10 @@ void play_command(Context& c, uint16_t opcode, const void* arguments) {
       const auto& r = *static_cast<const LogicOpArguments*>(arguments);
       return gl::LogicOp(c, r.opcode);
     }
+    case Opcode::ClampColor: {
+      const auto& r = *static_cast<const ClampColorArguments*>(arguments);
+      return gl::ClampColor(c, r.target, r.clamp);
+    }
     case Opcode::BeginQuery: {
       const auto& r = *static_cast<const BeginQueryArguments*>(arguments);
       return gl::BeginQuery(c, r.target, r.id);
@@ -603,6 +607,7 @@ const char* opcode_name(uint16_t opcode) {
       "BlendEquationSeparate",
       "BlendColor",
       "LogicOp",
+      "ClampColor",
       "BeginQuery",
       "EndQuery",
       "DrawBuffer",

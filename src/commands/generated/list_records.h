@@ -102,6 +102,7 @@ enum class Opcode : uint16_t {
   BlendEquationSeparate,
   BlendColor,
   LogicOp,
+  ClampColor,
   BeginQuery,
   EndQuery,
   DrawBuffer,
@@ -129,7 +130,7 @@ enum class Opcode : uint16_t {
   PushAttrib,
   PopAttrib,
 };
-constexpr int kOpcodes = 118;
+constexpr int kOpcodes = 119;
 
 struct RectArguments { GLfloat x1; GLfloat y1; GLfloat x2; GLfloat y2; };
 struct EvalCoord1Arguments { GLfloat u; };
@@ -220,6 +221,7 @@ struct BlendEquationArguments { GLenum mode; };
 struct BlendEquationSeparateArguments { GLenum modeRGB; GLenum modeAlpha; };
 struct BlendColorArguments { GLfloat red; GLfloat green; GLfloat blue; GLfloat alpha; };
 struct LogicOpArguments { GLenum opcode; };
+struct ClampColorArguments { GLenum target; GLenum clamp; };
 struct BeginQueryArguments { GLenum target; GLuint id; };
 struct EndQueryArguments { GLenum target; };
 struct DrawBufferArguments { GLenum buf; };

@@ -271,11 +271,13 @@ void copy_pixels(Context& c, const Placement& p, GLint x, GLint y, GLenum type) 
   if (c.read->surface.color_format == ColorFormat::Rgba8 && !transfer.changes_color()) {
     auto* element = c.frame.arena().allocate_array<uint32_t>(p.elements());
     read_rgba8(c.read->surface, left, bottom, count, p.height_in_view(), reinterpret_cast<ByteRow>(element));
+    spread_colors(c.read->texels, reinterpret_cast<ByteRow>(element), p.elements());
     return submit_image(c, p, PixelElement::Bytes, element);
   }
   auto* element = c.frame.arena().allocate_array<PixelFloats>(p.elements());
   read_rgba_float(c.read->surface, left, bottom, count, p.height_in_view(),
                   reinterpret_cast<FloatRow>(element));
+  spread_colors(c.read->texels, reinterpret_cast<FloatRow>(element), p.elements());
   if (transfer.changes_color()) transfer.color(reinterpret_cast<FloatRow>(element), int(p.elements()));
   submit_image(c, p, PixelElement::Floats, element);
 }

@@ -6,6 +6,7 @@
 #include "base/float_environment.h"
 #include "base/unit_range.h"
 #include "commands/generated/commands.h"
+#include "context/color_clamping.h"
 #include "context/context.h"
 #include "geometry/geometry.h"
 #include "shaders/fragment/fragment_key.h"
@@ -123,8 +124,10 @@ void WindowPos(Context& c, GLfloat x, GLfloat y, GLfloat z) {
       unit_range(z) * float(s.viewport.far_depth - s.viewport.near_depth) + float(s.viewport.near_depth), 1);
   position.distance = s.fog.coordinate_source == GL_FOG_COORDINATE ? s.current.slot[kFogCoordinate].x : 0.0f;
   take_current_attributes(s, position);
-  position.color = glm::clamp(position.color, 0.0f, 1.0f);
-  position.secondary_color = glm::clamp(position.secondary_color, 0.0f, 1.0f);
+  if (clamps_vertex_colors(c)) {
+    position.color = glm::clamp(position.color, 0.0f, 1.0f);
+    position.secondary_color = glm::clamp(position.secondary_color, 0.0f, 1.0f);
+  }
   position.valid = true;
   feed_back_raster_position(c);
 }

@@ -10,15 +10,27 @@
 #include "commands/buffers/pixel_buffers.h"
 #include "commands/framebuffer/flush.h"
 #include "commands/generated/commands.h"
+#include "context/color_clamping.h"
 #include "context/context.h"
 #include "context/pixel_transfer.h"
 #include "frame/parallel.h"
+#include "surface/plane_texels.h"
 #include "surface/read_surface.h"
 #include "texture/pixel_formats.h"
 #include "texture/small_floats.h"
+#include "texture/texel_format.h"
 
 namespace softgl {
 namespace {
+
+/// Colors of attached images are converted as their texels are, where they are not those of windows, too.
+bool reads_texels(const Context& c) {
+  if (!c.read->texels) return false;
+  const TexelFormat& f = *c.read->texels;
+  const bool window = (f.base == GL_RGB || f.base == GL_RGBA) && f.array && !f.srgb &&
+                      (f.layout == TexelLayout::Rgba8 || f.layout == TexelLayout::Rgba16);
+  return !window && c.read->surface.color_format != ColorFormat::Rgb565;
+}
 
 /// The part of the rectangle that lies on the surface, and where it goes.
 struct Target {
@@ -34,9 +46,38 @@ struct Target {
   unsigned char* pixels(int r) const { return row(r) + size_t(skipped) * format.bytes; }
 };
 
-/// Whether colors go through floats: pixel transfer, sums of luminance, and what OSMesa converts that way.
+bool has_float_type(const PixelFormat& f) {
+  return f.channel == PixelChannel::Float || f.channel == PixelChannel::Half ||
+         f.type == GL_UNSIGNED_INT_10F_11F_11F_REV;
+}
+
+/// Red, green and blue are summed for luminance, where there is more than one of them (4.3.2).
+bool sums_luminance(const Context& c, const PixelFormat& f) {
+  const TexelFormat* texels = c.read->texels;
+  return f.luminance &&
+         (!texels || texels->base == GL_RG || texels->base == GL_RGB || texels->base == GL_RGBA);
+}
+
+/// Whether colors are clamped to [0, 1] after the pixel transfer (GL_ARB_color_buffer_float, 4.3.2). What
+/// cannot lie elsewhere is not.
+bool clamps_read_colors(const Context& c, const PixelFormat& f) {
+  const RenderTarget& target = *c.read;
+  const ColorNumbers numbers = target.surface.encoding.numbers;
+  if (numbers == ColorNumbers::Unsigned && !sums_luminance(c, f)) return false;
+  const GLenum mode = c.state.color_buffer.clamp_read_color;
+  // OSMesa 22.3.6 takes a window of floats for one of fixed point.
+  if (mode == GL_FIXED_ONLY && !target.texels) return true;
+  if (clamps(target, mode)) return true;
+  const bool has_sign =
+      f.channel == PixelChannel::Byte || f.channel == PixelChannel::Short || f.channel == PixelChannel::Int;
+  return !has_float_type(f) && !(numbers == ColorNumbers::Signed && has_sign);
+}
+
+/// Whether colors go through floats: pixel transfer, clamping, sums of luminance, and what OSMesa converts
+/// that way.
 bool needs_floats(const Context& c, const PixelFormat& f) {
-  if (pixel_transfer(c).changes_color() || f.luminance) return true;
+  if (pixel_transfer(c).changes_color() || sums_luminance(c, f)) return true;
+  if (reads_texels(c)) return clamps_read_colors(c, f);
   if (f.channel == PixelChannel::Packed && f.bits[0] > 8) return true;
   switch (c.read->surface.color_format) {
   case ColorFormat::Rgba8:
@@ -72,12 +113,19 @@ void read_color_rows(const Context& c, const Target& t, int first, int end, unsi
     auto* rgba = reinterpret_cast<float(*)[4]>(converted);
     // OSMesa 22.3.6: floating-point surfaces are clamped when read; of others a transfer may leave [0,1] when
     // the result is signed or float, except where luminance is summed.
-    const bool clamp = s.color_format == ColorFormat::RgbaFloat || t.format.luminance;
+    const bool sums = sums_luminance(c, t.format);
+    const bool clamp = clamps_read_colors(c, t.format);
     for (int r = first; r < end; ++r) {
       copy_row(r, row);
-      color_row_to_floats(s.color_format, row, t.count, rgba);
-      transfer(c, rgba, t.count, clamp, t.format.luminance);
+      color_row_to_floats(s, row, t.count, rgba);
+      transfer(c, rgba, t.count, clamp, sums);
       pack_pixels(t.format, rgba, t.count, t.swap, t.pixels(r));
+    }
+  } else if (reads_texels(c)) {
+    for (int r = first; r < end; ++r) {
+      copy_row(r, row);
+      pixels_to_texels(*c.read->texels, s.color_format, row, t.count, converted);
+      load_texels(*c.read->texels, converted, t.format, t.pixels(r), t.count, t.swap);
     }
   } else if (s.color_format == ColorFormat::Rgba16) {
     for (int r = first; r < end; ++r) {
@@ -91,7 +139,7 @@ void read_color_rows(const Context& c, const Target& t, int first, int end, unsi
     auto* rgba = reinterpret_cast<uint8_t(*)[4]>(converted);
     for (int r = first; r < end; ++r) {
       copy_row(r, row);
-      color_row_to_bytes(s.color_format, row, t.count, rgba);
+      color_row_to_bytes(s, row, t.count, rgba);
       pack_pixels(t.format, rgba, t.count, t.swap, t.pixels(r));
     }
   }

@@ -7,6 +7,7 @@
 #include "commands/get_conversion.h"
 #include "commands/queries/extensions.h"
 #include "commands/state/capabilities.h"
+#include "context/color_clamping.h"
 #include "context/context.h"
 
 namespace softgl {
@@ -36,7 +37,7 @@ struct Values {
 // Colors of fragment operations are kept as given, and read back clamped unless the color buffer is of
 // floats.
 Vec4 fragment_color(const Context& c, const Vec4& color) {
-  if (c.draw->surface.color_format == ColorFormat::RgbaFloat) return color;
+  if (!clamps(*c.draw, c.state.color_buffer.clamp_fragment_color)) return color;
   Vec4 clamped;
   for (int i = 0; i < 4; ++i) clamped[i] = color[i] > 0.0f ? (color[i] > 1.0f ? 1.0f : color[i]) : 0.0f;
   return clamped;
@@ -62,6 +63,13 @@ FramebufferBits framebuffer_bits(const Context& c) {
   if (!f->depth.empty()) bits.depth = f->depth.format().depth_bits;
   if (!f->stencil.empty()) bits.stencil = f->stencil.format().stencil_bits;
   return bits;
+}
+
+/// The color encoding of what is drawn to is sRGB.
+bool draws_srgb(const Context& c) {
+  const FramebufferObject* f = c.bindings.draw.get();
+  const Attachment* a = f && f->complete() ? f->color_of(f->draw_buffer) : nullptr;
+  return a && a->format().encoding.srgb;
 }
 
 /// Samples of a pixel of what is drawn to; 1 where it is not complete.

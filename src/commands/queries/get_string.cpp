@@ -17,8 +17,10 @@ namespace {
 /// Extensions that work: what GL 1.1 to 2.0 took over, under the names by which programs look for it.
 /// Programs search for a name with a blank behind it, hence the blank at the end.
 constexpr const char* kExtensions =
-    "GL_ARB_copy_buffer GL_ARB_depth_buffer_float GL_ARB_depth_clamp GL_ARB_depth_texture "
-    "GL_ARB_draw_elements_base_vertex GL_ARB_framebuffer_object GL_ARB_half_float_pixel "
+    "GL_ARB_color_buffer_float GL_ARB_copy_buffer GL_ARB_depth_buffer_float GL_ARB_depth_clamp "
+    "GL_ARB_depth_texture "
+    "GL_ARB_draw_elements_base_vertex GL_ARB_framebuffer_object GL_ARB_framebuffer_sRGB "
+    "GL_ARB_half_float_pixel "
     "GL_ARB_half_float_vertex GL_ARB_map_buffer_range GL_ARB_multisample GL_ARB_multitexture "
     "GL_ARB_occlusion_query GL_ARB_pixel_buffer_object GL_ARB_point_parameters GL_ARB_point_sprite "
     "GL_ARB_seamless_cube_map GL_ARB_shadow GL_ARB_texture_border_clamp GL_ARB_texture_compression "
@@ -30,6 +32,7 @@ constexpr const char* kExtensions =
     "GL_EXT_bgra GL_EXT_blend_color GL_EXT_blend_equation_separate GL_EXT_blend_func_separate "
     "GL_EXT_blend_minmax GL_EXT_blend_subtract GL_EXT_draw_range_elements GL_EXT_fog_coord "
     "GL_EXT_framebuffer_blit GL_EXT_framebuffer_multisample GL_EXT_framebuffer_object "
+    "GL_EXT_framebuffer_sRGB "
     "GL_EXT_multi_draw_arrays GL_EXT_packed_depth_stencil GL_EXT_packed_float GL_EXT_packed_pixels "
     "GL_EXT_pixel_buffer_object GL_EXT_rescale_normal GL_EXT_secondary_color GL_EXT_separate_specular_color "
     "GL_EXT_shadow_funcs GL_EXT_stencil_two_side GL_EXT_stencil_wrap GL_EXT_texture3D "

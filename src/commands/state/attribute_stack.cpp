@@ -48,6 +48,13 @@ const Group groups[] = {
     GROUP(GL_EVAL_BIT, evaluator),
     GROUP(GL_HINT_BIT, hint),
     GROUP(GL_LIST_BIT, list),
+    // GL_ARB_color_buffer_float: of their groups and of GL_ENABLE_BIT, although they are no capabilities.
+    {GL_ENABLE_BIT, offsetof(State, lighting) + offsetof(LightingState, clamp_vertex_color), sizeof(GLenum),
+     kDirtyLighting},
+    {GL_ENABLE_BIT, offsetof(State, color_buffer) + offsetof(ColorBufferState, clamp_fragment_color),
+     sizeof(GLenum), kDirtyColorBuffer},
+    {GL_ENABLE_BIT, offsetof(State, color_buffer) + offsetof(ColorBufferState, clamp_read_color),
+     sizeof(GLenum), kDirtyColorBuffer},
 };
 #undef GROUP
 

@@ -9,7 +9,10 @@
 #include "commands/textures/texture_images.h"
 #include "context/context.h"
 #include "context/pixel_transfer.h"
+#include "surface/plane_texels.h"
 #include "surface/read_surface.h"
+#include "surface/render_plane.h"
+#include "surface/stored_color.h"
 #include "texture/pixel_formats.h"
 
 namespace softgl {
@@ -61,9 +64,38 @@ bool lacks_buffer(const Context& c, const TexelFormat& format) {
          (format.base == GL_DEPTH_STENCIL && c.read->stencil_bits == 0);
 }
 
+bool whole_numbers(const TexelFormat& f) {
+  const bool integers = f.layout == TexelLayout::Rgba8 || f.layout == TexelLayout::Rgba16;
+  return integers && f.array && (f.base == GL_RGB || f.base == GL_RGBA);
+}
+
+/// Whether a copy is stored as if it were drawn, as OSMesa 22.3.6 does it. Where all are whole numbers of one
+/// size that makes no difference.
+bool draws_copy(const Context& c, const TexelFormat& to) {
+  if (!render_format(to).is_color()) return false;
+  return (c.read->texels && !whole_numbers(*c.read->texels)) || to.layout == TexelLayout::Signed16 ||
+         to.layout == TexelLayout::Float;
+}
+
+void draw_colors(Context& c, int x, int y, int width, int height, TextureImage& image, int to_x, int to_y,
+                 int to_z) {
+  const RenderFormat format = render_format(*image.format);
+  std::vector<float> colors(size_t(width) * size_t(height) * 4);
+  auto* rgba = reinterpret_cast<float(*)[4]>(colors.data());
+  read_rgba_float(c.read->surface, x, y, width, height, rgba);
+  spread_colors(c.read->texels, rgba, size_t(width) * size_t(height));
+  std::vector<unsigned char> pixels(size_t(width) * 16);
+  for (int j = 0; j < height; ++j) {
+    store_drawn_colors(format.color, format.encoding, rgba + size_t(j) * size_t(width), width, pixels.data());
+    pixels_to_texels(*image.format, format.color, pixels.data(), width, image.at(to_x, to_y + j, to_z));
+  }
+}
+
 void copy_colors(Context& c, int x, int y, int width, int height, TextureImage& image, int to_x, int to_y,
                  int to_z) {
   const PixelTransfer transfer = pixel_transfer(c);
+  if (draws_copy(c, *image.format) && !transfer.changes_color())
+    return draw_colors(c, x, y, width, height, image, to_x, to_y, to_z);
   if (c.read->surface.color_format == ColorFormat::Rgba8) {
     std::vector<uint8_t> pixels(size_t(width) * size_t(height) * 4);
     read_rgba8(c.read->surface, x, y, width, height, reinterpret_cast<uint8_t(*)[4]>(pixels.data()));
@@ -110,8 +142,7 @@ void copy_image(Context& c, int dimensions, GLenum target, GLint level, GLenum i
   const auto object = target_object(c, t);
   const TexelFormat* texel =
       &level_format(*object, t.face, level, granted_format(GLint(internal_format)), *chosen);
-  if (lacks_buffer(c, *texel) || (texel->layout == TexelLayout::Depth && t.target == kTextureCube))
-    return set_error(c, GL_INVALID_OPERATION);
+  if (lacks_buffer(c, *texel)) return set_error(c, GL_INVALID_OPERATION);
   if (!takes_target(*texel, t.target)) return set_error(c, GL_INVALID_ENUM);
   if (border != 0 && texel->block != BlockFormat::None) return set_error(c, GL_INVALID_OPERATION);
   if (GLenum error = check_image_size(t, level, width, height, 1, border); error != GL_NO_ERROR)

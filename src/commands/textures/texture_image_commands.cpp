@@ -125,8 +125,8 @@ void specify_image(Context& c, int dimensions, GLenum target, GLint level, GLint
   const TexelFormat& texel = level_format(
       *object, t.face, level, granted_format(internal_format),
       *choose_texel_format(internal_format, format, type, c.client.pixel_store.unpack.swap_bytes));
-  if (texel.layout == TexelLayout::Depth && t.target != kTexture1D && t.target != kTexture2D &&
-      t.target != kTextureRectangle)
+  // Cube maps of depths came with GL_EXT_gpu_shader4 and OpenGL 3.0; programs take them for granted.
+  if (texel.layout == TexelLayout::Depth && t.target == kTexture3D)
     return set_error(c, GL_INVALID_OPERATION);
   if (!takes_target(texel, t.target)) return set_error(c, GL_INVALID_ENUM);
   if (border != 0 && texel.block != BlockFormat::None) return set_error(c, GL_INVALID_OPERATION);

@@ -6,6 +6,7 @@
 #include "base/unit_range.h"
 #include "commands/generated/commands.h"
 #include "commands/textures/texture_targets.h"
+#include "context/color_clamping.h"
 #include "context/context.h"
 #include "context/texture_bindings.h"
 
@@ -115,7 +116,8 @@ int get_parameter(Context& c, GLenum target, GLenum pname, float* v, bool& color
   case GL_TEXTURE_BORDER_COLOR:
     color = true;
     for (int i = 0; i < 4; ++i)
-      v[i] = is_float(c.draw->surface) ? p.border_color[i] : unit_range(p.border_color[i]);
+      v[i] = clamps(*c.draw, c.state.color_buffer.clamp_fragment_color) ? unit_range(p.border_color[i])
+                                                                        : p.border_color[i];
     return 4;
   case GL_TEXTURE_PRIORITY:
     color = true;

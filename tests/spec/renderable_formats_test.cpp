@@ -1,0 +1,291 @@
+// Formats that can be drawn to (GL_ARB_framebuffer_object, 4.4.4), clamping (GL_ARB_color_buffer_float), sRGB
+// (GL_EXT_framebuffer_sRGB), and where softgl differs from OSMesa there.
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+#include "spec/refused_calls.h"
+#include "spec/state_snapshot.h"
+
+namespace softgl::test {
+namespace {
+
+constexpr GLint kFormats[] = {GL_RGBA,
+                              GL_RGBA2,
+                              GL_RGBA4,
+                              GL_RGB5_A1,
+                              GL_RGBA8,
+                              GL_RGB10_A2,
+                              GL_RGBA12,
+                              GL_RGBA16,
+                              GL_RGB,
+                              GL_R3_G3_B2,
+                              GL_RGB4,
+                              GL_RGB5,
+                              GL_RGB565,
+                              GL_RGB8,
+                              GL_RGB10,
+                              GL_RGB12,
+                              GL_RGB16,
+                              GL_RED,
+                              GL_R8,
+                              GL_R16,
+                              GL_RG,
+                              GL_RG8,
+                              GL_RG16,
+                              GL_ALPHA,
+                              GL_ALPHA8,
+                              GL_ALPHA16,
+                              GL_LUMINANCE,
+                              GL_LUMINANCE8,
+                              GL_LUMINANCE16,
+                              GL_LUMINANCE_ALPHA,
+                              GL_INTENSITY,
+                              GL_INTENSITY16,
+                              GL_R16F,
+                              GL_RG16F,
+                              GL_RGB16F,
+                              GL_RGBA16F,
+                              GL_R32F,
+                              GL_RG32F,
+                              GL_RGB32F,
+                              GL_RGBA32F,
+                              GL_ALPHA16F_ARB,
+                              GL_ALPHA32F_ARB,
+                              GL_LUMINANCE16F_ARB,
+                              GL_INTENSITY32F_ARB,
+                              GL_LUMINANCE_ALPHA32F_ARB,
+                              GL_R11F_G11F_B10F,
+                              GL_SRGB8,
+                              GL_SRGB8_ALPHA8,
+                              GL_SRGB,
+                              GL_SRGB_ALPHA,
+                              GL_SLUMINANCE8,
+                              GL_R8_SNORM,
+                              GL_RG16_SNORM,
+                              GL_RGBA8_SNORM,
+                              GL_ALPHA8_SNORM,
+                              GL_LUMINANCE8_SNORM,
+                              GL_INTENSITY16_SNORM,
+                              GL_RGB9_E5};
+
+GLuint bound_framebuffer(const Gl& gl) {
+  GLuint framebuffer = 0;
+  gl.GenFramebuffers(1, &framebuffer);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  gl.Viewport(0, 0, 8, 8);
+  return framebuffer;
+}
+
+GLuint attach_texture(const Gl& gl, GLint format) {
+  GLuint texture = 0;
+  gl.GenTextures(1, &texture);
+  gl.BindTexture(GL_TEXTURE_2D, texture);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, format, 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+  return texture;
+}
+
+void attach_renderbuffer(const Gl& gl, GLint format) {
+  GLuint renderbuffer = 0;
+  gl.GenRenderbuffers(1, &renderbuffer);
+  gl.BindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
+  gl.RenderbufferStorage(GL_RENDERBUFFER, GLenum(format), 8, 8);
+  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, renderbuffer);
+}
+
+/// What the framebuffer that is bound says of itself.
+std::vector<GLint> answers(const Gl& gl) {
+  std::vector<GLint> all = {GLint(gl.CheckFramebufferStatus(GL_FRAMEBUFFER))};
+  for (const GLenum what :
+       {GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE, GL_FRAMEBUFFER_ATTACHMENT_GREEN_SIZE,
+        GL_FRAMEBUFFER_ATTACHMENT_BLUE_SIZE, GL_FRAMEBUFFER_ATTACHMENT_ALPHA_SIZE,
+        GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING}) {
+    GLint v = -1;
+    gl.GetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, what, &v);
+    all.push_back(v);
+  }
+  for (const GLenum what :
+       {GL_RED_BITS, GL_GREEN_BITS, GL_BLUE_BITS, GL_ALPHA_BITS, GL_FRAMEBUFFER_SRGB_CAPABLE_EXT}) {
+    GLint v = 0;
+    if (all[0] == GL_FRAMEBUFFER_COMPLETE) gl.GetIntegerv(what, &v);
+    all.push_back(v);
+  }
+  return all;
+}
+
+void fill(const Gl& gl, float r, float g, float b, float a) {
+  gl.Color4f(r, g, b, a);
+  gl.Begin(GL_TRIANGLE_STRIP);
+  gl.Vertex2f(-1, -1), gl.Vertex2f(1, -1), gl.Vertex2f(-1, 1), gl.Vertex2f(1, 1);
+  gl.End();
+}
+
+std::vector<float> pixel(const Gl& gl) {
+  std::vector<float> rgba(4, -7.0f);
+  gl.ReadPixels(3, 3, 1, 1, GL_RGBA, GL_FLOAT, rgba.data());
+  return rgba;
+}
+
+std::vector<int> bytes(const Gl& gl) {
+  uint8_t v[4] = {};
+  gl.ReadPixels(3, 3, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, v);
+  return {v[0], v[1], v[2], v[3]};
+}
+
+} // namespace
+
+TEST_CASE("The formats that can be drawn to are OSMesa's", "[spec][formats][framebuffers][osmesa]") {
+  for (const GLint format : kFormats)
+    for (const bool texture : {true, false}) {
+      if (!texture && (format == GL_RGB9_E5)) continue; // below
+      const auto ask = [&](const Gl& gl) {
+        const CurrentContext current(gl);
+        bound_framebuffer(gl);
+        texture ? void(attach_texture(gl, format)) : attach_renderbuffer(gl, format);
+        std::vector<GLint> all = answers(gl);
+        all.push_back(GLint(gl.GetError()));
+        return all;
+      };
+      CAPTURE(format, texture);
+      CHECK(ask(softgl_library()) == ask(osmesa_library()));
+    }
+}
+
+TEST_CASE("A renderbuffer cannot have a shared exponent", "[spec][formats][deviation]") {
+  const auto error = [](const Gl& gl) {
+    const CurrentContext current(gl);
+    attach_renderbuffer(gl, GL_RGB9_E5);
+    GLenum first = gl.GetError();
+    return first;
+  };
+  CHECK(error(softgl_library()) == GL_INVALID_ENUM); // GL_EXT_texture_shared_exponent: not renderable
+}
+
+TEST_CASE("Floats are drawn as they are, unless clamping is asked for", "[spec][formats][clamp]") {
+  const Gl& gl = softgl_library();
+  const CurrentContext current(gl);
+  bound_framebuffer(gl);
+  attach_texture(gl, GL_RGBA32F);
+  gl.ClearColor(-2, 3, 0.5f, 7);
+  gl.Clear(GL_COLOR_BUFFER_BIT);
+  CHECK(pixel(gl) == std::vector<float>{-2, 3, 0.5f, 7});
+  fill(gl, -2, 3, 0.5f, 7); // vertex colors are clamped
+  CHECK(pixel(gl) == std::vector<float>{0, 1, 0.5f, 1});
+  gl.ClampColor(GL_CLAMP_VERTEX_COLOR, GL_FALSE);
+  fill(gl, -2, 3, 0.5f, 7);
+  CHECK(pixel(gl) == std::vector<float>{-2, 3, 0.5f, 7});
+  gl.ClampColor(GL_CLAMP_READ_COLOR, GL_TRUE);
+  CHECK(pixel(gl) == std::vector<float>{0, 1, 0.5f, 1});
+  gl.ClampColor(GL_CLAMP_READ_COLOR, GL_FIXED_ONLY);
+  gl.ClampColor(GL_CLAMP_FRAGMENT_COLOR, GL_TRUE);
+  fill(gl, -2, 3, 0.5f, 7);
+  CHECK(pixel(gl) == std::vector<float>{0, 1, 0.5f, 1});
+  gl.ClampColor(GL_CLAMP_FRAGMENT_COLOR, GL_FALSE);
+  gl.Enable(GL_BLEND);
+  gl.BlendFunc(GL_ONE, GL_ONE);
+  fill(gl, -2, 3, 0.5f, 7);
+  CHECK(pixel(gl) == std::vector<float>{-2, 4, 1, 8});
+  CHECK(gl.GetError() == GL_NO_ERROR);
+}
+
+TEST_CASE("Clamping has three switches", "[spec][formats][clamp][errors]") {
+  const Gl& gl = softgl_library();
+  const CurrentContext current(gl);
+  const auto get = [&](GLenum what) {
+    GLint v = -1;
+    gl.GetIntegerv(what, &v);
+    return v;
+  };
+  CHECK(get(GL_CLAMP_VERTEX_COLOR) == GL_TRUE);
+  CHECK(get(GL_CLAMP_FRAGMENT_COLOR) == GL_FIXED_ONLY);
+  CHECK(get(GL_CLAMP_READ_COLOR) == GL_FIXED_ONLY);
+  gl.ClampColor(GL_CLAMP_READ_COLOR, 2);
+  CHECK(gl.GetError() == GL_INVALID_ENUM);
+  gl.ClampColor(GL_CLAMP, GL_TRUE);
+  CHECK(gl.GetError() == GL_INVALID_ENUM);
+  gl.Begin(GL_POINTS);
+  gl.ClampColor(GL_CLAMP_READ_COLOR, GL_TRUE);
+  gl.End();
+  CHECK(gl.GetError() == GL_INVALID_OPERATION);
+  CHECK(get(GL_CLAMP_READ_COLOR) == GL_FIXED_ONLY);
+  gl.NewList(1, GL_COMPILE);
+  gl.ClampColor(GL_CLAMP_VERTEX_COLOR, GL_FALSE);
+  gl.EndList();
+  CHECK(get(GL_CLAMP_VERTEX_COLOR) == GL_TRUE);
+  gl.CallList(1);
+  CHECK(get(GL_CLAMP_VERTEX_COLOR) == GL_FALSE);
+}
+
+TEST_CASE("The switches of clamping are saved with what can be enabled",
+          "[spec][formats][clamp][deviation]") {
+  const auto restored = [](const Gl& gl, GLbitfield group) {
+    const CurrentContext current(gl);
+    gl.PushAttrib(group);
+    for (const GLenum what : {GL_CLAMP_VERTEX_COLOR, GL_CLAMP_FRAGMENT_COLOR, GL_CLAMP_READ_COLOR})
+      gl.ClampColor(what, GL_FALSE);
+    gl.PopAttrib();
+    std::vector<GLint> values;
+    for (const GLenum what : {GL_CLAMP_VERTEX_COLOR, GL_CLAMP_FRAGMENT_COLOR, GL_CLAMP_READ_COLOR}) {
+      GLint v = -1;
+      gl.GetIntegerv(what, &v);
+      values.push_back(v);
+    }
+    return values;
+  };
+  const std::vector<GLint> kept = {GL_FALSE, GL_FALSE, GL_FALSE},
+                           all = {GL_TRUE, GL_FIXED_ONLY, GL_FIXED_ONLY};
+  for (const GLbitfield group : {GL_COLOR_BUFFER_BIT, GL_LIGHTING_BIT, GL_ALL_ATTRIB_BITS})
+    CHECK(restored(softgl_library(), group) == restored(osmesa_library(), group));
+  CHECK(restored(softgl_library(), GL_ENABLE_BIT) == all);
+  CHECK(restored(osmesa_library(), GL_ENABLE_BIT) == kept);
+}
+
+TEST_CASE("Colors become sRGB where that is switched on", "[spec][formats][srgb][osmesa]") {
+  // OSMesa takes the processor's approximate roots: bytes may differ by one.
+  const auto draw = [](const Gl& gl, bool srgb, float v, bool blend) {
+    const CurrentContext current(gl);
+    bound_framebuffer(gl);
+    attach_texture(gl, GL_SRGB8_ALPHA8);
+    if (srgb) gl.Enable(GL_FRAMEBUFFER_SRGB);
+    fill(gl, 0.25f, 0.5f, 1 - v, 0.75f);
+    if (blend) {
+      gl.Enable(GL_BLEND);
+      gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+      fill(gl, v, 0.1f, 0.9f, 0.3f);
+    }
+    return bytes(gl);
+  };
+  for (int i = 0; i <= 20; ++i)
+    for (const bool srgb : {false, true})
+      for (const bool blend : {false, true}) {
+        const float v = float(i) / 20;
+        const std::vector<int> ours = draw(softgl_library(), srgb, v, blend),
+                               theirs = draw(osmesa_library(), srgb, v, blend);
+        CAPTURE(i, srgb, blend, ours, theirs);
+        for (size_t k = 0; k < 4; ++k) CHECK(std::abs(ours[k] - theirs[k]) <= (srgb && k < 3 ? 1 : 0));
+      }
+  // 0.25 of linear light is 137 of 255.
+  CHECK(std::abs(draw(softgl_library(), true, 0, false)[0] - 137) <= 1);
+  CHECK(draw(softgl_library(), false, 0, false)[0] == 64);
+}
+
+TEST_CASE("A lone alpha is blended by the equation of alpha", "[spec][formats][deviation]") {
+  const auto blended = [](const Gl& gl) {
+    const CurrentContext current(gl);
+    bound_framebuffer(gl);
+    attach_texture(gl, GL_ALPHA8);
+    fill(gl, 0, 0, 0, 0.6f);
+    gl.Enable(GL_BLEND);
+    gl.BlendEquationSeparate(GL_FUNC_ADD, GL_FUNC_REVERSE_SUBTRACT);
+    gl.BlendFunc(GL_ONE, GL_ONE);
+    fill(gl, 0, 0, 0, 0.2f);
+    return bytes(gl)[3];
+  };
+  CHECK(blended(softgl_library()) == 102);
+  CHECK(blended(osmesa_library()) == 204); // that of colors
+}
+
+} // namespace softgl::test
