@@ -164,6 +164,27 @@ TEST_CASE("A renderbuffer cannot have a shared exponent", "[spec][formats][devia
   CHECK(error(softgl_library()) == GL_INVALID_ENUM); // GL_EXT_texture_shared_exponent: not renderable
 }
 
+TEST_CASE("Faces of cube maps may have depths", "[spec][formats][textures][osmesa]") {
+  const auto errors = [](const Gl& gl) {
+    const CurrentContext current(gl);
+    GLuint texture = 0;
+    gl.GenTextures(1, &texture);
+    gl.BindTexture(GL_TEXTURE_CUBE_MAP, texture);
+    std::vector<GLenum> all;
+    for (const GLint format : {GL_DEPTH_COMPONENT24, GL_DEPTH24_STENCIL8}) {
+      gl.CopyTexImage2D(GL_TEXTURE_CUBE_MAP_NEGATIVE_Y, 0, GLenum(format), 0, 0, 8, 8, 0);
+      all.push_back(gl.GetError());
+    }
+    gl.TexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X, 0, GL_DEPTH_COMPONENT, 8, 8, 0, GL_DEPTH_COMPONENT,
+                  GL_FLOAT, nullptr);
+    all.push_back(gl.GetError());
+    gl.TexImage3D(GL_TEXTURE_3D, 0, GL_DEPTH_COMPONENT, 8, 8, 8, 0, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
+    all.push_back(gl.GetError());
+    return all;
+  };
+  CHECK(errors(softgl_library()) == errors(osmesa_library()));
+}
+
 TEST_CASE("Floats are drawn as they are, unless clamping is asked for", "[spec][formats][clamp]") {
   const Gl& gl = softgl_library();
   const CurrentContext current(gl);

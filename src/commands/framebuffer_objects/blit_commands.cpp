@@ -66,6 +66,7 @@ BlitAxis make_axis(int from0, int from1, int from_size, bool from_down, int to0,
 struct Blit {
   BlitAxis columns, rows;
   bool linear;
+  bool moved; // the rectangles are equally large
   bool visible() const { return columns.count() > 0 && rows.count() > 0; }
   int source_width() const { return columns.source_end - columns.source_first; }
   int source_height() const { return rows.source_end - rows.source_first; }
@@ -130,6 +131,10 @@ void blit_resolved_colors(Context& c, const Blit& blit, const BlitSamples& sampl
   submit_copy(c, blit.image(PixelElement::Floats, pixels, arena), blit.box(), samples.to);
 }
 
+bool keeps_bytes(const ColorEncoding& e) {
+  return std::all_of(e.bits, e.bits + 4, [](uint8_t bits) { return bits == 0 || bits == 8; });
+}
+
 void blit_colors(Context& c, const Blit& blit, const BlitSamples& samples) {
   const Surface& s = samples.from;
   if (s.samples > 1) return blit_resolved_colors(c, blit, samples);
@@ -145,7 +150,8 @@ void blit_colors(Context& c, const Blit& blit, const BlitSamples& samples) {
     }
   };
   const bool srgb = s.encoding.srgb && c.state.color_buffer.framebuffer_srgb;
-  if (s.color_format == ColorFormat::Rgba8 && !srgb) {
+  // OSMesa 22.3.6: pixels that are but moved go through floats, others through bytes.
+  if (s.color_format == ColorFormat::Rgba8 && !srgb && (keeps_bytes(s.encoding) || !blit.moved)) {
     auto* pixels = reinterpret_cast<uint8_t(*)[4]>(arena.allocate_array<uint32_t>(blit.source_pixels()));
     read(pixels, color_row_to_bytes);
     if (blit.linear) {
@@ -230,6 +236,7 @@ void gl::BlitFramebuffer(Context& c, GLint srcX0, GLint srcY0, GLint srcX1, GLin
   if (!color && !depth && !stencil) return;
   Blit blit;
   blit.linear = filter == GL_LINEAR && !same_size;
+  blit.moved = same_size;
   blit.columns = make_axis(srcX0, srcX1, s.width, false, dstX0, dstX1, t.width, false, blit.linear);
   blit.rows = make_axis(srcY0, srcY1, s.height, !s.y_up, dstY0, dstY1, t.height, !t.y_up, blit.linear);
   if (!blit.visible()) return;

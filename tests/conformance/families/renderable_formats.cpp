@@ -87,22 +87,23 @@ constexpr std::array<ImageFormat, 66> kFormats = {{
 struct Target {
   GLuint framebuffer = 0, texture = 0;
   ImageFormat format{};
-  int size = 32;
+  int size = 32, samples = 0;
 };
 
-Target make_target(Stage& s) {
+Target make_target(Stage& s, const ImageFormat& format, int samples) {
   const Gl& gl = s.gl;
   Random& r = s.random;
   Target t;
-  t.format = r.pick(kFormats);
+  t.format = format;
+  t.samples = samples;
   t.size = r.integer(8, 70);
   gl.GenFramebuffers(1, &t.framebuffer);
   gl.BindFramebuffer(GL_FRAMEBUFFER, t.framebuffer);
   GLuint name = 0;
-  if (r.chance(40)) {
+  if (samples || r.chance(40)) {
     gl.GenRenderbuffers(1, &name);
     gl.BindRenderbuffer(GL_RENDERBUFFER, name);
-    gl.RenderbufferStorage(GL_RENDERBUFFER, GLenum(t.format.internal), t.size, t.size);
+    gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GLenum(t.format.internal), t.size, t.size);
     gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, name);
   } else {
     gl.GenTextures(1, &t.texture);
@@ -186,7 +187,10 @@ void draw(Stage& s, const Target& t) {
       for (float& v : pixels) v = r.real(-0.5f, 1.5f);
       const int at_y = r.integer(0, t.size / 2), at_x = r.integer(0, t.size / 2);
       gl.WindowPos2i(at_x, at_y);
-      gl.DrawPixels(16, 16, GL_RGBA, GL_FLOAT, pixels.data());
+      if (t.samples || r.chance(70))
+        gl.DrawPixels(16, 16, GL_RGBA, GL_FLOAT, pixels.data());
+      else
+        gl.CopyPixels(0, 0, t.size / 2, t.size / 2, GL_COLOR);
     }
     random_merging(s, t);
   }
@@ -210,7 +214,7 @@ void show_pixels(Stage& s, const Target& t) {
                                      {GL_RGBA, GL_UNSIGNED_SHORT, 8},
                                      {GL_RGBA, GL_SHORT, 8},
                                      {GL_RGBA, GL_HALF_FLOAT, 8},
-                                     {GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV, 4},
+                                     {GL_LUMINANCE, GL_UNSIGNED_BYTE, 1},
                                      {GL_RGB, GL_FLOAT, 12},
                                      {GL_ALPHA, GL_FLOAT, 4},
                                      {GL_RED, GL_FLOAT, 4},
@@ -272,7 +276,18 @@ void draw_renderable_formats(Stage& s) {
   const Gl& gl = s.gl;
   Random& r = s.random;
   random_canvas(s);
-  const Target t = make_target(s);
+  const ImageFormat format = r.pick(kFormats);
+  const int samples = r.chance(15) ? 4 : 0;
+  const Target t = make_target(s, format, samples);
+  if (samples) { // are resolved
+    draw(s, t);
+    const Target resolved = make_target(s, format, 0);
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, t.framebuffer);
+    const int w = std::min(t.size, resolved.size);
+    gl.BlitFramebuffer(0, 0, w, w, 0, 0, w, w, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved.framebuffer);
+    return show_pixels(s, resolved);
+  }
   for (int round = r.integer(1, 3); round > 0; --round) {
     draw(s, t);
     switch (r.integer(0, 4)) {
@@ -284,7 +299,8 @@ void draw_renderable_formats(Stage& s) {
       [[fallthrough]];
     case 1: copy_to_texture(s, t); break;
     case 2: {
-      Target other = make_target(s);
+      const ImageFormat other_format = r.pick(kFormats);
+      const Target other = make_target(s, other_format, 0);
       gl.BindFramebuffer(GL_READ_FRAMEBUFFER, t.framebuffer);
       const int w = r.integer(1, std::min(t.size, other.size));
       // Twice as wide: no pixel's center lies between two others.
