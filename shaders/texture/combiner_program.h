@@ -20,7 +20,7 @@ struct CombinerStep {
 };
 
 struct CombinerProgram {
-  static constexpr int kMaxSteps = 320;
+  static constexpr int kMaxSteps = 352;
   int32_t step_count;
   uint8_t result[4]; // values that take the place of the primary color, of which they may be the same
                      // component only

@@ -77,15 +77,19 @@ size_t count_of(CountTable table, GLenum pname) {
     case GL_SOURCE0_RGB:
     case GL_SOURCE1_RGB:
     case GL_SOURCE2_RGB:
+    case GL_SOURCE3_RGB_NV:
     case GL_SOURCE0_ALPHA:
     case GL_SOURCE1_ALPHA:
     case GL_SOURCE2_ALPHA:
+    case GL_SOURCE3_ALPHA_NV:
     case GL_OPERAND0_RGB:
     case GL_OPERAND1_RGB:
     case GL_OPERAND2_RGB:
+    case GL_OPERAND3_RGB_NV:
     case GL_OPERAND0_ALPHA:
     case GL_OPERAND1_ALPHA:
     case GL_OPERAND2_ALPHA:
+    case GL_OPERAND3_ALPHA_NV:
     case GL_RGB_SCALE:
     case GL_ALPHA_SCALE:
     case GL_COORD_REPLACE: return 1;

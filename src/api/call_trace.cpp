@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <new>
+#include <string>
 #include <utility>
 
 #include "api/argument_conversion.h"
@@ -208,8 +210,7 @@ Context* context_of_errors(const char* name) {
   return watched && !(c->guard & kNoContext) ? c : nullptr;
 }
 
-GLenum begin_call(const char* name, const TraceText& text) {
-  trace_call(text);
+GLenum begin_call(const char* name) {
   inside_traced_call = true;
   Context* c = context_of_errors(name);
   return c ? std::exchange(c->error, GLenum(GL_NO_ERROR)) : GL_NO_ERROR;
@@ -226,6 +227,29 @@ GLenum end_call(const char* name, GLenum error_before) {
   return raised;
 }
 
+void put_call(TraceText& text, const TraceCall& row, const uint64_t* arguments) {
+  text.put(text_at(row.name));
+  text.put('(');
+  for (int i = 0; i < row.parameter_count; ++i) {
+    if (i) text.put(", ");
+    put_argument(text, kTraceParameters[row.parameter + i], arguments, i);
+  }
+  text.put(')');
+}
+
+/// The message of an error (GL_KHR_debug): which one, and the call. Where memory ends there is none.
+void report_error(GLenum error, auto&& put) noexcept try {
+  Context& c = *current_context;
+  if (error == GL_NO_ERROR || !c.client.debug_output) return;
+  TraceText text;
+  put_value(text, TraceType::Enum, kAnyName, error);
+  text.put(": ");
+  put(text);
+  const size_t size = std::min(text.size(), size_t(kMaxDebugMessageLength - 1));
+  send_debug_message(c, {GL_DEBUG_SOURCE_API, GL_DEBUG_TYPE_ERROR, error, GL_DEBUG_SEVERITY_HIGH,
+                         std::string(text.data(), size)});
+} catch (const std::bad_alloc&) {}
+
 void put_error(TraceText& text, GLenum error) {
   if (error == GL_NO_ERROR) return;
   text.put(" ! ");
@@ -236,21 +260,20 @@ void put_error(TraceText& text, GLenum error) {
 
 uint32_t begin_traced_call(TracedCall call, const uint64_t* arguments) {
   const TraceCall& row = kTraceCalls[int(call)];
-  TraceText text;
-  text.put(text_at(row.name));
-  text.put('(');
-  for (int i = 0; i < row.parameter_count; ++i) {
-    if (i) text.put(", ");
-    put_argument(text, kTraceParameters[row.parameter + i], arguments, i);
+  if (tracing) {
+    TraceText text;
+    put_call(text, row, arguments);
+    trace_call(text);
   }
-  text.put(')');
-  return begin_call(text_at(row.name), text);
+  return begin_call(text_at(row.name));
 }
 
 void end_traced_call(TracedCall call, const uint64_t* arguments, uint64_t result, uint32_t error_before) {
   const TraceCall& row = kTraceCalls[int(call)];
   const char* name = text_at(row.name);
   const GLenum error = end_call(name, error_before);
+  report_error(error, [&](TraceText& text) { put_call(text, row, arguments); });
+  if (!tracing) return;
   TraceText text;
   const char* between = " = ";
   if (row.result != TraceType::Void) {
@@ -271,15 +294,21 @@ void end_traced_call(TracedCall call, const uint64_t* arguments, uint64_t result
 }
 
 uint32_t begin_unsupported_call(const char* name) {
-  TraceText text;
-  text.put(name);
-  text.put("(?)");
-  return begin_call(name, text);
+  if (tracing) {
+    TraceText text;
+    text.put(name);
+    text.put("(?)");
+    trace_call(text);
+  }
+  return begin_call(name);
 }
 
 void end_unsupported_call(const char* name, uint32_t error_before) {
+  const GLenum error = end_call(name, error_before);
+  report_error(error, [&](TraceText& text) { text.put(name); });
+  if (!tracing) return;
   TraceText text;
-  put_error(text, end_call(name, error_before));
+  put_error(text, error);
   trace_result(name, text);
 }
 

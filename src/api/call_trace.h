@@ -1,5 +1,5 @@
-// Calls in the trace (SOFTGL_TRACE). Every door begins with SOFTGL_TRACED, which costs one branch when there
-// is no trace.
+// Calls that are watched: for the trace (SOFTGL_TRACE), or for messages of errors (GL_KHR_debug). Every door
+// begins with SOFTGL_TRACED, which costs one branch when nobody watches.
 #pragma once
 
 #include <bit>
@@ -52,6 +52,6 @@ traced_call(TracedCall call, Result (*door)(Arguments...), std::type_identity_t<
 } // namespace softgl
 
 #define SOFTGL_TRACED(door, ...) \
-  if (__builtin_expect(softgl::tracing, 0)) \
+  if (__builtin_expect(softgl::calls_watched.load(std::memory_order_relaxed), 0)) \
     if (!softgl::inside_traced_call) \
   return softgl::traced_call(softgl::TracedCall::door, door __VA_OPT__(, ) __VA_ARGS__)

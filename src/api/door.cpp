@@ -53,7 +53,7 @@ void unbuilt_command() {
 }
 
 void unsupported_command(const char* name) {
-  if (!tracing) return unbuilt_command();
+  if (!calls_watched.load(std::memory_order_relaxed)) return unbuilt_command();
   const uint32_t error_before = begin_unsupported_call(name);
   unbuilt_command();
   end_unsupported_call(name, error_before);

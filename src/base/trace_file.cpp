@@ -21,6 +21,15 @@
 namespace softgl {
 
 constinit bool tracing = false;
+constinit std::atomic<bool> calls_watched = false;
+
+void watch_calls(bool more) {
+  static constinit std::mutex changing;
+  static constinit int watchers = 0;
+  const std::lock_guard lock(changing);
+  watchers += more ? 1 : -1;
+  calls_watched = tracing || watchers > 0;
+}
 
 namespace {
 
@@ -89,6 +98,7 @@ std::string file_name(const char* pattern) {
   write_all({}, text, true);
   // A child must not wait for a thread that it does not have.
   pthread_atfork([] { mutex.lock(); }, [] { mutex.unlock(); }, [] { mutex.unlock(); });
+  calls_watched = true;
   return tracing = true;
 }();
 

@@ -2,6 +2,7 @@
 // the lines go; who has something to say tests `tracing` first and makes the text in a function of its own.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 
@@ -9,6 +10,11 @@ namespace softgl {
 
 /// True when there is a trace. Set before main, never changed: a branch that every processor predicts.
 extern bool tracing __attribute__((visibility("hidden")));
+
+/// True while calls are watched: there is a trace, or a context wants messages of errors (GL_KHR_debug).
+extern std::atomic<bool> calls_watched __attribute__((visibility("hidden")));
+/// One context more, or one less, that wants it.
+void watch_calls(bool more);
 
 /// The text of one line. Holds so much and drops the rest; allocates nothing.
 class TraceText {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <string>
 
 #include "base/gl_types.h"
 
@@ -30,6 +31,7 @@ struct IndexRange {
 
 struct BufferObject {
   std::shared_ptr<BufferStorage> storage; // null: size 0
+  std::string label;                      // GL_KHR_debug
   GLenum usage = GL_STATIC_DRAW, access = GL_READ_WRITE;
   bool mapped = false;
   GLbitfield access_flags = 0;         // how it is mapped: GL_MAP_READ_BIT ... (GL_ARB_map_buffer_range)

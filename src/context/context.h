@@ -5,6 +5,7 @@
 
 #include "context/array_cache.h"
 #include "context/attribute_stack.h"
+#include "context/debug_output.h"
 #include "context/evaluator_maps.h"
 #include "context/framebuffer_objects.h"
 #include "context/list_compiler.h"
@@ -53,6 +54,7 @@ struct Context {
   NameTable<FramebufferObject> framebuffer_objects;
   NameTable<VertexArrayObject> vertex_array_objects;
   FramebufferBindings bindings;
+  DebugOutput debug;
   RenderTarget* draw = &framebuffer; // what is drawn to; empty while the bound object is not complete
   RenderTarget* read = &framebuffer;
   const bool smooth_is_phong = smooth_is_phong_by_environment();

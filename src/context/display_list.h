@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "base/gl_types.h"
@@ -30,6 +31,7 @@ struct AttributeRecord {
 };
 
 struct DisplayList {
+  std::string label; // GL_KHR_debug
   std::vector<uint64_t> records;
   std::vector<std::shared_ptr<VertexRun>> runs;
   std::vector<std::unique_ptr<unsigned char[]>> payloads;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "base/gl_types.h"
 #include "surface/framebuffer.h"
@@ -18,6 +19,7 @@ constexpr int kMaxRenderbufferSize = 16384;
 struct Renderbuffer {
   explicit Renderbuffer(GLuint name) : name(name) {}
   GLuint name;
+  std::string label; // GL_KHR_debug
   GLenum internal_format = GL_RGBA;
   int width = 0, height = 0, samples = 1; // samples: 1 or kSamples
   RenderFormat format;
@@ -45,6 +47,7 @@ struct Attachment {
 struct FramebufferObject {
   explicit FramebufferObject(GLuint name) : name(name) {}
   GLuint name;
+  std::string label; // GL_KHR_debug
   Attachment color[kMaxColorAttachments], depth, stencil;
   GLenum draw_buffer = GL_COLOR_ATTACHMENT0, read_buffer = GL_COLOR_ATTACHMENT0;
 

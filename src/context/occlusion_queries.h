@@ -3,12 +3,14 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "context/object_store.h"
 
 namespace softgl {
 
 struct QueryObject {
+  std::string label; // GL_KHR_debug
   /// How many fragments passed since the last BeginQuery. Every frame in which draws of this query wait holds
   /// it, too; the result is complete when nobody else does.
   std::shared_ptr<uint64_t> samples;

@@ -97,6 +97,7 @@ struct Light {
 };
 struct LightingState {
   GLenum shade_model = GL_SMOOTH;
+  GLenum provoking_vertex = GL_LAST_VERTEX_CONVENTION; // GL_EXT_provoking_vertex
   bool enabled = false, color_material_enabled = false;
   GLenum color_material_face = GL_FRONT_AND_BACK, color_material_parameter = GL_AMBIENT_AND_DIFFUSE;
   Vec4 model_ambient{0.2f, 0.2f, 0.2f, 1};
@@ -166,10 +167,11 @@ struct TextureUnitState {
   Vec4 env_color{0, 0, 0, 0};
   float lod_bias = 0;
   GLenum combine_rgb = GL_MODULATE, combine_alpha = GL_MODULATE;
-  GLenum source_rgb[3] = {GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT},
-         source_alpha[3] = {GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT};
-  GLenum operand_rgb[3] = {GL_SRC_COLOR, GL_SRC_COLOR, GL_SRC_ALPHA};
-  GLenum operand_alpha[3] = {GL_SRC_ALPHA, GL_SRC_ALPHA, GL_SRC_ALPHA};
+  // The fourth one is of GL_COMBINE4_NV (GL_NV_texture_env_combine4).
+  GLenum source_rgb[4] = {GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT, GL_ZERO},
+         source_alpha[4] = {GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT, GL_ZERO};
+  GLenum operand_rgb[4] = {GL_SRC_COLOR, GL_SRC_COLOR, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_COLOR};
+  GLenum operand_alpha[4] = {GL_SRC_ALPHA, GL_SRC_ALPHA, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA};
   float rgb_scale = 1, alpha_scale = 1;
   TextureGeneration generation[4]; // s, t, r, q
   TextureUnitState() {
@@ -319,6 +321,8 @@ struct VertexArrayState : VertexArrays {
   std::shared_ptr<BufferObject> array_object; // null for name 0
   bool restarts = false;                      // GL_PRIMITIVE_RESTART
   GLuint restart_index = 0;
+  GLint lock_first = 0; // GL_EXT_compiled_vertex_array
+  GLsizei lock_count = 0;
 };
 
 /// All server state that is not in objects. PushAttrib saves it by attribute group.
@@ -354,6 +358,7 @@ struct ClientState {
   VertexArrayState vertex_array;
   VertexArrays unbound_arrays;         // those of name 0 while a vertex array object is bound
   BufferBinding copy_read, copy_write; // GL_ARB_copy_buffer
+  bool debug_output = false, debug_output_synchronous = false; // GL_KHR_debug
 };
 
 /// Dirty bits: one per group of State or kind of object. A command sets the bits of the groups that it

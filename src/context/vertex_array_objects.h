@@ -1,6 +1,8 @@
 // Vertex array objects (GL_ARB_vertex_array_object, 2.10).
 #pragma once
 
+#include <string>
+
 #include "context/state.h"
 
 namespace softgl {
@@ -10,6 +12,7 @@ struct Context;
 struct VertexArrayObject {
   explicit VertexArrayObject(GLuint name) : name(name) {}
   GLuint name;
+  std::string label;   // GL_KHR_debug
   VertexArrays arrays; // while it is bound they are in VertexArrayState
 };
 

@@ -39,6 +39,9 @@ struct DrawRecord {
   // Of its back-facing polygons; null: as of the others.
   const FragmentProgram* back_fragment = nullptr;
   const SmoothPrograms* back_smooth = nullptr;
+  // Flat colors are those of the first vertex of each primitive, not of the last one
+  // (GL_EXT_provoking_vertex).
+  bool first_provokes = false;
 };
 
 } // namespace softgl

@@ -1,6 +1,7 @@
 // Primitive assembly (GL 1.5, 2.6.1): vertices become triangles, lines and points in the corner order that
 // OSMesa hands to set-up, because the order decides last bits. Where GL_QUADS are cut, the draw says.
 #include <algorithm>
+#include <cstring>
 
 #include "base/assert.h"
 #include "geometry/clipping.h"
@@ -76,6 +77,29 @@ template <class Elements, class Emit> int for_each_triangle(GLenum mode, bool fr
   }
 }
 
+/// The same where the first vertex provokes: it comes last, too, and the others keep their turn around it.
+template <class Elements, class Emit>
+int for_each_triangle_of_first(GLenum mode, const Elements e, uint32_t step, uint32_t steps, Emit emit) {
+  const int n = int(steps);
+  for (int i = 0; i < n; ++i) {
+    const uint32_t k = step + uint32_t(i);
+    switch (mode) {
+    case GL_TRIANGLES: emit(i, e[3 * k + 1], e[3 * k + 2], e[3 * k]); break;
+    case GL_TRIANGLE_STRIP: emit(i, e[k + 1 + (k & 1)], e[k + 2 - (k & 1)], e[k]); break;
+    case GL_TRIANGLE_FAN: emit(i, e[k + 2], e[0], e[k + 1]); break;
+    case GL_POLYGON: emit(i, e[k + 1], e[k + 2], e[0]); break;
+    case GL_QUADS:
+      emit(2 * i, e[4 * k + 1], e[4 * k + 2], e[4 * k]);
+      emit(2 * i + 1, e[4 * k + 2], e[4 * k + 3], e[4 * k]);
+      break;
+    default: // GL_QUAD_STRIP
+      emit(2 * i, e[2 * k + 1], e[2 * k + 3], e[2 * k]);
+      emit(2 * i + 1, e[2 * k + 3], e[2 * k + 2], e[2 * k]);
+    }
+  }
+  return mode == GL_QUADS || mode == GL_QUAD_STRIP ? 2 * n : n;
+}
+
 class Assembler {
 public:
   Assembler(const DrawRecord& draw, const ShadedVertices& vertices, const PrimitiveRange& range, Arena& arena,
@@ -113,6 +137,7 @@ private:
         part = std::min(part, (first + kBatchVertices) / 4 - step);
       }
       auto for_each = [&](auto emit) {
+        if (draw_.first_provokes) return for_each_triangle_of_first(range_.mode, e, step, part, emit);
         return for_each_triangle(range_.mode, from_1_to_3, right_first, e, step, part, emit);
       };
       // One pass for the corners and for what clips them: of lists of indices GCC makes vectors that are
@@ -188,22 +213,25 @@ private:
     uint32_t at = polygon && polygons.stipples() ? 0 : step;
     for (const uint32_t end = step + steps; at < end; ++at) {
       polygons.count_only(at < step);
-      for_each_triangle(
-          range_.mode, true, false, e, at, 1, [&](int i, uint32_t v0, uint32_t v1, uint32_t v2) {
-            uint32_t boundary = 7;
-            bool begins = true;
-            if (polygon) {
-              begins = at == 0 && range_.begins;
-              boundary = 1u | (begins ? 4u : 0u) | (at == last_step && range_.ends ? 2u : 0u);
-            } else if (range_.mode == GL_QUADS || range_.mode == GL_QUAD_STRIP) {
-              begins = i == 0;
-              boundary = begins ? 5 : 3;
-            }
-            clip_triangle(v0, v1, v2, polygons.fills() ? boundary : boundary & flagged(v0, v1, v2),
-                          [&](const Slot* a, const Slot* b, const Slot* c, uint32_t edges, int part) {
-                            polygons.triangle({{a, b, c}, edges, part < 0 ? begins : part == 0});
-                          });
-          });
+      const auto put = [&](int i, uint32_t v0, uint32_t v1, uint32_t v2) {
+        uint32_t boundary = 7;
+        bool begins = true;
+        if (polygon) {
+          begins = at == 0 && range_.begins;
+          boundary = 1u | (begins ? 4u : 0u) | (at == last_step && range_.ends ? 2u : 0u);
+        } else if (range_.mode == GL_QUADS || range_.mode == GL_QUAD_STRIP) {
+          begins = i == 0;
+          boundary = begins ? 5 : 3;
+        }
+        clip_triangle(v0, v1, v2, polygons.fills() ? boundary : boundary & flagged(v0, v1, v2),
+                      [&](const Slot* a, const Slot* b, const Slot* c, uint32_t edges, int part) {
+                        polygons.triangle({{a, b, c}, edges, part < 0 ? begins : part == 0});
+                      });
+      };
+      if (draw_.first_provokes)
+        for_each_triangle_of_first(range_.mode, e, at, 1, put);
+      else
+        for_each_triangle(range_.mode, true, false, e, at, 1, put);
     }
     polygons.finish();
   }
@@ -255,7 +283,17 @@ private:
     if (m0 & m1) return false;
     end[0] = shaded(v[0]);
     end[1] = shaded(v[1]);
-    return (m0 | m1) == 0 || Clipper(draw_, vertices_, arena_).line(v, end);
+    if ((m0 | m1) != 0 && !Clipper(draw_, vertices_, arena_).line(v, end)) return false;
+    if (draw_.first_provokes) end[1] = with_colors(end[1], shaded(v[0]));
+    return true;
+  }
+
+  /// A copy of the vertex with the colors of another one.
+  const Slot* with_colors(const Slot* vertex, const Slot* colors) {
+    Slot* copy = arena_.allocate_array<Slot>(slots_);
+    std::memcpy(copy, vertex, sizeof(Slot) * slots_);
+    copy_flat_colors(draw_.layout, copy, colors);
+    return copy;
   }
 
   template <class Elements> void lines(const Elements& e, uint32_t step, uint32_t steps) {

@@ -56,8 +56,7 @@ void Clipper::interpolate(Vertex& out, float t, const Vertex& from, const Vertex
     }
 }
 
-void Clipper::copy_flat_colors(Slot* to, const Slot* from) const {
-  const ShadedLayout& l = draw_.layout;
+void copy_flat_colors(const ShadedLayout& l, ShadedVertices::Slot* to, const ShadedVertices::Slot* from) {
   for (int slot : {l.color, l.back_color})
     if (slot >= 0) to[slot] = from[slot];
   for (int slot : {l.secondary, l.back_secondary}) // not the fog coordinate behind the color
@@ -125,7 +124,7 @@ int Clipper::triangle(const uint32_t v[3], uint32_t mask, const Slot* polygon[kM
   if (flat_ && in[0] != &pool[2]) {
     Slot* provoking = arena_.allocate_array<Slot>(size_t(slots_));
     std::memcpy(provoking, polygon[0], sizeof(Slot) * size_t(slots_));
-    copy_flat_colors(provoking, pool[2].shaded);
+    copy_flat_colors(draw_.layout, provoking, pool[2].shaded);
     polygon[0] = provoking;
   }
   return n;
@@ -157,12 +156,12 @@ bool Clipper::line(const uint32_t v[2], const Slot* end[2]) {
   Vertex fresh;
   if (mask_a) {
     interpolate(fresh, t0, a, b);
-    if (flat_) copy_flat_colors(fresh.made, b.shaded);
+    if (flat_) copy_flat_colors(draw_.layout, fresh.made, b.shaded);
     end[0] = keep(fresh);
   }
   if (mask_b) {
     interpolate(fresh, t1, b, a);
-    if (flat_) copy_flat_colors(fresh.made, b.shaded);
+    if (flat_) copy_flat_colors(draw_.layout, fresh.made, b.shaded);
     end[1] = keep(fresh);
   }
   return true;

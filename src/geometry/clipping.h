@@ -7,6 +7,9 @@
 
 namespace softgl {
 
+/// Gives a vertex the primary and secondary colors of another one, those of both faces.
+void copy_flat_colors(const ShadedLayout& layout, ShadedVertices::Slot* to, const ShadedVertices::Slot* from);
+
 /// Clips the primitives of one draw. Shaded vertices carry no clip coordinates (few need them): they are
 /// computed again from the draw's source, with the vertex program's arithmetic.
 class Clipper {
@@ -37,7 +40,6 @@ private:
   void load(uint32_t vertex, Vertex& out) const;
   float distance(const Vertex& v, int plane) const;
   void interpolate(Vertex& out, float t, const Vertex& from, const Vertex& to) const;
-  void copy_flat_colors(Slot* to, const Slot* from) const;
   const Slot* keep(const Vertex& v);
   const Slot* shaded(uint32_t vertex) const {
     return vertices_.slot + size_t(vertex - vertices_.first) * slots_;

@@ -9,6 +9,7 @@
 #include "shaders/fragment/fragment_program.h"
 #include "shaders/raster/raster_constants.h"
 #include "snapshot/raster_snapshot.h"
+#include "snapshot/submit.h"
 #include "snapshot/vertex_snapshot.h"
 
 namespace softgl {
@@ -128,7 +129,8 @@ void feed_back(Context& c, const DrawCall& call) {
       make_own_snapshot(c, fragment.key, call.source->present, &call.constant[kColor][0], arena);
   own.program.line_stipple = false;                        // whole lines are fed back
   own.program.polygons = make_polygon_constants(c, arena); // culled, colored and offset ones
-  const DrawRecord draw{call, own.layout, &own.program, make_raster_constants(c, arena), &fragment};
+  DrawRecord draw{call, own.layout, &own.program, make_raster_constants(c, arena), &fragment};
+  draw.first_provokes = first_provokes(c);
   const ShadedVertices& vertices = *allocate_vertices(draw, call.first_vertex, call.vertex_count, arena);
   {
     const FloatEnvironment environment;

@@ -27,6 +27,11 @@ uint64_t* active_counter(Context& c) {
 
 } // namespace
 
+bool first_provokes(const Context& c) {
+  return c.state.lighting.shade_model == GL_FLAT &&
+         c.state.lighting.provoking_vertex == GL_FIRST_VERTEX_CONVENTION;
+}
+
 void submit(Context& c, const DrawCall& call) {
   const bool has_position = call.source && call.source->present >> kPosition & 1;
   if (!has_position || call.primitive_count == 0 || call.vertex_count == 0) return;
@@ -41,7 +46,8 @@ void submit(Context& c, const DrawCall& call) {
   uint64_t* const samples = active_counter(c);
   c.frame.append(c.frame.arena().make<DrawRecord>(
       call, cache.layout, cache.vertex, cache.raster, cache.fragment_of_draw, nullptr, samples, cache.smooth,
-      diagonal_of_quadrilaterals(c, call, *cache.fragment_of_draw), cache.back_fragment, cache.back_smooth));
+      diagonal_of_quadrilaterals(c, call, *cache.fragment_of_draw), cache.back_fragment, cache.back_smooth,
+      first_provokes(c)));
   if (c.frame.over_budget()) flush_frame(c);
 }
 

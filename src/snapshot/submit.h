@@ -13,6 +13,9 @@ struct PixelImage; // shaders/fragment/pixel_image.h
 /// memory is over budget, so pointers into the frame's arena are dead after the call.
 void submit(Context& context, const DrawCall& call);
 
+/// Whether the first vertex of a primitive gives it its color (GL_EXT_provoking_vertex).
+bool first_provokes(const Context& context);
+
 /// Draws a rectangle of pixels whose fragments have the raster position's attributes, but for what the image
 /// gives them. The image lies in the frame's arena. May flush the frame as submit() does.
 void submit_pixels(Context& context, const PixelImage& image, const WindowBox& box);

@@ -4,21 +4,36 @@ namespace softgl {
 
 namespace {
 
-CombineFunction combine_function(GLenum f) {
+/// `products`: GL_COMBINE4_NV, whose sums are of two products.
+CombineFunction combine_function(GLenum f, bool products) {
   switch (f) {
   case GL_REPLACE: return CombineFunction::Replace;
-  case GL_ADD: return CombineFunction::Add;
-  case GL_ADD_SIGNED: return CombineFunction::AddSigned;
+  case GL_ADD: return products ? CombineFunction::AddProducts : CombineFunction::Add;
+  case GL_ADD_SIGNED: return products ? CombineFunction::AddProductsSigned : CombineFunction::AddSigned;
   case GL_INTERPOLATE: return CombineFunction::Interpolate;
   case GL_SUBTRACT: return CombineFunction::Subtract;
-  case GL_DOT3_RGB: return CombineFunction::Dot3Rgb;
-  case GL_DOT3_RGBA: return CombineFunction::Dot3Rgba;
+  case GL_MODULATE_ADD_ATI: return CombineFunction::ModulateAdd;
+  case GL_MODULATE_SIGNED_ADD_ATI: return CombineFunction::ModulateSignedAdd;
+  case GL_MODULATE_SUBTRACT_ATI: return CombineFunction::ModulateSubtract;
+  case GL_DOT3_RGB:
+  case GL_DOT3_RGB_EXT: return CombineFunction::Dot3Rgb;
+  case GL_DOT3_RGBA:
+  case GL_DOT3_RGBA_EXT: return CombineFunction::Dot3Rgba;
   default: return CombineFunction::Modulate;
   }
 }
 
 int argument_count(CombineFunction f) {
-  return f == CombineFunction::Replace ? 1 : f == CombineFunction::Interpolate ? 3 : 2;
+  switch (f) {
+  case CombineFunction::Replace: return 1;
+  case CombineFunction::Interpolate:
+  case CombineFunction::ModulateAdd:
+  case CombineFunction::ModulateSignedAdd:
+  case CombineFunction::ModulateSubtract: return 3;
+  case CombineFunction::AddProducts:
+  case CombineFunction::AddProductsSigned: return 4;
+  default: return 2;
+  }
 }
 
 // OSMesa reads the texel of a unit that is off as 0; GL leaves it undefined.
@@ -31,15 +46,22 @@ CombineSource combine_source(GLenum source, int unit, uint32_t sampled) {
   case GL_TEXTURE: return texel_of(unit, sampled);
   case GL_CONSTANT: return CombineSource::Constant;
   case GL_PRIMARY_COLOR: return CombineSource::Primary;
+  case GL_ZERO: return CombineSource::Zero;
+  case GL_ONE: return CombineSource::One;
   case GL_PREVIOUS: return CombineSource::Previous;
   default: return texel_of(int(source - GL_TEXTURE0) & 7, sampled);
   }
 }
 
 CombinerChain::Unit make_combine(const TextureUnitState& s, int unit, uint32_t sampled) {
-  CombinerChain::Unit t{{combine_function(s.combine_rgb), combine_function(s.combine_alpha)},
-                        {},
-                        {uint8_t(s.rgb_scale), uint8_t(s.alpha_scale)}};
+  const bool products = s.env_mode == GL_COMBINE4_NV;
+  CombinerChain::Unit t{
+      {combine_function(s.combine_rgb, products), combine_function(s.combine_alpha, products)},
+      {},
+      {uint8_t(s.rgb_scale), uint8_t(s.alpha_scale)}};
+  // Those of GL_EXT_texture_env_dot3 are not scaled.
+  if (s.combine_rgb == GL_DOT3_RGB_EXT || s.combine_rgb == GL_DOT3_RGBA_EXT) t.scale[0] = 1;
+  if (s.combine_rgb == GL_DOT3_RGBA_EXT) t.scale[1] = 1;
   for (int i = 0; i < argument_count(t.function[0]); ++i) {
     const GLenum operand = s.operand_rgb[i];
     t.argument[0][i] = {combine_source(s.source_rgb[i], unit, sampled),
@@ -55,7 +77,7 @@ CombinerChain::Unit make_combine(const TextureUnitState& s, int unit, uint32_t s
 } // namespace
 
 CombinerChain::Unit make_environment(const TextureUnitState& s, int unit, GLenum base, uint32_t sampled) {
-  if (s.env_mode == GL_COMBINE) return make_combine(s, unit, sampled);
+  if (s.env_mode == GL_COMBINE || s.env_mode == GL_COMBINE4_NV) return make_combine(s, unit, sampled);
   const CombineArgument texel{texel_of(unit, sampled), 0, 0}, texel_alpha{texel.source, 1, 0};
   const CombineArgument previous{CombineSource::Previous, 0, 0}, constant{CombineSource::Constant, 0, 0};
   CombinerChain::Unit t{{}, {}, {1, 1}};

@@ -155,7 +155,19 @@ void set_anisotropy(const TextureObject& object, int base_level, TextureUnitCons
   t.first_level = &zero == object.image[0][0].get() ? base_level : 0;
 }
 
-TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum& base) {
+/// OSMesa 22.3.6 filters in fixed point where it can; not blocks of FXT1, nor in the cube maps whose lanes
+/// may want different filters.
+bool fixed_point(const TextureUnitConstants& t, BlockFormat block) {
+  auto fixed = [&](int axis) { return t.wrap[axis] <= TextureWrap::ClampToEdge; };
+  if (t.seamless || t.anisotropic || block == BlockFormat::Fxt1Rgb || block == BlockFormat::Fxt1Rgba)
+    return false;
+  if (t.shape == TextureShape::Cube && t.mip != TextureMip::None && t.min_linear != t.mag_linear)
+    return false;
+  return t.texel == TextureTexel::Rgba8 && fixed(0) && fixed(1) &&
+         (t.shape != TextureShape::ThreeD || fixed(2));
+}
+
+TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum& base, bool& fixed) {
   const TextureUnitState& state = c.state.texture.unit[unit];
   const TextureTarget target = enabled_target(state);
   if (target == kTextureTargets) return nullptr;
@@ -197,21 +209,11 @@ TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum&
                                                        : 7;
   }
   set_anisotropy(*object, levels.first, *t);
+  fixed = fixed_point(*t, image.format->block);
   for (auto& face : object->image)
     for (int i = 0; i < levels.count; ++i)
       if (auto& kept = face[levels.first + i]) c.frame.retain(kept, kept->texels.size());
   return t;
-}
-
-/// OSMesa 22.3.6 filters in fixed point where it can; not in the cube maps whose lanes may want different
-/// filters.
-bool fixed_point(const TextureUnitConstants& t) {
-  auto fixed = [&](int axis) { return t.wrap[axis] <= TextureWrap::ClampToEdge; };
-  if (t.seamless || t.anisotropic) return false;
-  if (t.shape == TextureShape::Cube && t.mip != TextureMip::None && t.min_linear != t.mag_linear)
-    return false;
-  return t.texel == TextureTexel::Rgba8 && fixed(0) && fixed(1) &&
-         (t.shape != TextureShape::ThreeD || fixed(2));
 }
 
 bool reads_r(const TextureUnitConstants& t) {
@@ -229,9 +231,10 @@ bool reads_differences(const TextureUnitConstants& t) {
 void append_texture_stages(Context& c, Arena& arena, FragmentProgram& program, FragmentConstants& constants) {
   TextureUnitConstants* units[kMaxTextureUnits] = {};
   GLenum base[kMaxTextureUnits] = {};
+  bool fixed[kMaxTextureUnits] = {};
   uint32_t sampled = 0;
   for (int u = 0; u < kMaxTextureUnits; ++u)
-    if ((units[u] = make_constants(c, arena, u, base[u]))) sampled |= 1u << u;
+    if ((units[u] = make_constants(c, arena, u, base[u], fixed[u]))) sampled |= 1u << u;
   if (sampled == 0) return;
   program.key.texture_units = uint64_t(sampled);
   const TextureKernels& kernels = *softgl::kernels().texture;
@@ -251,14 +254,13 @@ void append_texture_stages(Context& c, Arena& arena, FragmentProgram& program, F
     if (reads_differences(*units[u])) program.lod_units = uint8_t(program.lod_units | 1u << u);
   }
   auto fused = [&](int u) {
-    return simple && fixed_point(*units[u]) && is_modulate(chain.unit[u], u, base[u]) &&
-           takes(FastPath::FusedTextures);
+    return simple && fixed[u] && is_modulate(chain.unit[u], u, base[u]) && takes(FastPath::FusedTextures);
   };
   for (int u = 0; u < kMaxTextureUnits; ++u)
     if (units[u] && !fused(u))
-      program.add(units[u]->anisotropic    ? kernels.sample_anisotropic
-                  : fixed_point(*units[u]) ? kernels.sample_fixed
-                                           : kernels.sample_float,
+      program.add(units[u]->anisotropic ? kernels.sample_anisotropic
+                  : fixed[u]            ? kernels.sample_fixed
+                                        : kernels.sample_float,
                   u);
   if (!simple) {
     // The color sum has a part in the order of additions. That of lit fragments is clamped and comes later.

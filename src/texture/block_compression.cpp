@@ -4,6 +4,9 @@
 #include <cstring>
 #include <type_traits>
 
+#include "texture/color_axis.h"
+#include "texture/fxt1_blocks.h"
+
 namespace softgl {
 
 namespace {
@@ -92,6 +95,8 @@ void decode_block(BlockFormat format, const uint8_t* block, uint8_t (*rgba)[4]) 
     decode_color(block + 8, false, false, rgba);
     decode_component<uint8_t>(block, 3, rgba);
     break;
+  case BlockFormat::Fxt1Rgb:
+  case BlockFormat::Fxt1Rgba: decode_fxt1_block(block, format == BlockFormat::Fxt1Rgba, rgba); break;
   default: decode_components<uint8_t>(format, block, 255, rgba);
   }
 }
@@ -119,7 +124,7 @@ public:
 
   void encode(uint8_t* block) {
     Color low, high;
-    ends_of_axis(low, high);
+    ends_of_axis(texel_, counts_, kBlockTexels, low.v, high.v);
     try_ends(to_565(high), to_565(low));
     for (int round = 0; round < 2; ++round)
       if (fitted_ends(low, high)) try_ends(to_565(low), to_565(high));
@@ -131,47 +136,6 @@ public:
   }
 
 private:
-  /// The texels that lie farthest apart along the direction in which the colors vary most.
-  void ends_of_axis(Color& low, Color& high) const {
-    double mean[3] = {}, axis[3] = {1, 1, 1}, matrix[3][3] = {};
-    int n = 0;
-    for (int i = 0; i < kBlockTexels; ++i) {
-      if (!counts_[i]) continue;
-      ++n;
-      for (int k = 0; k < 3; ++k) mean[k] += texel_[i][k];
-    }
-    low = high = Color{};
-    if (n == 0) return;
-    for (double& m : mean) m /= n;
-    for (int i = 0; i < kBlockTexels; ++i)
-      for (int j = 0; j < 3 && counts_[i]; ++j)
-        for (int k = 0; k < 3; ++k) matrix[j][k] += (texel_[i][j] - mean[j]) * (texel_[i][k] - mean[k]);
-    // The row of the greatest variance is not perpendicular to the axis that is looked for.
-    int start = 0;
-    for (int k = 1; k < 3; ++k)
-      if (matrix[k][k] > matrix[start][start]) start = k;
-    std::copy_n(matrix[start], 3, axis);
-    for (int round = 0; round < 8; ++round) {
-      double next[3], largest = 0;
-      for (int j = 0; j < 3; ++j) {
-        next[j] = matrix[j][0] * axis[0] + matrix[j][1] * axis[1] + matrix[j][2] * axis[2];
-        largest = std::max(largest, next[j] < 0 ? -next[j] : next[j]);
-      }
-      if (largest == 0) break;
-      for (int j = 0; j < 3; ++j) axis[j] = next[j] / largest;
-    }
-    double least = 0, greatest = 0;
-    bool any = false;
-    for (int i = 0; i < kBlockTexels; ++i) {
-      if (!counts_[i]) continue;
-      const double d = axis[0] * texel_[i][0] + axis[1] * texel_[i][1] + axis[2] * texel_[i][2];
-      const Color c{{double(texel_[i][0]), double(texel_[i][1]), double(texel_[i][2])}};
-      if (!any || d < least) least = d, low = c;
-      if (!any || d > greatest) greatest = d, high = c;
-      any = true;
-    }
-  }
-
   /// Keeps the two colors if their block is nearer to the texels than the one before.
   void try_ends(int first, int second) {
     // Which is the greater number says how many colors there are.
@@ -287,6 +251,8 @@ void encode_block(BlockFormat format, const uint8_t (*rgba)[4], uint8_t* block) 
     encode_component(rgba, 3, block);
     ColorEncoder(rgba, true).encode(block + 8);
     break;
+  case BlockFormat::Fxt1Rgb:
+  case BlockFormat::Fxt1Rgba: encode_fxt1_block(rgba, format == BlockFormat::Fxt1Rgba, block); break;
   default: encode_components(format, rgba, block);
   }
 }

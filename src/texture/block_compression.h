@@ -1,5 +1,6 @@
-// Compressed texels: blocks of 4x4 texels of a few bytes each (GL_EXT_texture_compression_s3tc,
-// GL_ARB_texture_compression_rgtc, GL_EXT_texture_compression_latc).
+// Compressed texels: blocks of a few bytes each, of 4x4 texels (GL_EXT_texture_compression_s3tc,
+// GL_ARB_texture_compression_rgtc, GL_EXT_texture_compression_latc) or of 8x4
+// (GL_3DFX_texture_compression_FXT1).
 #pragma once
 
 #include <cstdint>
@@ -15,11 +16,18 @@ enum class BlockFormat : uint8_t {
   Red,
   RedGreen,
   Luminance,
-  LuminanceAlpha
+  LuminanceAlpha,
+  Fxt1Rgb,
+  Fxt1Rgba
 };
 
-constexpr int kBlockSize = 4; // texels along an edge
-constexpr int kBlockTexels = kBlockSize * kBlockSize;
+/// Texels of a row of a block.
+constexpr int block_width(BlockFormat format) {
+  return format == BlockFormat::Fxt1Rgb || format == BlockFormat::Fxt1Rgba ? 8 : 4;
+}
+constexpr int kBlockHeight = 4;
+constexpr int kBlockTexels = 16; // but for those of FXT1:
+constexpr int kMostBlockTexels = 32;
 
 constexpr int block_bytes(BlockFormat format) {
   switch (format) {
@@ -30,12 +38,15 @@ constexpr int block_bytes(BlockFormat format) {
   default: return 16;
   }
 }
-/// How many blocks cover so many texels.
-constexpr int blocks_along(int texels) { return (texels + kBlockSize - 1) / kBlockSize; }
+/// How many blocks cover a row and a column of so many texels.
+constexpr int blocks_in_row(BlockFormat format, int texels) {
+  return (texels - 1 + block_width(format)) / block_width(format);
+}
+constexpr int blocks_in_column(int texels) { return (texels - 1 + kBlockHeight) / kBlockHeight; }
 
-/// The 16 texels of a block, row by row, each red, green, blue, alpha.
+/// The texels of a block, row by row, each red, green, blue, alpha.
 void decode_block(BlockFormat format, const uint8_t* block, uint8_t (*rgba)[4]);
-/// A block that comes near to 16 texels. Those of Dxt1Rgba with an alpha below one half become transparent
+/// A block that comes near to these texels. Those of Dxt1Rgba with an alpha below one half become transparent
 /// black.
 void encode_block(BlockFormat format, const uint8_t (*rgba)[4], uint8_t* block);
 

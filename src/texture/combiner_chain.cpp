@@ -61,6 +61,7 @@ private:
     const CombinerValue v =
         a.source == CombineSource::Previous   ? color[k]
         : a.source == CombineSource::Zero     ? algebra.constant(0)
+        : a.source == CombineSource::One      ? algebra.constant(1)
         : a.source == CombineSource::Constant ? algebra.input(kCombinerEnvironment + 4 * number_ + k)
         : a.source == CombineSource::Primary  ? algebra.input(kCombinerPrimary + k)
                                               : algebra.input(kCombinerTexel + 4 * int(a.source) + k);
@@ -80,8 +81,26 @@ private:
                           b = argument(part, 1, k);
       return algebra.add(first, algebra.multiply(b, opposite(weight)));
     }
+    case CombineFunction::ModulateAdd: return algebra.add(product(part, 0, 2, k), argument(part, 1, k));
+    case CombineFunction::ModulateSignedAdd:
+      return algebra.add(algebra.add(product(part, 0, 2, k), argument(part, 1, k)), algebra.constant(-0.5f));
+    case CombineFunction::ModulateSubtract:
+      return algebra.subtract(product(part, 0, 2, k), argument(part, 1, k));
+    case CombineFunction::AddProducts: return sum_of_products(part, k);
+    case CombineFunction::AddProductsSigned:
+      return algebra.add(sum_of_products(part, k), algebra.constant(-0.5f));
     default: return a;
     }
+  }
+
+  CombinerValue product(int part, int i, int j, int k) {
+    const CombinerValue a = argument(part, i, k);
+    return algebra.multiply(a, argument(part, j, k));
+  }
+
+  CombinerValue sum_of_products(int part, int k) {
+    const CombinerValue a = product(part, 0, 1, k);
+    return algebra.add(a, product(part, 2, 3, k));
   }
 
   CombinerValue dot3() {

@@ -12,7 +12,7 @@
 namespace softgl {
 
 /// An argument of a texture combiner: where the color comes from and how it is used.
-enum class CombineSource : uint8_t { Texture0, Texture7 = 7, Constant, Primary, Previous, Zero };
+enum class CombineSource : uint8_t { Texture0, Texture7 = 7, Constant, Primary, Previous, Zero, One };
 struct CombineArgument {
   CombineSource source;
   uint8_t alpha;      // the source's alpha for every component
@@ -25,6 +25,11 @@ enum class CombineFunction : uint8_t {
   AddSigned,
   Interpolate,
   Subtract,
+  ModulateAdd,
+  ModulateSignedAdd,
+  ModulateSubtract,
+  AddProducts,
+  AddProductsSigned,
   Dot3Rgb,
   Dot3Rgba
 };
@@ -33,7 +38,7 @@ enum class CombineFunction : uint8_t {
 struct CombinerChain {
   struct Unit {
     CombineFunction function[2]; // rgb, alpha
-    CombineArgument argument[2][3];
+    CombineArgument argument[2][4];
     uint8_t scale[2];
   };
   uint8_t units = 0; // which are on, by bit

@@ -158,11 +158,11 @@ void reduce_wide(const TextureImage& from, const Footprints& footprints, Texture
 } // namespace
 
 void generate_mipmaps(TextureObject& object, int face) {
-  const TextureParameters& p = object.parameters;
-  if (p.base_level < 0 || p.base_level >= kMaxTextureLevels || object.target == kTextureRectangle) return;
-  std::shared_ptr<TextureImage> from = object.image[face][p.base_level];
+  const int base = object.base_level(), last = object.max_level();
+  if (base < 0 || base >= kMaxTextureLevels || object.target == kTextureRectangle) return;
+  std::shared_ptr<TextureImage> from = object.image[face][base];
   if (!from || from->empty()) return;
-  for (int level = p.base_level + 1; level < kMaxTextureLevels && level <= p.max_level; ++level) {
+  for (int level = base + 1; level < kMaxTextureLevels && level <= last; ++level) {
     if (from->width == 1 && from->height == 1 && from->depth == 1) break;
     auto to = make_image(*from->format, from->internal_format, std::max(1, from->width / 2),
                          std::max(1, from->height / 2), std::max(1, from->depth / 2));

@@ -243,6 +243,7 @@ ImageLayout layout_image(const PixelStore& store, int dimensions, int width, int
     layout.row_bytes = size_t(width) * format.bytes;
   }
   layout.image_stride = layout.row_stride * rows;
+  layout.inverted = store.invert ? height : 0;
   if (dimensions >= 2) layout.offset += size_t(store.skip_rows) * layout.row_stride;
   if (dimensions == 3) layout.offset += size_t(store.skip_images) * layout.image_stride;
   return layout;

@@ -48,6 +48,10 @@ struct ImageLayout {
   size_t offset; // of the first pixel, from the pointer given by the client
   size_t row_stride, image_stride, row_bytes;
   int bit_offset; // of the first pixel in its byte, GL_BITMAP only
+  int inverted;   // 0, or the number of rows, the last of which lies first (GL_MESA_pack_invert)
+
+  /// Where row `r` begins, from the pointer given by the client; rows count from the bottom.
+  size_t row(int r) const { return offset + size_t(inverted ? inverted - 1 - r : r) * row_stride; }
 };
 /// `dimensions` 1 to 3: rows are skipped from two on, images in three only.
 ImageLayout layout_image(const PixelStore& store, int dimensions, int width, int height,

@@ -23,6 +23,7 @@ struct PixelMaps {
 /// GL_CLIENT_PIXEL_STORE_BIT (table 6.22).
 struct PixelStore {
   bool swap_bytes = false, lsb_first = false;
+  bool invert = false; // GL_MESA_pack_invert: the first row written is the topmost one
   GLint row_length = 0, skip_rows = 0, skip_pixels = 0, alignment = 4;
   GLint image_height = 0, skip_images = 0; // of use to three-dimensional images only
 };

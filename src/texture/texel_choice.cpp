@@ -177,6 +177,8 @@ const TexelFormat* choose_texel_format(GLint internal_format, GLenum format, GLe
   case GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT: return &kBlocks<GL_RGBA, BlockFormat::Dxt3, false, true>;
   case GL_COMPRESSED_RGBA_S3TC_DXT5_EXT: return &kBlocks<GL_RGBA, BlockFormat::Dxt5>;
   case GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT: return &kBlocks<GL_RGBA, BlockFormat::Dxt5, false, true>;
+  case GL_COMPRESSED_RGB_FXT1_3DFX: return &kBlocks<GL_RGB, BlockFormat::Fxt1Rgb>;
+  case GL_COMPRESSED_RGBA_FXT1_3DFX: return &kBlocks<GL_RGBA, BlockFormat::Fxt1Rgba>;
   case GL_COMPRESSED_RED_RGTC1: return &kBlocks<GL_RED, BlockFormat::Red>;
   case GL_COMPRESSED_SIGNED_RED_RGTC1: return &kBlocks<GL_RED, BlockFormat::Red, true>;
   case GL_COMPRESSED_RG_RGTC2: return &kBlocks<GL_RG, BlockFormat::RedGreen>;

@@ -27,7 +27,7 @@ std::shared_ptr<TextureImage> make_image(const TexelFormat& format, GLint intern
   image->slice_bytes = size_t(height + 1) * image->row_bytes;
   if (!image->empty()) image->texels = TexelMemory(image->slice_bytes * size_t(depth) + 16);
   if (format.block != BlockFormat::None)
-    image->blocks.resize(image->block_row_bytes() * size_t(blocks_along(height)) * size_t(depth));
+    image->blocks.resize(image->block_row_bytes() * size_t(blocks_in_column(height)) * size_t(depth));
   if (format.base == GL_DEPTH_STENCIL) image->stencils.resize(size_t(width) * size_t(height) * size_t(depth));
   return image;
 }
@@ -112,22 +112,23 @@ bool uses_mipmaps(GLenum min_filter) { return min_filter != GL_NEAREST && min_fi
 
 CompleteLevels complete_levels(const TextureObject& object) {
   const TextureParameters& p = object.parameters;
-  if (p.base_level < 0 || p.base_level >= kMaxTextureLevels) return {};
-  const TextureImage* base = object.image[0][p.base_level].get();
+  const int first = object.base_level(), max_level = object.max_level();
+  if (first < 0 || first >= kMaxTextureLevels) return {};
+  const TextureImage* base = object.image[0][first].get();
   if (!base || base->empty()) return {};
   const int faces = object.target == kTextureCube ? 6 : 1;
   if (faces == 6 && base->width != base->height) return {};
   const int size = std::max({base->width, base->height, base->depth});
-  int last = p.base_level;
+  int last = first;
   if (uses_mipmaps(p.min_filter)) {
-    if (object.target == kTextureRectangle || p.max_level < p.base_level) return {};
-    for (int s = size; s > 1 && last < p.max_level; s >>= 1) ++last;
+    if (object.target == kTextureRectangle || max_level < first) return {};
+    for (int s = size; s > 1 && last < max_level; s >>= 1) ++last;
     if (last >= kMaxTextureLevels) return {};
   }
   for (int face = 0; face < faces; ++face)
-    for (int level = p.base_level; level <= last; ++level) {
+    for (int level = first; level <= last; ++level) {
       const TextureImage* image = object.image[face][level].get();
-      const int shift = level - p.base_level;
+      const int shift = level - first;
       if (!image || image->format != base->format || image->internal_format != base->internal_format)
         return {};
       if (image->width != std::max(1, base->width >> shift) ||
@@ -135,7 +136,7 @@ CompleteLevels complete_levels(const TextureObject& object) {
           image->depth != std::max(1, base->depth >> shift))
         return {};
     }
-  return {p.base_level, last - p.base_level + 1};
+  return {first, last - first + 1};
 }
 
 } // namespace softgl

@@ -1,8 +1,10 @@
 // Texture objects and images (GL 1.5, 3.8.1, 3.8.11, 3.8.12).
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "base/assert.h"
@@ -65,11 +67,13 @@ struct TextureImage {
   void texels_changed() { texels_changed(whole()); }
 
   // Compressed formats:
-  size_t block_row_bytes() const { return size_t(blocks_along(width)) * size_t(block_bytes(format->block)); }
+  size_t block_row_bytes() const {
+    return size_t(blocks_in_row(format->block, width)) * size_t(block_bytes(format->block));
+  }
   uint8_t* block_at(int x, int y, int z) { // of the block that has the texel
     return blocks.data() +
-           (size_t(z) * size_t(blocks_along(height)) + size_t(y / kBlockSize)) * block_row_bytes() +
-           size_t(x / kBlockSize) * size_t(block_bytes(format->block));
+           (size_t(z) * size_t(blocks_in_column(height)) + size_t(y / kBlockHeight)) * block_row_bytes() +
+           size_t(x / block_width(format->block)) * size_t(block_bytes(format->block));
   }
   /// After a change of blocks: makes the texels of those that the box touches.
   void blocks_changed(const TexelBox& box);
@@ -110,11 +114,21 @@ struct TextureObject {
     }
   }
   GLuint name;
+  std::string label; // GL_KHR_debug
   TextureTarget target;
   TextureParameters parameters;
+  int immutable_levels = 0; // GL_ARB_texture_storage; 0: images may get other sizes and formats
   std::shared_ptr<TextureImage> image[6][kMaxTextureLevels]; // [face][level]; null = never specified
   std::atomic<bool> drawn_to = false; // some planes of its images may be newer than the texels
 
+  /// GL_TEXTURE_BASE_LEVEL and GL_TEXTURE_MAX_LEVEL, kept within the levels of an immutable texture.
+  int base_level() const {
+    return immutable_levels ? std::min(parameters.base_level, immutable_levels - 1) : parameters.base_level;
+  }
+  int max_level() const {
+    return immutable_levels ? std::clamp(parameters.max_level, base_level(), immutable_levels - 1)
+                            : parameters.max_level;
+  }
   /// The image for a change: a copy of its own if somebody else holds it.
   TextureImage& writable(int face, int level);
 };

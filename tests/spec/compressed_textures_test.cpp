@@ -20,6 +20,7 @@ const GLubyte kBytes[1024] = {};
 GLsizei size_in_blocks(GLenum format, int width) {
   const bool eight = format == kRgb1 || format == kRgba1 || format == GL_COMPRESSED_SRGB_S3TC_DXT1_EXT ||
                      format == GL_COMPRESSED_RED_RGTC1 || format == GL_COMPRESSED_LUMINANCE_LATC1_EXT;
+  if (format == GL_COMPRESSED_RGB_FXT1_3DFX || format == GL_COMPRESSED_RGBA_FXT1_3DFX) return width / 8 * 16;
   return width / 4 * (eight ? 8 : 16);
 }
 
@@ -102,7 +103,8 @@ TEST_CASE("Queries tell of compressed images what OSMesa tells", "[spec][texture
   for (const GLenum format :
        {kRgb1, kRgba1, kRgba3, kRgba5, GLenum(GL_COMPRESSED_SRGB_S3TC_DXT1_EXT),
         GLenum(GL_COMPRESSED_RED_RGTC1), GLenum(GL_COMPRESSED_SIGNED_RG_RGTC2),
-        GLenum(GL_COMPRESSED_LUMINANCE_LATC1_EXT), GLenum(GL_COMPRESSED_SIGNED_LUMINANCE_ALPHA_LATC2_EXT)}) {
+        GLenum(GL_COMPRESSED_LUMINANCE_LATC1_EXT), GLenum(GL_COMPRESSED_SIGNED_LUMINANCE_ALPHA_LATC2_EXT),
+        GLenum(GL_COMPRESSED_RGB_FXT1_3DFX), GLenum(GL_COMPRESSED_RGBA_FXT1_3DFX)}) {
     std::vector<GLint> answers[2];
     for (const Gl* gl : {&softgl_library(), &osmesa_library()}) {
       CurrentContext context(*gl);
@@ -222,6 +224,45 @@ TEST_CASE("Images that are compressed here come near to what was given",
         if (after[i] != (inside ? 255 : rgba[i])) FAIL_CHECK("texel " << x / 4 << ", " << y);
       }
   }
+}
+
+TEST_CASE("FXT1 images are compressed here in blocks of 8x4", "[spec][textures][compressed]") {
+  const Gl& gl = softgl_library();
+  CurrentContext context(gl);
+  std::vector<GLubyte> image(16 * 8 * 4), back(image.size());
+  for (const bool alpha : {false, true})
+    for (const GLenum format : {GL_COMPRESSED_RGB_FXT1_3DFX, GL_COMPRESSED_RGBA_FXT1_3DFX}) {
+      for (size_t i = 0; i < 16 * 8; ++i) {
+        const int x = int(i % 16), y = int(i / 16);
+        const int texel[4] = {x * 16, 255 - y * 16, 128, alpha ? (y & 1 ? 255 : x * 16) : 255};
+        for (size_t k = 0; k < 4; ++k) image[4 * i + k] = GLubyte(texel[k]);
+      }
+      gl.TexImage2D(GL_TEXTURE_2D, 0, GLint(format), 16, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, image.data());
+      gl.GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, back.data());
+      double sum = 0;
+      for (size_t i = 0; i < image.size(); ++i) {
+        const int wanted = i % 4 == 3 && format == GL_COMPRESSED_RGB_FXT1_3DFX ? 255 : image[i];
+        sum += (wanted - back[i]) * (wanted - back[i]);
+        if (i % 4 == 3 && wanted == 255 && !alpha) CHECK(back[i] == 255);
+      }
+      CHECK(sum / double(image.size()) < (alpha && format == GL_COMPRESSED_RGBA_FXT1_3DFX ? 1500 : 300));
+      GLubyte blocks[2 * 2 * 16];
+      gl.GetCompressedTexImage(GL_TEXTURE_2D, 0, blocks);
+      gl.CompressedTexImage2D(GL_TEXTURE_2D, 0, format, 16, 8, 0, sizeof blocks, blocks);
+      std::vector<GLubyte> again(image.size());
+      gl.GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, again.data());
+      CHECK(again == back);
+      gl.CompressedTexSubImage2D(GL_TEXTURE_2D, 0, 4, 0, 8, 4, format, 16, blocks);
+      CHECK(gl.GetError() == GL_INVALID_OPERATION); // no whole blocks
+      gl.CompressedTexSubImage2D(GL_TEXTURE_2D, 0, 8, 4, 8, 4, format, 16, blocks);
+      CHECK(gl.GetError() == GL_NO_ERROR);
+    }
+  // One color is what it is, as near as five bits come.
+  std::fill(image.begin(), image.end(), GLubyte(255));
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_COMPRESSED_RGB_FXT1_3DFX, 16, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                image.data());
+  gl.GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, back.data());
+  CHECK(back == image);
 }
 
 TEST_CASE("Images of one and two components are compressed here, too", "[spec][textures][compressed]") {

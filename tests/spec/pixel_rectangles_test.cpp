@@ -178,6 +178,32 @@ TEST_CASE("Stencil values are shifted, offset and mapped, and written under the 
   CHECK(reds(gl, 2, 2, 1) == std::vector<int>{0});
 }
 
+TEST_CASE("Depths and stencil values are copied as the bytes of colors", "[spec][pixels]") {
+  const Gl& gl = softgl_library();
+  CurrentContext context(gl);
+  const GLuint word = 0x12345678;
+  gl.Enable(GL_DEPTH_TEST), gl.DepthFunc(GL_ALWAYS);
+  gl.WindowPos2i(3, 3);
+  gl.DrawPixels(1, 1, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, &word);
+  gl.DepthMask(GL_FALSE), gl.Disable(GL_DEPTH_TEST);
+  for (const GLenum type : {GL_DEPTH_STENCIL_TO_RGBA_NV, GL_DEPTH_STENCIL_TO_BGRA_NV}) {
+    GLubyte rgba[4] = {};
+    gl.WindowPos2i(20, 20);
+    gl.CopyPixels(3, 3, 1, 1, type);
+    gl.ReadPixels(20, 20, 1, 1, type == GL_DEPTH_STENCIL_TO_RGBA_NV ? GL_RGBA : GL_BGRA, GL_UNSIGNED_BYTE,
+                  rgba);
+    CHECK(std::vector<int>(rgba, rgba + 4) == std::vector<int>{0x12, 0x34, 0x56, 0x78});
+  }
+  // They are scaled and shifted first, and are fragments then: alpha is tested.
+  gl.PixelTransferf(GL_DEPTH_SCALE, 2), gl.PixelTransferi(GL_INDEX_SHIFT, -4);
+  gl.Enable(GL_ALPHA_TEST), gl.AlphaFunc(GL_LESS, 0.1f);
+  gl.CopyPixels(3, 3, 1, 1, GL_DEPTH_STENCIL_TO_RGBA_NV);
+  GLubyte rgba[4] = {};
+  gl.ReadPixels(20, 20, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+  CHECK(std::vector<int>(rgba, rgba + 4) == std::vector<int>{0x24, 0x68, 0xac, 7});
+  CHECK(gl.GetError() == GL_NO_ERROR);
+}
+
 TEST_CASE("Color indexes become colors through the maps", "[spec][pixels]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);

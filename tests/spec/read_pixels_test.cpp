@@ -123,7 +123,10 @@ std::vector<std::string> run(const Gl& gl, unsigned seed) {
     if (number(3) == 0) {
       gl.PixelStorei(GL_PACK_ALIGNMENT, 1 << number(4));
       gl.PixelStorei(GL_PACK_ROW_LENGTH, number(2) * (80 + number(50)));
-      gl.PixelStorei(GL_PACK_SKIP_ROWS, number(4));
+      const int skipped_rows = number(4);
+      gl.PixelStorei(GL_PACK_SKIP_ROWS, skipped_rows);
+      // "rows are skipped in front of an inverted image": OSMesa goes the other way.
+      gl.PixelStorei(GL_PACK_INVERT_MESA, skipped_rows == 0 && type != GL_BITMAP && number(2));
       gl.PixelStorei(GL_PACK_SKIP_PIXELS, number(5));
       gl.PixelStorei(GL_PACK_SWAP_BYTES, number(2));
     }
@@ -229,4 +232,47 @@ TEST_CASE("bytes are read as the nearest elements of ten bits", "[spec][pixels]"
     CHECK(reversed == (ten | ten << 10 | ten << 20 | two << 30));
     CHECK(element == (ten << 22 | ten << 12 | ten << 2 | two));
   }
+}
+
+TEST_CASE("rows are skipped in front of an inverted image", "[spec][pixels]") {
+  const Gl& gl = softgl_library();
+  std::vector<unsigned char> buffer(8 * 8 * 4);
+  void* context = gl.OSMesaCreateContextExt(GL_RGBA, 24, 8, 0, nullptr);
+  REQUIRE(gl.OSMesaMakeCurrent(context, buffer.data(), GL_UNSIGNED_BYTE, 8, 8));
+  const unsigned char rows[4] = {10, 20, 30, 40};
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
+  gl.PixelStorei(GL_PACK_INVERT_MESA, GL_TRUE);
+  GLint value = 0;
+  gl.GetIntegerv(GL_PACK_INVERT_MESA, &value);
+  CHECK(value == GL_TRUE);
+  gl.DrawPixels(1, 4, GL_RED, GL_UNSIGNED_BYTE, rows); // unpacking is not inverted
+  using Bytes = std::vector<int>;
+  unsigned char read[8] = {};
+  gl.PixelStorei(GL_PACK_SKIP_ROWS, 1);
+  gl.ReadPixels(4, 4, 1, 4, GL_RED, GL_UNSIGNED_BYTE, read);
+  CHECK(Bytes(read, read + 6) == Bytes{0, 40, 30, 20, 10, 0});
+  // What lies outside of the window is left out, at its place.
+  std::fill_n(read, 8, 7);
+  gl.ReadPixels(4, 6, 1, 4, GL_RED, GL_UNSIGNED_BYTE, read);
+  CHECK(Bytes(read, read + 6) == Bytes{7, 7, 7, 40, 30, 7});
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_LUMINANCE8, 1, 4, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE, rows);
+  gl.GetTexImage(GL_TEXTURE_2D, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE, read);
+  CHECK(Bytes(read, read + 6) == Bytes{7, 40, 30, 20, 10, 7});
+  gl.PixelStorei(GL_PACK_SKIP_ROWS, 0);
+  GLuint name = 0;
+  gl.GenBuffers(1, &name);
+  gl.BindBuffer(GL_PIXEL_PACK_BUFFER, name);
+  gl.BufferData(GL_PIXEL_PACK_BUFFER, 4, nullptr, GL_STREAM_READ);
+  gl.ReadPixels(4, 4, 1, 4, GL_RED, GL_UNSIGNED_BYTE, nullptr);
+  CHECK(gl.GetError() == GL_NO_ERROR);
+  gl.GetBufferSubData(GL_PIXEL_PACK_BUFFER, 0, 4, read);
+  CHECK(Bytes(read, read + 4) == Bytes{40, 30, 20, 10});
+  gl.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  GLubyte stipple[128], back[128];
+  for (int i = 0; i < 128; ++i) stipple[i] = GLubyte(i);
+  gl.PolygonStipple(stipple);
+  gl.GetPolygonStipple(back);
+  for (int i = 0; i < 128; ++i) CHECK(back[i] == stipple[(31 - i / 4) * 4 + i % 4]);
+  gl.OSMesaDestroyContext(context);
 }

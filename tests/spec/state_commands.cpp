@@ -336,22 +336,25 @@ StateCommand texture_command(Random& r) {
   case 1: return CALL(ClientActiveTexture, GLenum(GL_TEXTURE0) + GLenum(r.integer(0, 7)));
   case 2:
     return CALL(TexEnvi, GLenum(GL_TEXTURE_ENV), GLenum(GL_TEXTURE_ENV_MODE),
-                GLint(ANY(GL_MODULATE, GL_BLEND, GL_DECAL, GL_REPLACE, GL_ADD, GL_COMBINE)));
+                GLint(ANY(GL_MODULATE, GL_BLEND, GL_DECAL, GL_REPLACE, GL_ADD, GL_COMBINE, GL_COMBINE4_NV,
+                          GL_REPLACE_EXT)));
   case 3: return CALLV(TexEnvfv, vector4(r), GLenum(GL_TEXTURE_ENV), GLenum(GL_TEXTURE_ENV_COLOR));
   case 4:
-    return CALL(TexEnvi, GLenum(GL_TEXTURE_ENV), ANY(GL_COMBINE_RGB, GL_COMBINE_ALPHA),
-                GLint(r.pick({GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_INTERPOLATE, GL_SUBTRACT,
-                              GL_DOT3_RGB, GL_DOT3_RGBA, GL_LINEAR})));
+    return CALL(
+        TexEnvi, GLenum(GL_TEXTURE_ENV), ANY(GL_COMBINE_RGB, GL_COMBINE_ALPHA),
+        GLint(r.pick({GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_INTERPOLATE, GL_SUBTRACT,
+                      GL_DOT3_RGB, GL_DOT3_RGBA, GL_LINEAR, GL_MODULATE_ADD_ATI, GL_MODULATE_SIGNED_ADD_ATI,
+                      GL_MODULATE_SUBTRACT_ATI, GL_DOT3_RGB_EXT, GL_DOT3_RGBA_EXT})));
   case 5:
     return CALL(TexEnvi, GLenum(GL_TEXTURE_ENV),
                 ANY(GL_SOURCE0_RGB, GL_SOURCE1_RGB, GL_SOURCE2_RGB, GL_SOURCE0_ALPHA, GL_SOURCE1_ALPHA,
-                    GL_SOURCE2_ALPHA),
+                    GL_SOURCE2_ALPHA, GL_SOURCE3_RGB_NV, GL_SOURCE3_ALPHA_NV),
                 GLint(r.pick({GL_TEXTURE, GL_CONSTANT, GL_PRIMARY_COLOR, GL_PREVIOUS, GL_TEXTURE0,
-                              GL_TEXTURE5, GL_LINEAR})));
+                              GL_TEXTURE5, GL_LINEAR, GL_ZERO, GL_ONE})));
   case 6:
     return CALL(TexEnvi, GLenum(GL_TEXTURE_ENV),
                 ANY(GL_OPERAND0_RGB, GL_OPERAND1_RGB, GL_OPERAND2_RGB, GL_OPERAND0_ALPHA, GL_OPERAND1_ALPHA,
-                    GL_OPERAND2_ALPHA),
+                    GL_OPERAND2_ALPHA, GL_OPERAND3_RGB_NV, GL_OPERAND3_ALPHA_NV),
                 GLint(ANY(GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)));
   case 7:
     return CALL(TexEnvf, GLenum(GL_TEXTURE_ENV), ANY(GL_RGB_SCALE, GL_ALPHA_SCALE), float(r.integer(0, 4)));
@@ -398,7 +401,8 @@ StateCommand pixel_command(Random& r) {
                 r.integer(-1, 40));
   default:
     return CALL(PixelStorei,
-                ANY(GL_UNPACK_SWAP_BYTES, GL_UNPACK_LSB_FIRST, GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST),
+                ANY(GL_UNPACK_SWAP_BYTES, GL_UNPACK_LSB_FIRST, GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST,
+                    GL_PACK_INVERT_MESA),
                 r.integer(0, 2));
   }
 }

@@ -265,6 +265,29 @@ TEST_CASE("Colors of arrays may be bytes of blue, green, red and alpha", "[spec]
   });
 }
 
+TEST_CASE("Arrays are locked once, and drawn as before", "[spec][arrays]") {
+  const Gl& gl = softgl_library();
+  CurrentContext context(gl);
+  GLint value[2] = {};
+  gl.LockArraysEXT(1, 3);
+  gl.GetIntegerv(GL_ARRAY_ELEMENT_LOCK_FIRST_EXT, &value[0]);
+  gl.GetIntegerv(GL_ARRAY_ELEMENT_LOCK_COUNT_EXT, &value[1]);
+  CHECK((value[0] == 1 && value[1] == 3));
+  gl.LockArraysEXT(0, 4);
+  CHECK(gl.GetError() == GL_INVALID_OPERATION);
+  const GLfloat corner[8] = {-1, -1, 1, -1, 1, 1, -1, 1};
+  gl.EnableClientState(GL_VERTEX_ARRAY);
+  gl.VertexPointer(2, GL_FLOAT, 0, corner);
+  gl.DrawArrays(GL_QUADS, 0, 4);
+  gl.UnlockArraysEXT();
+  GLubyte rgba[4] = {};
+  gl.ReadPixels(5, 5, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+  CHECK(rgba[0] == 255);
+  CHECK(gl.GetError() == GL_NO_ERROR);
+  gl.UnlockArraysEXT();
+  CHECK(gl.GetError() == GL_INVALID_OPERATION);
+}
+
 TEST_CASE("Arrays hold floats of 16 bits", "[spec][arrays]") {
   const Gl& gl = softgl_library();
   const CurrentContext current{gl};

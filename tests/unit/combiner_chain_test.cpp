@@ -61,8 +61,8 @@ CombinerChain random_chain(Random& r) {
   for (int u = 0; u < 8; ++u) {
     if (r.chance(80)) chain.units = uint8_t(chain.units | 1u << u);
     CombinerChain::Unit& unit = chain.unit[u];
-    unit.function[0] = interpolates ? CombineFunction::Interpolate : CombineFunction(r.integer(0, 7));
-    unit.function[1] = interpolates ? CombineFunction::Interpolate : CombineFunction(r.integer(0, 5));
+    unit.function[0] = interpolates ? CombineFunction::Interpolate : CombineFunction(r.integer(0, 12));
+    unit.function[1] = interpolates ? CombineFunction::Interpolate : CombineFunction(r.integer(0, 10));
     for (int part = 0; part < 2; ++part) {
       for (CombineArgument& a : unit.argument[part])
         a = {r.chance(40)   ? CombineSource::Previous
@@ -93,10 +93,14 @@ void expected(const CombinerChain& chain, const Values& in, double* color) {
       return a.complement ? 1 - v : v;
     };
     auto combined = [&](int part, int k) {
-      const double a = argument(part, 0, k), b = argument(part, 1, k), c = argument(part, 2, k);
+      const double a = argument(part, 0, k), b = argument(part, 1, k), c = argument(part, 2, k),
+                   d = argument(part, 3, k);
       double dot = 0;
       for (int i = 0; i < 3; ++i) dot += 4 * (argument(0, 0, i) - 0.5) * (argument(0, 1, i) - 0.5);
-      const double value[8] = {a, a * b, a + b, a + b - 0.5, a * c + b * (1 - c), a - b, dot, dot};
+      const double value[13] = {
+          a,         a * b,           a + b,     a + b - 0.5,   a * c + b * (1 - c), a - b,
+          a * c + b, a * c + b - 0.5, a * c - b, a * b + c * d, a * b + c * d - 0.5, dot,
+          dot};
       return std::clamp(value[int(unit.function[part])] * unit.scale[k == 3], 0.0, 1.0);
     };
     const double result[4] = {combined(0, 0), combined(0, 1), combined(0, 2),

@@ -7,7 +7,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 TYPES = {"GLbyte": "Byte", "GLubyte": "UnsignedByte", "GLshort": "Short", "GLushort": "UnsignedShort", "GLint": "Int",
          "GLsizei": "Int", "int": "Int", "GLuint": "UnsignedInt", "GLenum": "Enum", "GLbitfield": "Bits",
          "GLboolean": "Boolean", "GLfloat": "Float", "GLclampf": "Float", "GLdouble": "Double", "GLclampd": "Double",
-         "GLintptr": "Long", "GLint64": "Long", "GLsizeiptr": "Long", "uint64_t": "UnsignedLong", "char": "String",
+         "GLintptr": "Long", "GLint64": "Long", "GLhalfNV": "UnsignedShort", "GLchar": "Pointer", "GLDEBUGPROC": "Pointer", "GLsizeiptr": "Long", "uint64_t": "UnsignedLong", "char": "String",
          "OSMesaContext": "Pointer", "OSMESAproc": "Pointer", "void": "Pointer"}
 NO_NAMES, ANY_NAME, NAMES_OF_PARAMETER = 0, 1, 255
 # Buffers that the library fills after the call.

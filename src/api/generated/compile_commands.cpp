@@ -293,6 +293,14 @@ void compile_ShadeModel(Context& c, GLenum mode) {
     if (may_execute(c)) gl::ShadeModel(c, mode);
   }
 }
+void compile_ProvokingVertex(Context& c, GLenum mode) {
+  const ProvokingVertexArguments kept_call{mode};
+  new (record(c, uint16_t(Opcode::ProvokingVertex), sizeof kept_call)) ProvokingVertexArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::ProvokingVertex(c, mode);
+  }
+}
 void compile_PointSize(Context& c, GLfloat size) {
   const PointSizeArguments kept_call{size};
   new (record(c, uint16_t(Opcode::PointSize), sizeof kept_call)) PointSizeArguments(kept_call);

@@ -42,6 +42,7 @@ void compile_Light(Context& c, GLenum light, GLenum pname, const GLfloat* params
 void compile_LightModel(Context& c, GLenum pname, const GLfloat* params);
 void compile_ColorMaterial(Context& c, GLenum face, GLenum mode);
 void compile_ShadeModel(Context& c, GLenum mode);
+void compile_ProvokingVertex(Context& c, GLenum mode);
 void compile_PointSize(Context& c, GLfloat size);
 void compile_PointParameter(Context& c, GLenum pname, const GLfloat* params);
 void compile_LineWidth(Context& c, GLfloat width);

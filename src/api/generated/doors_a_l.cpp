@@ -757,6 +757,54 @@ SOFTGL_EXPORT void APIENTRY glCullFace(GLenum mode) try {
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glDebugMessageCallback(GLDEBUGPROC callback, const void* userParam) try {
+  SOFTGL_TRACED(glDebugMessageCallback, callback, userParam);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::DebugMessageCallback(c, callback, userParam);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glDebugMessageCallbackARB(GLDEBUGPROC callback, const void* userParam) try {
+  SOFTGL_TRACED(glDebugMessageCallbackARB, callback, userParam);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::DebugMessageCallback(c, callback, userParam);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glDebugMessageControl(GLenum source, GLenum type, GLenum severity, GLsizei count, const GLuint* ids, GLboolean enabled) try {
+  SOFTGL_TRACED(glDebugMessageControl, source, type, severity, count, ids, enabled);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::DebugMessageControl(c, source, type, severity, count, ids, enabled);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glDebugMessageControlARB(GLenum source, GLenum type, GLenum severity, GLsizei count, const GLuint* ids, GLboolean enabled) try {
+  SOFTGL_TRACED(glDebugMessageControlARB, source, type, severity, count, ids, enabled);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::DebugMessageControl(c, source, type, severity, count, ids, enabled);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glDebugMessageInsert(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length, const GLchar* buf) try {
+  SOFTGL_TRACED(glDebugMessageInsert, source, type, id, severity, length, buf);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::DebugMessageInsert(c, source, type, id, severity, length, buf);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glDebugMessageInsertARB(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length, const GLchar* buf) try {
+  SOFTGL_TRACED(glDebugMessageInsertARB, source, type, id, severity, length, buf);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::DebugMessageInsert(c, source, type, id, severity, length, buf);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glDeleteBuffers(GLsizei n, const GLuint* buffers) try {
   SOFTGL_TRACED(glDeleteBuffers, n, buffers);
   Context& c = *current_context;
@@ -1794,6 +1842,14 @@ SOFTGL_EXPORT void APIENTRY glLoadTransposeMatrixfARB(const GLfloat* m) try {
     if (!may_execute(c)) return;
   }
   gl::LoadMatrix(c, values.m);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glLockArraysEXT(GLint first, GLsizei count) try {
+  SOFTGL_TRACED(glLockArraysEXT, first, count);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::LockArraysEXT(c, first, count);
 } catch (...) {
   out_of_memory();
 }

@@ -99,6 +99,24 @@ SOFTGL_EXPORT void APIENTRY glGetCompressedTexImageARB(GLenum target, GLint leve
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT GLuint APIENTRY glGetDebugMessageLog(GLuint count, GLsizei bufSize, GLenum* sources, GLenum* types, GLuint* ids, GLenum* severities, GLsizei* lengths, GLchar* messageLog) try {
+  SOFTGL_TRACED(glGetDebugMessageLog, count, bufSize, sources, types, ids, severities, lengths, messageLog);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
+  return gl::GetDebugMessageLog(c, count, bufSize, sources, types, ids, severities, lengths, messageLog);
+} catch (...) {
+  out_of_memory();
+  return 0;
+}
+SOFTGL_EXPORT GLuint APIENTRY glGetDebugMessageLogARB(GLuint count, GLsizei bufSize, GLenum* sources, GLenum* types, GLuint* ids, GLenum* severities, GLsizei* lengths, GLchar* messageLog) try {
+  SOFTGL_TRACED(glGetDebugMessageLogARB, count, bufSize, sources, types, ids, severities, lengths, messageLog);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
+  return gl::GetDebugMessageLog(c, count, bufSize, sources, types, ids, severities, lengths, messageLog);
+} catch (...) {
+  out_of_memory();
+  return 0;
+}
 SOFTGL_EXPORT void APIENTRY glGetDoublev(GLenum pname, GLdouble* data) try {
   SOFTGL_TRACED(glGetDoublev, pname, data);
   Context& c = *current_context;
@@ -222,6 +240,22 @@ SOFTGL_EXPORT void APIENTRY glGetMaterialiv(GLenum face, GLenum pname, GLint* pa
   if (!params) [[unlikely]] return ignore_call(c);
   if (c.guard && !may_execute(c)) [[unlikely]] return;
   gl::GetMaterialiv(c, face, pname, params);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glGetObjectLabel(GLenum identifier, GLuint name, GLsizei bufSize, GLsizei* length, GLchar* label) try {
+  SOFTGL_TRACED(glGetObjectLabel, identifier, name, bufSize, length, label);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::GetObjectLabel(c, identifier, name, bufSize, length, label);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glGetObjectPtrLabel(const void* ptr, GLsizei bufSize, GLsizei* length, GLchar* label) try {
+  SOFTGL_TRACED(glGetObjectPtrLabel, ptr, bufSize, length, label);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::GetObjectPtrLabel(c, ptr, bufSize, length, label);
 } catch (...) {
   out_of_memory();
 }

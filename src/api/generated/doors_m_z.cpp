@@ -335,6 +335,22 @@ SOFTGL_EXPORT void APIENTRY glNormalPointerEXT(GLenum type, GLsizei stride, GLsi
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glObjectLabel(GLenum identifier, GLuint name, GLsizei length, const GLchar* label) try {
+  SOFTGL_TRACED(glObjectLabel, identifier, name, length, label);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::ObjectLabel(c, identifier, name, length, label);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glObjectPtrLabel(const void* ptr, GLsizei length, const GLchar* label) try {
+  SOFTGL_TRACED(glObjectPtrLabel, ptr, length, label);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::ObjectPtrLabel(c, ptr, length, label);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glOrtho(GLdouble left, GLdouble right, GLdouble bottom, GLdouble top, GLdouble zNear, GLdouble zFar) try {
   SOFTGL_TRACED(glOrtho, left, right, bottom, top, zNear, zFar);
   Context& c = *current_context;
@@ -608,6 +624,14 @@ SOFTGL_EXPORT void APIENTRY glPopClientAttrib() try {
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glPopDebugGroup() try {
+  SOFTGL_TRACED(glPopDebugGroup);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::PopDebugGroup(c);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glPopMatrix() try {
   SOFTGL_TRACED(glPopMatrix);
   Context& c = *current_context;
@@ -678,6 +702,28 @@ SOFTGL_EXPORT void APIENTRY glPrioritizeTexturesEXT(GLsizei n, const GLuint* tex
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glProvokingVertex(GLenum mode) try {
+  SOFTGL_TRACED(glProvokingVertex, mode);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_ProvokingVertex(c, mode);
+    if (!may_execute(c)) return;
+  }
+  gl::ProvokingVertex(c, mode);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glProvokingVertexEXT(GLenum mode) try {
+  SOFTGL_TRACED(glProvokingVertexEXT, mode);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_ProvokingVertex(c, mode);
+    if (!may_execute(c)) return;
+  }
+  gl::ProvokingVertex(c, mode);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glPushAttrib(GLbitfield mask) try {
   SOFTGL_TRACED(glPushAttrib, mask);
   Context& c = *current_context;
@@ -694,6 +740,14 @@ SOFTGL_EXPORT void APIENTRY glPushClientAttrib(GLbitfield mask) try {
   Context& c = *current_context;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::PushClientAttrib(c, mask);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glPushDebugGroup(GLenum source, GLuint id, GLsizei length, const GLchar* message) try {
+  SOFTGL_TRACED(glPushDebugGroup, source, id, length, message);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::PushDebugGroup(c, source, id, length, message);
 } catch (...) {
   out_of_memory();
 }
@@ -1587,6 +1641,30 @@ SOFTGL_EXPORT void APIENTRY glTexParameteriv(GLenum target, GLenum pname, const 
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glTexStorage1D(GLenum target, GLsizei levels, GLenum internalformat, GLsizei width) try {
+  SOFTGL_TRACED(glTexStorage1D, target, levels, internalformat, width);
+  Context& c = *current_context;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::TexStorage1D(c, target, levels, internalformat, width);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glTexStorage2D(GLenum target, GLsizei levels, GLenum internalformat, GLsizei width, GLsizei height) try {
+  SOFTGL_TRACED(glTexStorage2D, target, levels, internalformat, width, height);
+  Context& c = *current_context;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::TexStorage2D(c, target, levels, internalformat, width, height);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glTexStorage3D(GLenum target, GLsizei levels, GLenum internalformat, GLsizei width, GLsizei height, GLsizei depth) try {
+  SOFTGL_TRACED(glTexStorage3D, target, levels, internalformat, width, height, depth);
+  Context& c = *current_context;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::TexStorage3D(c, target, levels, internalformat, width, height, depth);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glTexSubImage1D(GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLenum type, const void* pixels) try {
   SOFTGL_TRACED(glTexSubImage1D, target, level, xoffset, width, format, type, pixels);
   Context& c = *current_context;
@@ -1650,6 +1728,14 @@ SOFTGL_EXPORT void APIENTRY glTranslatef(GLfloat x, GLfloat y, GLfloat z) try {
     if (!may_execute(c)) return;
   }
   gl::Translate(c, x, y, z);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glUnlockArraysEXT() try {
+  SOFTGL_TRACED(glUnlockArraysEXT);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::UnlockArraysEXT(c);
 } catch (...) {
   out_of_memory();
 }

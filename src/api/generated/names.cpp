@@ -59,6 +59,8 @@ DOOR(glColor3d);
 DOOR(glColor3dv);
 DOOR(glColor3f);
 DOOR(glColor3fv);
+DOOR(glColor3hNV);
+DOOR(glColor3hvNV);
 DOOR(glColor3i);
 DOOR(glColor3iv);
 DOOR(glColor3s);
@@ -75,6 +77,8 @@ DOOR(glColor4d);
 DOOR(glColor4dv);
 DOOR(glColor4f);
 DOOR(glColor4fv);
+DOOR(glColor4hNV);
+DOOR(glColor4hvNV);
 DOOR(glColor4i);
 DOOR(glColor4iv);
 DOOR(glColor4s);
@@ -110,6 +114,12 @@ DOOR(glCopyTexSubImage2D);
 DOOR(glCopyTexSubImage3D);
 DOOR(glCopyTexSubImage3DEXT);
 DOOR(glCullFace);
+DOOR(glDebugMessageCallback);
+DOOR(glDebugMessageCallbackARB);
+DOOR(glDebugMessageControl);
+DOOR(glDebugMessageControlARB);
+DOOR(glDebugMessageInsert);
+DOOR(glDebugMessageInsertARB);
 DOOR(glDeleteBuffers);
 DOOR(glDeleteBuffersARB);
 DOOR(glDeleteFramebuffers);
@@ -171,6 +181,8 @@ DOOR(glFogCoordf);
 DOOR(glFogCoordfEXT);
 DOOR(glFogCoordfv);
 DOOR(glFogCoordfvEXT);
+DOOR(glFogCoordhNV);
+DOOR(glFogCoordhvNV);
 DOOR(glFogf);
 DOOR(glFogfv);
 DOOR(glFogi);
@@ -210,6 +222,8 @@ DOOR(glGetBufferSubDataARB);
 DOOR(glGetClipPlane);
 DOOR(glGetCompressedTexImage);
 DOOR(glGetCompressedTexImageARB);
+DOOR(glGetDebugMessageLog);
+DOOR(glGetDebugMessageLogARB);
 DOOR(glGetDoublev);
 DOOR(glGetError);
 DOOR(glGetFloatv);
@@ -224,6 +238,8 @@ DOOR(glGetMapfv);
 DOOR(glGetMapiv);
 DOOR(glGetMaterialfv);
 DOOR(glGetMaterialiv);
+DOOR(glGetObjectLabel);
+DOOR(glGetObjectPtrLabel);
 DOOR(glGetPixelMapfv);
 DOOR(glGetPixelMapuiv);
 DOOR(glGetPixelMapusv);
@@ -297,6 +313,7 @@ DOOR(glLoadTransposeMatrixd);
 DOOR(glLoadTransposeMatrixdARB);
 DOOR(glLoadTransposeMatrixf);
 DOOR(glLoadTransposeMatrixfARB);
+DOOR(glLockArraysEXT);
 DOOR(glLogicOp);
 DOOR(glMap1d);
 DOOR(glMap1f);
@@ -333,6 +350,8 @@ DOOR(glMultiTexCoord1f);
 DOOR(glMultiTexCoord1fARB);
 DOOR(glMultiTexCoord1fv);
 DOOR(glMultiTexCoord1fvARB);
+DOOR(glMultiTexCoord1hNV);
+DOOR(glMultiTexCoord1hvNV);
 DOOR(glMultiTexCoord1i);
 DOOR(glMultiTexCoord1iARB);
 DOOR(glMultiTexCoord1iv);
@@ -349,6 +368,8 @@ DOOR(glMultiTexCoord2f);
 DOOR(glMultiTexCoord2fARB);
 DOOR(glMultiTexCoord2fv);
 DOOR(glMultiTexCoord2fvARB);
+DOOR(glMultiTexCoord2hNV);
+DOOR(glMultiTexCoord2hvNV);
 DOOR(glMultiTexCoord2i);
 DOOR(glMultiTexCoord2iARB);
 DOOR(glMultiTexCoord2iv);
@@ -365,6 +386,8 @@ DOOR(glMultiTexCoord3f);
 DOOR(glMultiTexCoord3fARB);
 DOOR(glMultiTexCoord3fv);
 DOOR(glMultiTexCoord3fvARB);
+DOOR(glMultiTexCoord3hNV);
+DOOR(glMultiTexCoord3hvNV);
 DOOR(glMultiTexCoord3i);
 DOOR(glMultiTexCoord3iARB);
 DOOR(glMultiTexCoord3iv);
@@ -381,6 +404,8 @@ DOOR(glMultiTexCoord4f);
 DOOR(glMultiTexCoord4fARB);
 DOOR(glMultiTexCoord4fv);
 DOOR(glMultiTexCoord4fvARB);
+DOOR(glMultiTexCoord4hNV);
+DOOR(glMultiTexCoord4hvNV);
 DOOR(glMultiTexCoord4i);
 DOOR(glMultiTexCoord4iARB);
 DOOR(glMultiTexCoord4iv);
@@ -396,12 +421,16 @@ DOOR(glNormal3d);
 DOOR(glNormal3dv);
 DOOR(glNormal3f);
 DOOR(glNormal3fv);
+DOOR(glNormal3hNV);
+DOOR(glNormal3hvNV);
 DOOR(glNormal3i);
 DOOR(glNormal3iv);
 DOOR(glNormal3s);
 DOOR(glNormal3sv);
 DOOR(glNormalPointer);
 DOOR(glNormalPointerEXT);
+DOOR(glObjectLabel);
+DOOR(glObjectPtrLabel);
 DOOR(glOrtho);
 DOOR(glPassThrough);
 DOOR(glPixelMapfv);
@@ -426,6 +455,7 @@ DOOR(glPolygonOffset);
 DOOR(glPolygonStipple);
 DOOR(glPopAttrib);
 DOOR(glPopClientAttrib);
+DOOR(glPopDebugGroup);
 DOOR(glPopMatrix);
 DOOR(glPopName);
 DOOR(glPrimitiveRestartIndex);
@@ -433,8 +463,11 @@ DOOR(glPrimitiveRestartIndexNV);
 DOOR(glPrimitiveRestartNV);
 DOOR(glPrioritizeTextures);
 DOOR(glPrioritizeTexturesEXT);
+DOOR(glProvokingVertex);
+DOOR(glProvokingVertexEXT);
 DOOR(glPushAttrib);
 DOOR(glPushClientAttrib);
+DOOR(glPushDebugGroup);
 DOOR(glPushMatrix);
 DOOR(glPushName);
 DOOR(glRasterPos2d);
@@ -495,6 +528,8 @@ DOOR(glSecondaryColor3f);
 DOOR(glSecondaryColor3fEXT);
 DOOR(glSecondaryColor3fv);
 DOOR(glSecondaryColor3fvEXT);
+DOOR(glSecondaryColor3hNV);
+DOOR(glSecondaryColor3hvNV);
 DOOR(glSecondaryColor3i);
 DOOR(glSecondaryColor3iEXT);
 DOOR(glSecondaryColor3iv);
@@ -530,6 +565,8 @@ DOOR(glTexCoord1d);
 DOOR(glTexCoord1dv);
 DOOR(glTexCoord1f);
 DOOR(glTexCoord1fv);
+DOOR(glTexCoord1hNV);
+DOOR(glTexCoord1hvNV);
 DOOR(glTexCoord1i);
 DOOR(glTexCoord1iv);
 DOOR(glTexCoord1s);
@@ -538,6 +575,8 @@ DOOR(glTexCoord2d);
 DOOR(glTexCoord2dv);
 DOOR(glTexCoord2f);
 DOOR(glTexCoord2fv);
+DOOR(glTexCoord2hNV);
+DOOR(glTexCoord2hvNV);
 DOOR(glTexCoord2i);
 DOOR(glTexCoord2iv);
 DOOR(glTexCoord2s);
@@ -546,6 +585,8 @@ DOOR(glTexCoord3d);
 DOOR(glTexCoord3dv);
 DOOR(glTexCoord3f);
 DOOR(glTexCoord3fv);
+DOOR(glTexCoord3hNV);
+DOOR(glTexCoord3hvNV);
 DOOR(glTexCoord3i);
 DOOR(glTexCoord3iv);
 DOOR(glTexCoord3s);
@@ -554,6 +595,8 @@ DOOR(glTexCoord4d);
 DOOR(glTexCoord4dv);
 DOOR(glTexCoord4f);
 DOOR(glTexCoord4fv);
+DOOR(glTexCoord4hNV);
+DOOR(glTexCoord4hvNV);
 DOOR(glTexCoord4i);
 DOOR(glTexCoord4iv);
 DOOR(glTexCoord4s);
@@ -578,18 +621,24 @@ DOOR(glTexParameterf);
 DOOR(glTexParameterfv);
 DOOR(glTexParameteri);
 DOOR(glTexParameteriv);
+DOOR(glTexStorage1D);
+DOOR(glTexStorage2D);
+DOOR(glTexStorage3D);
 DOOR(glTexSubImage1D);
 DOOR(glTexSubImage2D);
 DOOR(glTexSubImage3D);
 DOOR(glTexSubImage3DEXT);
 DOOR(glTranslated);
 DOOR(glTranslatef);
+DOOR(glUnlockArraysEXT);
 DOOR(glUnmapBuffer);
 DOOR(glUnmapBufferARB);
 DOOR(glVertex2d);
 DOOR(glVertex2dv);
 DOOR(glVertex2f);
 DOOR(glVertex2fv);
+DOOR(glVertex2hNV);
+DOOR(glVertex2hvNV);
 DOOR(glVertex2i);
 DOOR(glVertex2iv);
 DOOR(glVertex2s);
@@ -598,6 +647,8 @@ DOOR(glVertex3d);
 DOOR(glVertex3dv);
 DOOR(glVertex3f);
 DOOR(glVertex3fv);
+DOOR(glVertex3hNV);
+DOOR(glVertex3hvNV);
 DOOR(glVertex3i);
 DOOR(glVertex3iv);
 DOOR(glVertex3s);
@@ -606,6 +657,8 @@ DOOR(glVertex4d);
 DOOR(glVertex4dv);
 DOOR(glVertex4f);
 DOOR(glVertex4fv);
+DOOR(glVertex4hNV);
+DOOR(glVertex4hvNV);
 DOOR(glVertex4i);
 DOOR(glVertex4iv);
 DOOR(glVertex4s);
@@ -710,6 +763,8 @@ const NamedDoor kNamedDoors[] = {
     {"glColor3dv", door_glColor3dv},
     {"glColor3f", door_glColor3f},
     {"glColor3fv", door_glColor3fv},
+    {"glColor3hNV", door_glColor3hNV},
+    {"glColor3hvNV", door_glColor3hvNV},
     {"glColor3i", door_glColor3i},
     {"glColor3iv", door_glColor3iv},
     {"glColor3s", door_glColor3s},
@@ -726,6 +781,8 @@ const NamedDoor kNamedDoors[] = {
     {"glColor4dv", door_glColor4dv},
     {"glColor4f", door_glColor4f},
     {"glColor4fv", door_glColor4fv},
+    {"glColor4hNV", door_glColor4hNV},
+    {"glColor4hvNV", door_glColor4hvNV},
     {"glColor4i", door_glColor4i},
     {"glColor4iv", door_glColor4iv},
     {"glColor4s", door_glColor4s},
@@ -766,6 +823,15 @@ const NamedDoor kNamedDoors[] = {
     {"glCopyTexSubImage3D", door_glCopyTexSubImage3D},
     {"glCopyTexSubImage3DEXT", door_glCopyTexSubImage3DEXT},
     {"glCullFace", door_glCullFace},
+    {"glDebugMessageCallback", door_glDebugMessageCallback},
+    {"glDebugMessageCallbackARB", door_glDebugMessageCallbackARB},
+    {"glDebugMessageCallbackKHR", door_glDebugMessageCallback},
+    {"glDebugMessageControl", door_glDebugMessageControl},
+    {"glDebugMessageControlARB", door_glDebugMessageControlARB},
+    {"glDebugMessageControlKHR", door_glDebugMessageControl},
+    {"glDebugMessageInsert", door_glDebugMessageInsert},
+    {"glDebugMessageInsertARB", door_glDebugMessageInsertARB},
+    {"glDebugMessageInsertKHR", door_glDebugMessageInsert},
     {"glDeleteBuffers", door_glDeleteBuffers},
     {"glDeleteBuffersARB", door_glDeleteBuffersARB},
     {"glDeleteFramebuffers", door_glDeleteFramebuffers},
@@ -836,6 +902,8 @@ const NamedDoor kNamedDoors[] = {
     {"glFogCoordfEXT", door_glFogCoordfEXT},
     {"glFogCoordfv", door_glFogCoordfv},
     {"glFogCoordfvEXT", door_glFogCoordfvEXT},
+    {"glFogCoordhNV", door_glFogCoordhNV},
+    {"glFogCoordhvNV", door_glFogCoordhvNV},
     {"glFogf", door_glFogf},
     {"glFogfv", door_glFogfv},
     {"glFogi", door_glFogi},
@@ -880,6 +948,9 @@ const NamedDoor kNamedDoors[] = {
     {"glGetClipPlane", door_glGetClipPlane},
     {"glGetCompressedTexImage", door_glGetCompressedTexImage},
     {"glGetCompressedTexImageARB", door_glGetCompressedTexImageARB},
+    {"glGetDebugMessageLog", door_glGetDebugMessageLog},
+    {"glGetDebugMessageLogARB", door_glGetDebugMessageLogARB},
+    {"glGetDebugMessageLogKHR", door_glGetDebugMessageLog},
     {"glGetDoublev", door_glGetDoublev},
     {"glGetError", door_glGetError},
     {"glGetFloatv", door_glGetFloatv},
@@ -896,6 +967,10 @@ const NamedDoor kNamedDoors[] = {
     {"glGetMapiv", door_glGetMapiv},
     {"glGetMaterialfv", door_glGetMaterialfv},
     {"glGetMaterialiv", door_glGetMaterialiv},
+    {"glGetObjectLabel", door_glGetObjectLabel},
+    {"glGetObjectLabelKHR", door_glGetObjectLabel},
+    {"glGetObjectPtrLabel", door_glGetObjectPtrLabel},
+    {"glGetObjectPtrLabelKHR", door_glGetObjectPtrLabel},
     {"glGetPixelMapfv", door_glGetPixelMapfv},
     {"glGetPixelMapuiv", door_glGetPixelMapuiv},
     {"glGetPixelMapusv", door_glGetPixelMapusv},
@@ -974,6 +1049,7 @@ const NamedDoor kNamedDoors[] = {
     {"glLoadTransposeMatrixdARB", door_glLoadTransposeMatrixdARB},
     {"glLoadTransposeMatrixf", door_glLoadTransposeMatrixf},
     {"glLoadTransposeMatrixfARB", door_glLoadTransposeMatrixfARB},
+    {"glLockArraysEXT", door_glLockArraysEXT},
     {"glLogicOp", door_glLogicOp},
     {"glMap1d", door_glMap1d},
     {"glMap1f", door_glMap1f},
@@ -1013,6 +1089,8 @@ const NamedDoor kNamedDoors[] = {
     {"glMultiTexCoord1fARB", door_glMultiTexCoord1fARB},
     {"glMultiTexCoord1fv", door_glMultiTexCoord1fv},
     {"glMultiTexCoord1fvARB", door_glMultiTexCoord1fvARB},
+    {"glMultiTexCoord1hNV", door_glMultiTexCoord1hNV},
+    {"glMultiTexCoord1hvNV", door_glMultiTexCoord1hvNV},
     {"glMultiTexCoord1i", door_glMultiTexCoord1i},
     {"glMultiTexCoord1iARB", door_glMultiTexCoord1iARB},
     {"glMultiTexCoord1iv", door_glMultiTexCoord1iv},
@@ -1029,6 +1107,8 @@ const NamedDoor kNamedDoors[] = {
     {"glMultiTexCoord2fARB", door_glMultiTexCoord2fARB},
     {"glMultiTexCoord2fv", door_glMultiTexCoord2fv},
     {"glMultiTexCoord2fvARB", door_glMultiTexCoord2fvARB},
+    {"glMultiTexCoord2hNV", door_glMultiTexCoord2hNV},
+    {"glMultiTexCoord2hvNV", door_glMultiTexCoord2hvNV},
     {"glMultiTexCoord2i", door_glMultiTexCoord2i},
     {"glMultiTexCoord2iARB", door_glMultiTexCoord2iARB},
     {"glMultiTexCoord2iv", door_glMultiTexCoord2iv},
@@ -1045,6 +1125,8 @@ const NamedDoor kNamedDoors[] = {
     {"glMultiTexCoord3fARB", door_glMultiTexCoord3fARB},
     {"glMultiTexCoord3fv", door_glMultiTexCoord3fv},
     {"glMultiTexCoord3fvARB", door_glMultiTexCoord3fvARB},
+    {"glMultiTexCoord3hNV", door_glMultiTexCoord3hNV},
+    {"glMultiTexCoord3hvNV", door_glMultiTexCoord3hvNV},
     {"glMultiTexCoord3i", door_glMultiTexCoord3i},
     {"glMultiTexCoord3iARB", door_glMultiTexCoord3iARB},
     {"glMultiTexCoord3iv", door_glMultiTexCoord3iv},
@@ -1061,6 +1143,8 @@ const NamedDoor kNamedDoors[] = {
     {"glMultiTexCoord4fARB", door_glMultiTexCoord4fARB},
     {"glMultiTexCoord4fv", door_glMultiTexCoord4fv},
     {"glMultiTexCoord4fvARB", door_glMultiTexCoord4fvARB},
+    {"glMultiTexCoord4hNV", door_glMultiTexCoord4hNV},
+    {"glMultiTexCoord4hvNV", door_glMultiTexCoord4hvNV},
     {"glMultiTexCoord4i", door_glMultiTexCoord4i},
     {"glMultiTexCoord4iARB", door_glMultiTexCoord4iARB},
     {"glMultiTexCoord4iv", door_glMultiTexCoord4iv},
@@ -1076,12 +1160,18 @@ const NamedDoor kNamedDoors[] = {
     {"glNormal3dv", door_glNormal3dv},
     {"glNormal3f", door_glNormal3f},
     {"glNormal3fv", door_glNormal3fv},
+    {"glNormal3hNV", door_glNormal3hNV},
+    {"glNormal3hvNV", door_glNormal3hvNV},
     {"glNormal3i", door_glNormal3i},
     {"glNormal3iv", door_glNormal3iv},
     {"glNormal3s", door_glNormal3s},
     {"glNormal3sv", door_glNormal3sv},
     {"glNormalPointer", door_glNormalPointer},
     {"glNormalPointerEXT", door_glNormalPointerEXT},
+    {"glObjectLabel", door_glObjectLabel},
+    {"glObjectLabelKHR", door_glObjectLabel},
+    {"glObjectPtrLabel", door_glObjectPtrLabel},
+    {"glObjectPtrLabelKHR", door_glObjectPtrLabel},
     {"glOrtho", door_glOrtho},
     {"glPassThrough", door_glPassThrough},
     {"glPixelMapfv", door_glPixelMapfv},
@@ -1111,6 +1201,8 @@ const NamedDoor kNamedDoors[] = {
     {"glPolygonStipple", door_glPolygonStipple},
     {"glPopAttrib", door_glPopAttrib},
     {"glPopClientAttrib", door_glPopClientAttrib},
+    {"glPopDebugGroup", door_glPopDebugGroup},
+    {"glPopDebugGroupKHR", door_glPopDebugGroup},
     {"glPopMatrix", door_glPopMatrix},
     {"glPopName", door_glPopName},
     {"glPrimitiveRestartIndex", door_glPrimitiveRestartIndex},
@@ -1118,8 +1210,12 @@ const NamedDoor kNamedDoors[] = {
     {"glPrimitiveRestartNV", door_glPrimitiveRestartNV},
     {"glPrioritizeTextures", door_glPrioritizeTextures},
     {"glPrioritizeTexturesEXT", door_glPrioritizeTexturesEXT},
+    {"glProvokingVertex", door_glProvokingVertex},
+    {"glProvokingVertexEXT", door_glProvokingVertexEXT},
     {"glPushAttrib", door_glPushAttrib},
     {"glPushClientAttrib", door_glPushClientAttrib},
+    {"glPushDebugGroup", door_glPushDebugGroup},
+    {"glPushDebugGroupKHR", door_glPushDebugGroup},
     {"glPushMatrix", door_glPushMatrix},
     {"glPushName", door_glPushName},
     {"glRasterPos2d", door_glRasterPos2d},
@@ -1181,6 +1277,8 @@ const NamedDoor kNamedDoors[] = {
     {"glSecondaryColor3fEXT", door_glSecondaryColor3fEXT},
     {"glSecondaryColor3fv", door_glSecondaryColor3fv},
     {"glSecondaryColor3fvEXT", door_glSecondaryColor3fvEXT},
+    {"glSecondaryColor3hNV", door_glSecondaryColor3hNV},
+    {"glSecondaryColor3hvNV", door_glSecondaryColor3hvNV},
     {"glSecondaryColor3i", door_glSecondaryColor3i},
     {"glSecondaryColor3iEXT", door_glSecondaryColor3iEXT},
     {"glSecondaryColor3iv", door_glSecondaryColor3iv},
@@ -1217,6 +1315,8 @@ const NamedDoor kNamedDoors[] = {
     {"glTexCoord1dv", door_glTexCoord1dv},
     {"glTexCoord1f", door_glTexCoord1f},
     {"glTexCoord1fv", door_glTexCoord1fv},
+    {"glTexCoord1hNV", door_glTexCoord1hNV},
+    {"glTexCoord1hvNV", door_glTexCoord1hvNV},
     {"glTexCoord1i", door_glTexCoord1i},
     {"glTexCoord1iv", door_glTexCoord1iv},
     {"glTexCoord1s", door_glTexCoord1s},
@@ -1225,6 +1325,8 @@ const NamedDoor kNamedDoors[] = {
     {"glTexCoord2dv", door_glTexCoord2dv},
     {"glTexCoord2f", door_glTexCoord2f},
     {"glTexCoord2fv", door_glTexCoord2fv},
+    {"glTexCoord2hNV", door_glTexCoord2hNV},
+    {"glTexCoord2hvNV", door_glTexCoord2hvNV},
     {"glTexCoord2i", door_glTexCoord2i},
     {"glTexCoord2iv", door_glTexCoord2iv},
     {"glTexCoord2s", door_glTexCoord2s},
@@ -1233,6 +1335,8 @@ const NamedDoor kNamedDoors[] = {
     {"glTexCoord3dv", door_glTexCoord3dv},
     {"glTexCoord3f", door_glTexCoord3f},
     {"glTexCoord3fv", door_glTexCoord3fv},
+    {"glTexCoord3hNV", door_glTexCoord3hNV},
+    {"glTexCoord3hvNV", door_glTexCoord3hvNV},
     {"glTexCoord3i", door_glTexCoord3i},
     {"glTexCoord3iv", door_glTexCoord3iv},
     {"glTexCoord3s", door_glTexCoord3s},
@@ -1241,6 +1345,8 @@ const NamedDoor kNamedDoors[] = {
     {"glTexCoord4dv", door_glTexCoord4dv},
     {"glTexCoord4f", door_glTexCoord4f},
     {"glTexCoord4fv", door_glTexCoord4fv},
+    {"glTexCoord4hNV", door_glTexCoord4hNV},
+    {"glTexCoord4hvNV", door_glTexCoord4hvNV},
     {"glTexCoord4i", door_glTexCoord4i},
     {"glTexCoord4iv", door_glTexCoord4iv},
     {"glTexCoord4s", door_glTexCoord4s},
@@ -1265,6 +1371,12 @@ const NamedDoor kNamedDoors[] = {
     {"glTexParameterfv", door_glTexParameterfv},
     {"glTexParameteri", door_glTexParameteri},
     {"glTexParameteriv", door_glTexParameteriv},
+    {"glTexStorage1D", door_glTexStorage1D},
+    {"glTexStorage1DEXT", door_glTexStorage1D},
+    {"glTexStorage2D", door_glTexStorage2D},
+    {"glTexStorage2DEXT", door_glTexStorage2D},
+    {"glTexStorage3D", door_glTexStorage3D},
+    {"glTexStorage3DEXT", door_glTexStorage3D},
     {"glTexSubImage1D", door_glTexSubImage1D},
     {"glTexSubImage1DEXT", door_glTexSubImage1D},
     {"glTexSubImage2D", door_glTexSubImage2D},
@@ -1273,6 +1385,7 @@ const NamedDoor kNamedDoors[] = {
     {"glTexSubImage3DEXT", door_glTexSubImage3DEXT},
     {"glTranslated", door_glTranslated},
     {"glTranslatef", door_glTranslatef},
+    {"glUnlockArraysEXT", door_glUnlockArraysEXT},
     {"glUnmapBuffer", door_glUnmapBuffer},
     {"glUnmapBufferARB", door_glUnmapBufferARB},
     {"glUnmapBufferOES", door_glUnmapBuffer},
@@ -1280,6 +1393,8 @@ const NamedDoor kNamedDoors[] = {
     {"glVertex2dv", door_glVertex2dv},
     {"glVertex2f", door_glVertex2f},
     {"glVertex2fv", door_glVertex2fv},
+    {"glVertex2hNV", door_glVertex2hNV},
+    {"glVertex2hvNV", door_glVertex2hvNV},
     {"glVertex2i", door_glVertex2i},
     {"glVertex2iv", door_glVertex2iv},
     {"glVertex2s", door_glVertex2s},
@@ -1288,6 +1403,8 @@ const NamedDoor kNamedDoors[] = {
     {"glVertex3dv", door_glVertex3dv},
     {"glVertex3f", door_glVertex3f},
     {"glVertex3fv", door_glVertex3fv},
+    {"glVertex3hNV", door_glVertex3hNV},
+    {"glVertex3hvNV", door_glVertex3hvNV},
     {"glVertex3i", door_glVertex3i},
     {"glVertex3iv", door_glVertex3iv},
     {"glVertex3s", door_glVertex3s},
@@ -1296,6 +1413,8 @@ const NamedDoor kNamedDoors[] = {
     {"glVertex4dv", door_glVertex4dv},
     {"glVertex4f", door_glVertex4f},
     {"glVertex4fv", door_glVertex4fv},
+    {"glVertex4hNV", door_glVertex4hNV},
+    {"glVertex4hvNV", door_glVertex4hvNV},
     {"glVertex4i", door_glVertex4i},
     {"glVertex4iv", door_glVertex4iv},
     {"glVertex4s", door_glVertex4s},

@@ -56,6 +56,8 @@ void DeleteVertexArrays(Context& c, GLsizei n, const GLuint* arrays);
 void GenVertexArrays(Context& c, GLsizei n, GLuint* arrays);
 GLboolean IsVertexArray(Context& c, GLuint array);
 void GetPointerv(Context& c, GLenum pname, void** params);
+void LockArraysEXT(Context& c, GLint first, GLsizei count);
+void UnlockArraysEXT(Context& c);
 void BindBuffer(Context& c, GLenum target, GLuint buffer);
 void DeleteBuffers(Context& c, GLsizei n, const GLuint* buffers);
 void GenBuffers(Context& c, GLsizei n, GLuint* buffers);
@@ -93,6 +95,7 @@ void Light(Context& c, GLenum light, GLenum pname, const GLfloat* params);
 void LightModel(Context& c, GLenum pname, const GLfloat* params);
 void ColorMaterial(Context& c, GLenum face, GLenum mode);
 void ShadeModel(Context& c, GLenum mode);
+void ProvokingVertex(Context& c, GLenum mode);
 void GetLightfv(Context& c, GLenum light, GLenum pname, GLfloat* params);
 void GetLightiv(Context& c, GLenum light, GLenum pname, GLint* params);
 void GetMaterialfv(Context& c, GLenum face, GLenum pname, GLfloat* params);
@@ -137,6 +140,9 @@ void CompressedTexImage3D(Context& c, GLenum target, GLint level, GLenum interna
 void CompressedTexSubImage1D(Context& c, GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLsizei imageSize, const void* data);
 void CompressedTexSubImage2D(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLsizei imageSize, const void* data);
 void CompressedTexSubImage3D(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLsizei imageSize, const void* data);
+void TexStorage1D(Context& c, GLenum target, GLsizei levels, GLenum internalformat, GLsizei width);
+void TexStorage2D(Context& c, GLenum target, GLsizei levels, GLenum internalformat, GLsizei width, GLsizei height);
+void TexStorage3D(Context& c, GLenum target, GLsizei levels, GLenum internalformat, GLsizei width, GLsizei height, GLsizei depth);
 void GetTexImage(Context& c, GLenum target, GLint level, GLenum format, GLenum type, void* pixels);
 void GetCompressedTexImage(Context& c, GLenum target, GLint level, void* img);
 void TexParameter(Context& c, GLenum target, GLenum pname, const GLfloat* params);
@@ -253,5 +259,15 @@ void FramebufferRenderbuffer(Context& c, GLenum target, GLenum attachment, GLenu
 void GetFramebufferAttachmentParameteriv(Context& c, GLenum target, GLenum attachment, GLenum pname, GLint* params);
 void BlitFramebuffer(Context& c, GLint srcX0, GLint srcY0, GLint srcX1, GLint srcY1, GLint dstX0, GLint dstY0, GLint dstX1, GLint dstY1, GLbitfield mask, GLenum filter);
 void GenerateMipmap(Context& c, GLenum target);
+void DebugMessageControl(Context& c, GLenum source, GLenum type, GLenum severity, GLsizei count, const GLuint* ids, GLboolean enabled);
+void DebugMessageInsert(Context& c, GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length, const GLchar* buf);
+void DebugMessageCallback(Context& c, GLDEBUGPROC callback, const void* userParam);
+GLuint GetDebugMessageLog(Context& c, GLuint count, GLsizei bufSize, GLenum* sources, GLenum* types, GLuint* ids, GLenum* severities, GLsizei* lengths, GLchar* messageLog);
+void PushDebugGroup(Context& c, GLenum source, GLuint id, GLsizei length, const GLchar* message);
+void PopDebugGroup(Context& c);
+void ObjectLabel(Context& c, GLenum identifier, GLuint name, GLsizei length, const GLchar* label);
+void GetObjectLabel(Context& c, GLenum identifier, GLuint name, GLsizei bufSize, GLsizei* length, GLchar* label);
+void ObjectPtrLabel(Context& c, const void* ptr, GLsizei length, const GLchar* label);
+void GetObjectPtrLabel(Context& c, const void* ptr, GLsizei bufSize, GLsizei* length, GLchar* label);
 
 } // namespace softgl::gl

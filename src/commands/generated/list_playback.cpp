@@ -147,6 +147,10 @@ void play_command(Context& c, uint16_t opcode, const void* arguments) {
       const auto& r = *static_cast<const ShadeModelArguments*>(arguments);
       return gl::ShadeModel(c, r.mode);
     }
+    case Opcode::ProvokingVertex: {
+      const auto& r = *static_cast<const ProvokingVertexArguments*>(arguments);
+      return gl::ProvokingVertex(c, r.mode);
+    }
     case Opcode::PointSize: {
       const auto& r = *static_cast<const PointSizeArguments*>(arguments);
       return gl::PointSize(c, r.size);
@@ -550,6 +554,7 @@ const char* opcode_name(uint16_t opcode) {
       "LightModel",
       "ColorMaterial",
       "ShadeModel",
+      "ProvokingVertex",
       "PointSize",
       "PointParameter",
       "LineWidth",

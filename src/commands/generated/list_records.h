@@ -45,6 +45,7 @@ enum class Opcode : uint16_t {
   LightModel,
   ColorMaterial,
   ShadeModel,
+  ProvokingVertex,
   PointSize,
   PointParameter,
   LineWidth,
@@ -130,7 +131,7 @@ enum class Opcode : uint16_t {
   PushAttrib,
   PopAttrib,
 };
-constexpr int kOpcodes = 119;
+constexpr int kOpcodes = 120;
 
 struct RectArguments { GLfloat x1; GLfloat y1; GLfloat x2; GLfloat y2; };
 struct EvalCoord1Arguments { GLfloat u; };
@@ -164,6 +165,7 @@ struct LightArguments { GLenum light; GLenum pname; const GLfloat* params; };
 struct LightModelArguments { GLenum pname; const GLfloat* params; };
 struct ColorMaterialArguments { GLenum face; GLenum mode; };
 struct ShadeModelArguments { GLenum mode; };
+struct ProvokingVertexArguments { GLenum mode; };
 struct PointSizeArguments { GLfloat size; };
 struct PointParameterArguments { GLenum pname; const GLfloat* params; };
 struct LineWidthArguments { GLfloat width; };

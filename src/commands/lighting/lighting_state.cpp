@@ -253,5 +253,11 @@ void ShadeModel(Context& c, GLenum mode) {
   c.dirty |= kDirtyLighting;
 }
 
+void ProvokingVertex(Context& c, GLenum mode) {
+  if (mode != GL_FIRST_VERTEX_CONVENTION && mode != GL_LAST_VERTEX_CONVENTION)
+    return set_error(c, GL_INVALID_ENUM);
+  c.state.lighting.provoking_vertex = mode; // each draw asks for it (submit())
+}
+
 } // namespace gl
 } // namespace softgl

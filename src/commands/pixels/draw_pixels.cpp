@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/unit_range.h"
 #include "commands/buffers/pixel_buffers.h"
 #include "commands/framebuffer/flush.h"
 #include "commands/generated/commands.h"
@@ -242,17 +243,38 @@ void draw_depths_and_stencils(Context& c, const Placement& p, const ClientImage&
   submit_depths_and_stencils(c, p, depth, stencil);
 }
 
+bool becomes_color(GLenum type) {
+  return type == GL_DEPTH_STENCIL_TO_RGBA_NV || type == GL_DEPTH_STENCIL_TO_BGRA_NV;
+}
+
+/// GL_NV_copy_depth_to_color: the words of 24 bits of depth and 8 of stencil are taken for four bytes of
+/// color.
+void submit_depths_as_colors(Context& c, const Placement& p, const std::vector<float>& depth,
+                             const std::vector<uint8_t>& stencil, bool bgra) {
+  const PixelTransfer transfer = pixel_transfer(c);
+  auto* element = c.frame.arena().allocate_array<uint32_t>(depth.size());
+  for (size_t i = 0; i < depth.size(); ++i) {
+    const auto z = uint32_t(double(unit_range(transfer.depth(depth[i]))) * 16777215.0 + 0.5);
+    const uint32_t first = z >> 16, second = z >> 8 & 255, third = z & 255;
+    element[i] = (bgra ? third | first << 16 : first | third << 16) | second << 8 |
+                 (transfer.stencil(stencil[i]) & 255) << 24;
+  }
+  submit_image(c, p, PixelElement::Bytes, element);
+}
+
 /// Copies what is in view of an image whose lower left pixel is x, y of the surface. The frame is empty.
 void copy_pixels(Context& c, const Placement& p, GLint x, GLint y, GLenum type) {
   const PixelTransfer transfer = pixel_transfer(c);
   const auto bounded = [](int64_t v) { return int(std::clamp<int64_t>(v, -(1 << 30), 1 << 30)); };
   const int count = p.width_in_view(), left = bounded(int64_t(x) + p.columns.first),
             bottom = bounded(int64_t(y) + p.rows.first);
-  if (type == GL_DEPTH_STENCIL) {
+  if (type == GL_DEPTH_STENCIL || becomes_color(type)) {
     std::vector<float> depth(p.elements());
     std::vector<uint8_t> stencil(p.elements());
     read_depth_float(c.read->surface, left, bottom, count, p.height_in_view(), depth.data());
     read_stencil(c.read->surface, left, bottom, count, p.height_in_view(), stencil.data());
+    if (becomes_color(type))
+      return submit_depths_as_colors(c, p, depth, stencil, type == GL_DEPTH_STENCIL_TO_BGRA_NV);
     return submit_depths_and_stencils(c, p, depth, stencil);
   }
   if (type == GL_STENCIL) {
@@ -285,7 +307,8 @@ void copy_pixels(Context& c, const Placement& p, GLint x, GLint y, GLenum type) 
 bool has_buffer(const RenderTarget& target, GLenum format) {
   if (format == GL_DEPTH_COMPONENT || format == GL_DEPTH) return target.depth_bits > 0;
   if (format == GL_STENCIL_INDEX || format == GL_STENCIL) return target.stencil_bits > 0;
-  if (format == GL_DEPTH_STENCIL) return target.depth_bits > 0 && target.stencil_bits > 0;
+  if (format == GL_DEPTH_STENCIL || becomes_color(format))
+    return target.depth_bits > 0 && target.stencil_bits > 0;
   return true;
 }
 
@@ -316,7 +339,8 @@ void DrawPixels(Context& c, GLsizei width, GLsizei height, GLenum format, GLenum
 }
 
 void CopyPixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type) {
-  if (type != GL_COLOR && type != GL_DEPTH && type != GL_STENCIL && type != GL_DEPTH_STENCIL)
+  if (type != GL_COLOR && type != GL_DEPTH && type != GL_STENCIL && type != GL_DEPTH_STENCIL &&
+      !becomes_color(type))
     return set_error(c, GL_INVALID_ENUM);
   if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
   if (c.bindings.draw || c.bindings.read) {

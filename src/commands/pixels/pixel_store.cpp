@@ -10,6 +10,7 @@ void PixelStore(Context& c, GLenum pname, GLint param) {
   GLint* size = nullptr;
   switch (pname) {
   case GL_PACK_SWAP_BYTES: pack.swap_bytes = param != 0; return;
+  case GL_PACK_INVERT_MESA: pack.invert = param != 0; return;
   case GL_PACK_LSB_FIRST: pack.lsb_first = param != 0; return;
   case GL_UNPACK_SWAP_BYTES: unpack.swap_bytes = param != 0; return;
   case GL_UNPACK_LSB_FIRST: unpack.lsb_first = param != 0; return;

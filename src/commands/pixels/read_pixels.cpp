@@ -42,7 +42,7 @@ struct Target {
   ImageLayout layout;
   int skipped; // columns of the rectangle left of the surface
   bool swap;
-  unsigned char* row(int r) const { return memory + layout.offset + size_t(r) * layout.row_stride; }
+  unsigned char* row(int r) const { return memory + layout.row(r); }
   unsigned char* pixels(int r) const { return row(r) + size_t(skipped) * format.bytes; }
 };
 

@@ -60,18 +60,23 @@ bool* find_client_switch(ClientState& client, GLenum token) {
 namespace gl {
 namespace {
 
-/// `refused`: the form of GL_PRIMITIVE_RESTART that belongs to the other pair of commands.
-void set_client_switch(Context& c, GLenum token, bool value, GLenum refused) {
-  bool* const enabled = token == refused ? nullptr : find_client_switch(c.client, token);
+/// What glEnableClientState does not know: it is glEnable's alone.
+bool is_server_switch(GLenum token) {
+  return token == GL_PRIMITIVE_RESTART || token == GL_DEBUG_OUTPUT || token == GL_DEBUG_OUTPUT_SYNCHRONOUS;
+}
+
+void set_client_switch(Context& c, GLenum token, bool value, bool refused) {
+  bool* const enabled = refused ? nullptr : find_client_switch(c.client, token);
   if (!enabled) return set_error(c, GL_INVALID_ENUM);
   *enabled = value;
+  if (token == GL_DEBUG_OUTPUT) return c.debug.watch(value);
   c.dirty |= kDirtyArrays;
 }
 
 void set_capability(Context& c, GLenum token, bool value) {
   const Capability* capability = find_capability(token);
   if (!capability) // EXT_vertex_array switches the arrays here
-    return set_client_switch(c, token, value, GL_PRIMITIVE_RESTART_NV);
+    return set_client_switch(c, token, value, token == GL_PRIMITIVE_RESTART_NV);
   const int unit = c.state.texture.active_unit;
   if (capability->get(c.state, unit) == value) return;
   if (token == GL_COLOR_MATERIAL && !value) track_color_material(c); // keeps the last color
@@ -93,9 +98,11 @@ GLboolean IsEnabled(Context& c, GLenum cap) {
   return GL_FALSE;
 }
 
-void EnableClientState(Context& c, GLenum array) { set_client_switch(c, array, true, GL_PRIMITIVE_RESTART); }
+void EnableClientState(Context& c, GLenum array) {
+  set_client_switch(c, array, true, is_server_switch(array));
+}
 void DisableClientState(Context& c, GLenum array) {
-  set_client_switch(c, array, false, GL_PRIMITIVE_RESTART);
+  set_client_switch(c, array, false, is_server_switch(array));
 }
 
 } // namespace gl

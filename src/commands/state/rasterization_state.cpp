@@ -79,7 +79,7 @@ StippleRow stipple_row(const softgl::PixelStore& store, int y) {
                alignment = size_t(store.alignment);
   const size_t stride = ((length + 7) / 8 + alignment - 1) / alignment * alignment;
   const size_t bit = size_t(store.skip_pixels);
-  return {stride * (size_t(store.skip_rows) + size_t(y)) + bit / 8, bit % 8};
+  return {stride * (size_t(store.skip_rows) + size_t(store.invert ? 31 - y : y)) + bit / 8, bit % 8};
 }
 PixelSpan stipple_span(const softgl::PixelStore& store) {
   const PixelFormat bits = describe_pixel_format(GL_COLOR_INDEX, GL_BITMAP);

@@ -1,5 +1,5 @@
 // CompressedTexImage, CompressedTexSubImage and GetCompressedTexImage (GL 1.5, 3.8.3, 6.1.4).
-// The formats are those of GL_EXT_texture_compression_s3tc, which has images of two dimensions alone.
+// All compressed formats have images of two dimensions alone.
 #include <cstring>
 
 #include "commands/buffers/pixel_buffers.h"
@@ -17,8 +17,11 @@ const TexelFormat* compressed_format(GLenum internal_format) {
 }
 
 uint64_t compressed_bytes(const TexelFormat& format, GLsizei width, GLsizei height) {
-  const auto along = [](GLsizei texels) { return (uint64_t(texels) + kBlockSize - 1) / kBlockSize; };
-  return along(width) * along(height) * uint64_t(block_bytes(format.block));
+  const auto along = [](GLsizei texels, int size) {
+    return (uint64_t(texels) + uint64_t(size) - 1) / uint64_t(size);
+  };
+  return along(width, block_width(format.block)) * along(height, kBlockHeight) *
+         uint64_t(block_bytes(format.block));
 }
 
 void specify_compressed(Context& c, GLenum target, GLint level, GLenum internal_format, GLsizei width,
@@ -31,6 +34,7 @@ void specify_compressed(Context& c, GLenum target, GLint level, GLenum internal_
   if (border != 0) return set_error(c, GL_INVALID_OPERATION);
   if (uint64_t(image_size) != compressed_bytes(*format, width, height)) return set_error(c, GL_INVALID_VALUE);
   const auto object = target_object(c, t);
+  if (object->immutable_levels) return set_error(c, GL_INVALID_OPERATION);
   const GLenum size_error = check_image_size(t, level, width, height, 1, 0);
   const bool fits = size_error == GL_NO_ERROR && image_bytes(*format, width, height, 1) <= kMaxImageBytes;
   if (t.proxy) {
@@ -68,9 +72,10 @@ void change_compressed(Context& c, GLenum target, GLint level, GLint x, GLint y,
   if (!find_unpack_memory(c, data, array_span(size_t(image_size), 1)) || !data) return;
   mark_images(c, *object);
   TextureImage& changed = object->writable(t.face, level);
-  const size_t row = size_t(blocks_along(width)) * size_t(block_bytes(changed.format->block));
+  const size_t row =
+      size_t(blocks_in_row(changed.format->block, width)) * size_t(block_bytes(changed.format->block));
   auto from = static_cast<const uint8_t*>(data);
-  for (int j = 0; j < height; j += kBlockSize, from += row)
+  for (int j = 0; j < height; j += kBlockHeight, from += row)
     std::memcpy(changed.block_at(x, y + j, 0), from, row);
   changed.blocks_changed({x, y, 0, width, height, 1});
   regenerate_mipmaps(*object, t.face, level);

@@ -8,7 +8,7 @@ namespace {
 
 /// The base levels of all faces have one size and one format (3.8.10).
 bool is_cube_complete(const TextureObject& object) {
-  const GLint level = object.parameters.base_level;
+  const GLint level = object.base_level();
   if (level < 0 || level >= kMaxTextureLevels) return false;
   const TextureImage* first = object.image[0][level].get();
   if (!first || first->empty() || first->width != first->height) return false;

@@ -140,6 +140,7 @@ void copy_image(Context& c, int dimensions, GLenum target, GLint level, GLenum i
       internal_format <= 4 ? nullptr : choose_texel_format(GLint(internal_format), 0, 0, false);
   if (!chosen) return set_error(c, GL_INVALID_ENUM);
   const auto object = target_object(c, t);
+  if (object->immutable_levels) return set_error(c, GL_INVALID_OPERATION);
   const TexelFormat* texel =
       &level_format(*object, t.face, level, granted_format(GLint(internal_format)), *chosen);
   if (lacks_buffer(c, *texel)) return set_error(c, GL_INVALID_OPERATION);

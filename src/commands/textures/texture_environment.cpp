@@ -17,7 +17,7 @@ GLenum to_enum(float v) {
 
 bool is_environment_mode(GLenum mode) {
   return mode == GL_MODULATE || mode == GL_BLEND || mode == GL_DECAL || mode == GL_REPLACE ||
-         mode == GL_ADD || mode == GL_COMBINE;
+         mode == GL_ADD || mode == GL_COMBINE || mode == GL_COMBINE4_NV;
 }
 bool is_combiner(GLenum function, bool rgb) {
   switch (function) {
@@ -26,15 +26,21 @@ bool is_combiner(GLenum function, bool rgb) {
   case GL_ADD:
   case GL_ADD_SIGNED:
   case GL_INTERPOLATE:
-  case GL_SUBTRACT: return true;
+  case GL_SUBTRACT:
+  case GL_MODULATE_ADD_ATI:
+  case GL_MODULATE_SIGNED_ADD_ATI:
+  case GL_MODULATE_SUBTRACT_ATI: return true;
   case GL_DOT3_RGB:
-  case GL_DOT3_RGBA: return rgb;
+  case GL_DOT3_RGBA:
+  case GL_DOT3_RGB_EXT:
+  case GL_DOT3_RGBA_EXT: return rgb;
   default: return false;
   }
 }
 bool is_source(GLenum source) {
   return source == GL_TEXTURE || source == GL_CONSTANT || source == GL_PRIMARY_COLOR ||
-         source == GL_PREVIOUS || (source >= GL_TEXTURE0 && source < GLenum(GL_TEXTURE0 + kMaxTextureUnits));
+         source == GL_PREVIOUS || source == GL_ZERO || source == GL_ONE ||
+         (source >= GL_TEXTURE0 && source < GLenum(GL_TEXTURE0 + kMaxTextureUnits));
 }
 bool is_operand(GLenum operand, bool rgb) {
   return operand == GL_SRC_ALPHA || operand == GL_ONE_MINUS_SRC_ALPHA ||
@@ -49,16 +55,20 @@ GLenum* environment_enum(TextureUnitState& unit, GLenum pname) {
   case GL_COMBINE_ALPHA: return &unit.combine_alpha;
   case GL_SOURCE0_RGB:
   case GL_SOURCE1_RGB:
-  case GL_SOURCE2_RGB: return &unit.source_rgb[pname - GL_SOURCE0_RGB];
+  case GL_SOURCE2_RGB:
+  case GL_SOURCE3_RGB_NV: return &unit.source_rgb[pname - GL_SOURCE0_RGB];
   case GL_SOURCE0_ALPHA:
   case GL_SOURCE1_ALPHA:
-  case GL_SOURCE2_ALPHA: return &unit.source_alpha[pname - GL_SOURCE0_ALPHA];
+  case GL_SOURCE2_ALPHA:
+  case GL_SOURCE3_ALPHA_NV: return &unit.source_alpha[pname - GL_SOURCE0_ALPHA];
   case GL_OPERAND0_RGB:
   case GL_OPERAND1_RGB:
-  case GL_OPERAND2_RGB: return &unit.operand_rgb[pname - GL_OPERAND0_RGB];
+  case GL_OPERAND2_RGB:
+  case GL_OPERAND3_RGB_NV: return &unit.operand_rgb[pname - GL_OPERAND0_RGB];
   case GL_OPERAND0_ALPHA:
   case GL_OPERAND1_ALPHA:
-  case GL_OPERAND2_ALPHA: return &unit.operand_alpha[pname - GL_OPERAND0_ALPHA];
+  case GL_OPERAND2_ALPHA:
+  case GL_OPERAND3_ALPHA_NV: return &unit.operand_alpha[pname - GL_OPERAND0_ALPHA];
   default: return nullptr;
   }
 }
@@ -70,12 +80,15 @@ bool is_legal(GLenum pname, GLenum value) {
   case GL_SOURCE0_RGB:
   case GL_SOURCE1_RGB:
   case GL_SOURCE2_RGB:
+  case GL_SOURCE3_RGB_NV:
   case GL_SOURCE0_ALPHA:
   case GL_SOURCE1_ALPHA:
-  case GL_SOURCE2_ALPHA: return is_source(value);
+  case GL_SOURCE2_ALPHA:
+  case GL_SOURCE3_ALPHA_NV: return is_source(value);
   case GL_OPERAND0_RGB:
   case GL_OPERAND1_RGB:
-  case GL_OPERAND2_RGB: return is_operand(value, true);
+  case GL_OPERAND2_RGB:
+  case GL_OPERAND3_RGB_NV: return is_operand(value, true);
   default: return is_operand(value, false);
   }
 }
@@ -86,7 +99,8 @@ float* environment_scale(TextureUnitState& unit, GLenum pname) {
 void set_environment(Context& c, GLenum pname, const float* params) {
   TextureUnitState& unit = active_unit(c);
   if (GLenum* member = environment_enum(unit, pname)) {
-    const GLenum value = to_enum(params[0]);
+    GLenum value = to_enum(params[0]);
+    if (pname == GL_TEXTURE_ENV_MODE && value == GL_REPLACE_EXT) value = GL_REPLACE;
     if (!is_legal(pname, value)) return set_error(c, GL_INVALID_ENUM);
     *member = value;
   } else if (float* scale = environment_scale(unit, pname)) {

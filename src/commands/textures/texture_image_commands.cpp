@@ -56,9 +56,9 @@ bool takes_target(const TexelFormat& format, TextureTarget target) {
 
 bool whole_blocks(const TextureImage& image, GLint x, GLint y, GLsizei width, GLsizei height) {
   if (image.format->block == BlockFormat::None) return true;
-  return x % kBlockSize == 0 && y % kBlockSize == 0 &&
-         (width % kBlockSize == 0 || x + width == image.width) &&
-         (height % kBlockSize == 0 || y + height == image.height);
+  const int columns = block_width(image.format->block);
+  return x % columns == 0 && y % kBlockHeight == 0 && (width % columns == 0 || x + width == image.width) &&
+         (height % kBlockHeight == 0 || y + height == image.height);
 }
 
 std::shared_ptr<TextureImage> describe_image(const TexelFormat& format, GLint internal_format, GLsizei width,
@@ -71,8 +71,7 @@ std::shared_ptr<TextureImage> describe_image(const TexelFormat& format, GLint in
 }
 
 void regenerate_mipmaps(TextureObject& object, int face, int level) {
-  if (object.parameters.generate_mipmap && level == object.parameters.base_level)
-    generate_mipmaps(object, face);
+  if (object.parameters.generate_mipmap && level == object.base_level()) generate_mipmaps(object, face);
 }
 
 namespace {
@@ -122,6 +121,7 @@ void specify_image(Context& c, int dimensions, GLenum target, GLint level, GLint
   if (GLenum error = check_format(internal_format, format, type); error != GL_NO_ERROR)
     return set_error(c, error);
   const auto object = target_object(c, t);
+  if (object->immutable_levels) return set_error(c, GL_INVALID_OPERATION);
   const TexelFormat& texel = level_format(
       *object, t.face, level, granted_format(internal_format),
       *choose_texel_format(internal_format, format, type, c.client.pixel_store.unpack.swap_bytes));
@@ -255,11 +255,11 @@ void GetTexImage(Context& c, GLenum target, GLint level, GLenum format, GLenum t
   if (!find_pack_memory(c, pixels,
                         image_span(c.client.pixel_store.pack, layout, image->height, image->depth, f)))
     return;
-  auto p = static_cast<unsigned char*>(pixels) + layout.offset;
+  auto p = static_cast<unsigned char*>(pixels);
   const bool swap = c.client.pixel_store.pack.swap_bytes;
   for (int z = 0; z < image->depth; ++z)
     for (int y = 0; y < image->height; ++y) {
-      unsigned char* row = p + size_t(z) * layout.image_stride + size_t(y) * layout.row_stride;
+      unsigned char* row = p + size_t(z) * layout.image_stride + layout.row(y);
       if (format == GL_DEPTH_STENCIL)
         load_depth_stencil(*image->format, reinterpret_cast<const uint32_t*>(image->at(0, y, z)),
                            image->stencil_at(0, y, z), f, row, image->width, swap);

@@ -105,7 +105,8 @@ namespace {
 int get_parameter(Context& c, GLenum target, GLenum pname, float* v, bool& color) {
   const TextureTarget t = binding_target(target);
   if (t == kTextureTargets) return 0;
-  const TextureParameters& p = bound_texture(c, c.state.texture.active_unit, t)->parameters;
+  const auto object = bound_texture(c, c.state.texture.active_unit, t);
+  const TextureParameters& p = object->parameters;
   color = false;
   switch (pname) {
   case GL_TEXTURE_WRAP_S: v[0] = float(p.wrap[0]); return 1;
@@ -124,6 +125,7 @@ int get_parameter(Context& c, GLenum target, GLenum pname, float* v, bool& color
     v[0] = p.priority;
     return 1;
   case GL_TEXTURE_RESIDENT: v[0] = 1; return 1;
+  case GL_TEXTURE_IMMUTABLE_FORMAT: v[0] = object->immutable_levels != 0; return 1;
   case GL_TEXTURE_MIN_LOD: v[0] = p.min_lod; return 1;
   case GL_TEXTURE_MAX_LOD: v[0] = p.max_lod; return 1;
   case GL_TEXTURE_LOD_BIAS: v[0] = p.lod_bias; return 1;

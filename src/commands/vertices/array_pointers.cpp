@@ -146,9 +146,29 @@ void gl::GetPointerv(Context& c, GLenum pname, void** params) {
   case GL_SELECTION_BUFFER_POINTER: // never set: render modes are not built yet
     if (params) *params = nullptr;
     return;
+  case GL_DEBUG_CALLBACK_FUNCTION:
+    if (params) *params = reinterpret_cast<void*>(c.debug.callback);
+    return;
+  case GL_DEBUG_CALLBACK_USER_PARAM:
+    if (params) *params = const_cast<void*>(c.debug.user_parameter);
+    return;
   default: return set_error(c, GL_INVALID_ENUM);
   }
   if (params) *params = const_cast<void*>(arrays.array[slot].pointer);
+}
+
+// What an array holds is copied at each draw, or is kept with its buffer: a lock saves nothing here.
+void gl::LockArraysEXT(Context& c, GLint first, GLsizei count) {
+  if (first < 0 || count <= 0) return set_error(c, GL_INVALID_VALUE);
+  if (c.client.vertex_array.lock_count) return set_error(c, GL_INVALID_OPERATION);
+  c.client.vertex_array.lock_first = first;
+  c.client.vertex_array.lock_count = count;
+}
+
+void gl::UnlockArraysEXT(Context& c) {
+  if (!c.client.vertex_array.lock_count) return set_error(c, GL_INVALID_OPERATION);
+  c.client.vertex_array.lock_first = 0;
+  c.client.vertex_array.lock_count = 0;
 }
 
 } // namespace softgl

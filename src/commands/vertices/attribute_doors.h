@@ -7,6 +7,7 @@
 
 #include "commands/vertices/vertex_stream.h"
 #include "context/context.h"
+#include "texture/small_floats.h"
 
 namespace softgl {
 
