@@ -37,10 +37,15 @@ std::vector<Vertex> random_quads(Random& r) {
 /// One draw, or several Begin/End pairs in a row, of the vertices' colors or of the first one.
 void draw_vertices(const Gl& gl, Random& r, const std::vector<Vertex>& vertices, bool colored) {
   const int cut = r.chance(40) ? 4 : 1000;
+  const bool rebound = r.chance(50); // a command that changes nothing parts no draws
   if (!colored) gl.Color4fv(vertices[0].color);
   gl.Begin(GL_QUADS);
   for (size_t i = 0; i < vertices.size(); ++i) {
-    if (i && i % size_t(cut) == 0) gl.End(), gl.Begin(GL_QUADS);
+    if (i && i % size_t(cut) == 0) {
+      gl.End();
+      if (rebound) gl.BindTexture(GL_TEXTURE_2D, 0);
+      gl.Begin(GL_QUADS);
+    }
     if (colored) gl.Color4fv(vertices[i].color);
     gl.Vertex3fv(vertices[i].position);
   }

@@ -246,9 +246,9 @@ def plain_door(row, door, command, export_name):
     keep = row.run == "keep"
     guard = "(c.guard & ~kRunPending)" if keep else "c.guard"
     if row.list == "record":
-        lines.append(f"  if (c.guard) [[unlikely]] {{\n"
+        lines.append(f"  if ({guard}) [[unlikely]] {{\n"
                      f"    if (c.guard & kCompilingList) return compile_{row.name}(c{arguments});\n"
-                     f"    if (!may_execute(c)) return;\n  }}\n")
+                     f"    if (!may_execute{'_keeping_run' if keep else ''}(c)) return;\n  }}\n")
     elif row.list == "outside":
         lines.append(f"  if ((c.guard & (kCompilingList | kInsideBeginEnd)) == kCompilingList) [[unlikely]] "
                      f"return compile_{row.name}(c{arguments});\n")

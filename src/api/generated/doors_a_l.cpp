@@ -173,9 +173,9 @@ SOFTGL_EXPORT void APIENTRY glBindRenderbufferEXT(GLenum target, GLuint renderbu
 SOFTGL_EXPORT void APIENTRY glBindTexture(GLenum target, GLuint texture) try {
   SOFTGL_TRACED(glBindTexture, target, texture);
   Context& c = *current_context;
-  if (c.guard) [[unlikely]] {
+  if ((c.guard & ~kRunPending)) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_BindTexture(c, target, texture);
-    if (!may_execute(c)) return;
+    if (!may_execute_keeping_run(c)) return;
   }
   gl::BindTexture(c, target, texture);
 } catch (...) {
@@ -184,9 +184,9 @@ SOFTGL_EXPORT void APIENTRY glBindTexture(GLenum target, GLuint texture) try {
 SOFTGL_EXPORT void APIENTRY glBindTextureEXT(GLenum target, GLuint texture) try {
   SOFTGL_TRACED(glBindTextureEXT, target, texture);
   Context& c = *current_context;
-  if (c.guard) [[unlikely]] {
+  if ((c.guard & ~kRunPending)) [[unlikely]] {
     if (c.guard & kCompilingList) return compile_BindTexture(c, target, texture);
-    if (!may_execute(c)) return;
+    if (!may_execute_keeping_run(c)) return;
   }
   gl::BindTexture(c, target, texture);
 } catch (...) {

@@ -2,6 +2,7 @@
 #include "commands/framebuffer/flush.h"
 #include "commands/generated/commands.h"
 #include "commands/textures/texture_targets.h"
+#include "commands/vertices/vertex_stream.h"
 #include "context/context.h"
 #include "snapshot/render_targets.h"
 
@@ -34,11 +35,14 @@ void BindTexture(Context& c, GLenum target, GLuint texture) {
   const TextureTarget t = binding_target(target);
   if (t == kTextureTargets) return set_error(c, GL_INVALID_ENUM);
   GLuint& bound = c.state.texture.unit[c.state.texture.active_unit].bound[t];
-  if (texture != 0) {
-    auto object = c.shared->textures.find_or_create(
-        texture, [&] { return std::make_shared<TextureObject>(texture, t); });
-    if (object->target != t) return set_error(c, GL_INVALID_OPERATION);
-  }
+  const auto object = texture ? c.shared->textures.find(texture) : nullptr;
+  if (object && object->target != t) return set_error(c, GL_INVALID_OPERATION);
+  // To bind what is bound already changes nothing: vertices that wait go on waiting, as in OSMesa. With other
+  // contexts it brings what they have done to the texture.
+  if (bound == texture && (object || !texture) && c.shared.use_count() == 1) return;
+  if (c.guard & kRunPending) close_run(c);
+  if (texture && !object)
+    c.shared->textures.find_or_create(texture, [&] { return std::make_shared<TextureObject>(texture, t); });
   bound = texture;
   c.dirty |= kDirtyTexture;
 }
