@@ -62,6 +62,7 @@ struct TextureKernels {
   FragmentStage modulate_fixed; // the same and GL_MODULATE; leaves no texel
   FragmentStage sample_float;   // everything else
   FragmentStage sample_anisotropic;
+  FragmentStage drop_shadowed; // behind sampling: fragments that the alpha test drops for this unit's texel
   FragmentStage replace, modulate;
   FragmentStage combine; // all units' environments in one, and the color sum
 };

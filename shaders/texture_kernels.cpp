@@ -62,6 +62,11 @@ static void sample_anisotropic_stage(FragmentBlock& block, const FragmentConstan
   put_texels(block, *constants.texture[unit], unit, texel);
 }
 
+static void drop_shadowed_stage(FragmentBlock& block, const FragmentConstants&, int unit) {
+  const float* __restrict alpha = UnitTexels(block, unit).v[3];
+  SOFTGL_FOR_LANES(block, i) block.live[i] &= uint32_t(mask_of(alpha[i] != 0.0f));
+}
+
 extern const TextureKernels texture_kernels;
 const TextureKernels texture_kernels = {
     .isa = SOFTGL_STRING(SOFTGL_ISA),
@@ -70,6 +75,7 @@ const TextureKernels texture_kernels = {
     .modulate_fixed = modulate_fixed_stage,
     .sample_float = sample_float_stage,
     .sample_anisotropic = sample_anisotropic_stage,
+    .drop_shadowed = drop_shadowed_stage,
     .replace = environment_replace,
     .modulate = environment_modulate,
     .combine = environment_combine,

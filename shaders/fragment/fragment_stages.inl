@@ -8,6 +8,19 @@
 namespace softgl {
 namespace SOFTGL_ISA {
 
+/// Runs the stages of a block. With an alpha test they end early where no lane lives on; then what they leave
+/// in the block means nothing.
+SOFTGL_INLINE void run_stages(const FragmentProgram& program, FragmentBlock& block) {
+  const bool drops = Compare(program.key.alpha_function) != Compare::Always;
+  for (int i = 0; i < program.step_count; ++i) {
+    program.step[i].stage(block, *program.constants, program.step[i].unit);
+    if (!drops) continue;
+    IntV live = IntV{};
+    for (int lane = 0; lane < block.lanes; lane += kWidth) live |= load(block.live + lane);
+    if (!any(live)) return;
+  }
+}
+
 /// GL 1.5, 3.9. Not clamped here, as in OSMesa 22.3.6: only the fogged color is.
 static void stage_color_sum(FragmentBlock& block, const FragmentConstants&, int) {
   const int lanes = block.lanes;

@@ -59,9 +59,7 @@ static void run_samples(const RasterDraw& draw, const TileTarget& tile, Fragment
     interpolate_strips<true>(draw, batch.pixels, block);
   else
     interpolate_strips<false>(draw, batch.pixels, block);
-  const FragmentProgram& program = *draw.program;
-  for (int i = 0; i < program.step_count; ++i)
-    program.step[i].stage(block, *program.constants, program.step[i].unit);
+  run_stages(*draw.program, block);
   merge_samples(draw, tile, block, batch);
   batch.pixels.strips = 0;
 }

@@ -81,8 +81,7 @@ static void run_packed(const RasterDraw& draw, const TileTarget& tile, FragmentB
   else
     interpolate_lanes<false>(draw, batch.primitive, block);
   const FragmentProgram& program = *draw.program;
-  for (int i = 0; i < program.step_count; ++i)
-    program.step[i].stage(block, *program.constants, program.step[i].unit);
+  run_stages(program, block);
   MergeBlock m;
   for (int i = 0; i < block.lanes; i += kWidth)
     store(m.color + i, pack_color(load(block.color[0] + i), load(block.color[1] + i),

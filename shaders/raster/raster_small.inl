@@ -113,8 +113,7 @@ public:
     block_.lanes = (lanes + kStripLanes - 1) & ~(kStripLanes - 1);
     for (int j = 0; j < kLanes; ++j) block_.live[j] = j < lanes ? ~uint32_t(0) : 0;
     // Lanes past the last fragment hold values of an earlier block or copies: finite, as far as those are.
-    for (int i = 0; i < program_.step_count; ++i)
-      program_.step[i].stage(block_, *program_.constants, program_.step[i].unit);
+    run_stages(program_, block_);
     for (int j = 0; j < lanes; j += kWidth) {
       store(words.color + first_ + j, pack_color(load(block_.color[0] + j), load(block_.color[1] + j),
                                                  load(block_.color[2] + j), load(block_.color[3] + j)));

@@ -98,9 +98,7 @@ static void run_strips(const RasterDraw& draw, const TileTarget& tile, FragmentB
                        StripBatch& batch) {
   if (batch.strips == 0) return;
   interpolate_strips(draw, batch, block);
-  const FragmentProgram& program = *draw.program;
-  for (int i = 0; i < program.step_count; ++i)
-    program.step[i].stage(block, *program.constants, program.step[i].unit);
+  run_stages(*draw.program, block);
   merge_strips(draw, tile, block, batch);
   batch.strips = 0;
 }

@@ -90,6 +90,10 @@ static inline void fetch_seamless(const FragmentBlock& block, const BlockCoordin
   }
   alignas(64) int32_t word[4][kLanes];
   for (int32_t i = 0; i < block.lanes; ++i) {
+    if (!block.live[i]) { // of a quad that has others
+      for (int n = 0; n < 4; ++n) word[n][i] = 0;
+      continue;
+    }
     if (beside[i] < 0) {
       for (int n = 0; n < 4; ++n) {
         const CubeTexel from = texel(i, n);

@@ -25,6 +25,8 @@ constexpr const char* kNames[] = {
     "opaque_colors",
     // Depth is tested before stages run; else after them alone.
     "early_depth",
+    // Fragments in shadow whose alpha becomes 0 are dropped before texturing ends; else by the alpha test.
+    "early_alpha",
     // Finished fragments compare whole words of depth and stencil; else they are merged.
     "depth_words",
     // A clear of a whole tile waits for a reader; else it is written at once.

@@ -18,6 +18,7 @@ enum class FastPath : uint32_t {
   WholeBlocks,
   OpaqueColors,
   EarlyDepth,
+  EarlyAlpha,
   DepthWords,
   WaitingClears,
   HidingClears,

@@ -106,8 +106,12 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
   d.direct = draw.fragment->step_count == 0 && !d.raster->stipple && format == ColorFormat::Rgba8 &&
              !key.encoded && !key.stencil && !strips && (!draw.samples || key.color_mask == 0) &&
              takes(FastPath::Direct);
+  // Stencil values that stay may be tested later.
+  const auto keep = static_cast<uint64_t>(StencilOperation::Keep);
+  const bool stencil_changes =
+      key.stencil && (key.stencil_fail != keep || key.stencil_depth_fail != keep || key.stencil_pass != keep);
   // With NotEqual a fragment may fail now and pass when those before it, of the same batch, are drawn.
-  d.early_depth = !key.stencil && static_cast<Compare>(key.depth_function) != Compare::NotEqual &&
+  d.early_depth = !stencil_changes && static_cast<Compare>(key.depth_function) != Compare::NotEqual &&
                   !depth_floats && !draw.fragment->writes_depth && takes(FastPath::EarlyDepth);
   d.whole_blocks = takes(FastPath::WholeBlocks);
   for (int c = 0; c < 4; ++c)

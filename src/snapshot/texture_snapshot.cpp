@@ -272,6 +272,16 @@ void append_texture_stages(Context& c, Arena& arena, FragmentProgram& program, F
     program.add(kernels.combine);
     return;
   }
+  // A comparison that fails leaves an alpha of 0, if nothing replaces it.
+  const auto function = static_cast<Compare>(program.key.alpha_function);
+  bool drops =
+      function == Compare::Greater || (function == Compare::GreaterEqual && constants.alpha_reference_8 > 0);
+  for (int u = kMaxTextureUnits - 1; u >= 0 && drops; --u) {
+    if (!units[u]) continue;
+    drops = is_modulate(chain.unit[u], u, base[u]);
+    if (drops && units[u]->compares && units[u]->depth_target != 0 && takes(FastPath::EarlyAlpha))
+      program.add(kernels.drop_shadowed, u);
+  }
   for (int u = 0; u < kMaxTextureUnits; ++u)
     if (units[u])
       program.add(fused(u)                                 ? kernels.modulate_fixed

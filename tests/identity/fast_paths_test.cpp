@@ -120,6 +120,31 @@ void draw_cube_map(const Gl& gl) {
   gl.DeleteTextures(1, &texture);
 }
 
+/// Half in the shadow of a map of depths.
+void draw_shadow(const Gl& gl) {
+  GLuint texture;
+  gl.GenTextures(1, &texture);
+  gl.BindTexture(GL_TEXTURE_2D, texture);
+  const GLushort depths[2] = {10000, 50000};
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, 2, 1, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT,
+                depths);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_R_TO_TEXTURE);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_DEPTH_TEXTURE_MODE, GL_INTENSITY);
+  gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+  gl.Enable(GL_TEXTURE_2D), gl.Enable(GL_ALPHA_TEST);
+  gl.AlphaFunc(GL_GEQUAL, 0.5f);
+  gl.Begin(GL_TRIANGLES);
+  gl.Color4f(0.9f, 0.8f, 0.2f, 0.9f);
+  gl.TexCoord3f(0, 0, 0.4f), gl.Vertex3f(0.1f, -0.9f, -0.96f);
+  gl.TexCoord3f(1.8f, 0, 0.5f), gl.Vertex3f(0.9f, -0.9f, -0.96f);
+  gl.TexCoord3f(1, 1, 0.2f), gl.Vertex3f(0.5f, -0.4f, -0.96f);
+  gl.End();
+  gl.Disable(GL_TEXTURE_2D), gl.Disable(GL_ALPHA_TEST);
+  gl.DeleteTextures(1, &texture);
+}
+
 /// Lit with alpha 1 everywhere.
 void draw_opaque(const Gl& gl) {
   gl.Enable(GL_LIGHTING), gl.Enable(GL_LIGHT0);
@@ -144,6 +169,7 @@ void draw_everything(Stage& s) {
   draw_list(gl);
   draw_textures(gl);
   draw_cube_map(gl);
+  draw_shadow(gl);
   draw_opaque(gl);
   gl.Finish();
   std::vector<GLubyte> pixels(size_t(s.width) * size_t(s.height) * 4);
