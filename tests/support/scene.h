@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,7 @@ struct Stage {
 
 struct Scene {
   std::string name;
-  void (*draw)(Stage& stage) = nullptr;
+  std::function<void(Stage& stage)> draw;
   bool random = false;           // the seed decides what is drawn, and the size of the picture
   int width = 160, height = 120; // of a scene that is not random
   bool extension = false;        // uses an extension that OSMesa does not have

@@ -311,7 +311,7 @@ double largest_step(const Vec4& a, const Vec4& b) {
 }
 
 // The scene with the hooks in; the background is what it clears with.
-void (*draw_scene)(Stage&);
+std::function<void(Stage&)> draw_scene;
 Vec4 background;
 void draw_recorded(Stage& s) {
   recorder = {};
