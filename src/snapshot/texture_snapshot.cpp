@@ -279,7 +279,7 @@ void append_texture_stages(Context& c, Arena& arena, FragmentProgram& program, F
   for (int u = kMaxTextureUnits - 1; u >= 0 && drops; --u) {
     if (!units[u]) continue;
     drops = is_modulate(chain.unit[u], u, base[u]);
-    if (drops && units[u]->compares && units[u]->depth_target != 0 && takes(FastPath::EarlyAlpha))
+    if (drops && units[u]->compares && units[u]->depth_components & 8 && takes(FastPath::EarlyAlpha))
       program.add(kernels.drop_shadowed, u);
   }
   for (int u = 0; u < kMaxTextureUnits; ++u)
