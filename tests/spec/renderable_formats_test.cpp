@@ -309,4 +309,21 @@ TEST_CASE("A lone alpha is blended by the equation of alpha", "[spec][formats][d
   CHECK(blended(osmesa_library()) == 204); // that of colors
 }
 
+TEST_CASE("Signed alpha is blended by its own factors", "[spec][formats][deviation]") {
+  const auto blended = [](const Gl& gl) {
+    const CurrentContext current(gl);
+    bound_framebuffer(gl);
+    attach_texture(gl, GL_RGBA8_SNORM);
+    for (const GLenum what : {GL_CLAMP_VERTEX_COLOR, GL_CLAMP_FRAGMENT_COLOR, GL_CLAMP_READ_COLOR})
+      gl.ClampColor(what, GL_FALSE);
+    fill(gl, 0, 0, 0, -0.5f);
+    gl.Enable(GL_BLEND);
+    gl.BlendFuncSeparate(GL_ONE, GL_ZERO, GL_ONE_MINUS_DST_ALPHA, GL_ZERO);
+    fill(gl, 0.5f, 0.5f, 0.5f, 0.4f);
+    return pixel(gl)[3];
+  };
+  CHECK(std::fabs(blended(softgl_library()) - 0.6f) < 0.02f); // 0.4 * (1 - -0.5)
+  CHECK(blended(osmesa_library()) < 0);                       // the factor does not fit
+}
+
 } // namespace softgl::test

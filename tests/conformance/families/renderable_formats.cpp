@@ -12,38 +12,38 @@ namespace {
 struct ImageFormat {
   GLint internal;
   GLenum base;
-  bool unsigned_normalized;
+  bool has_sign; // and no floats
 };
 
 constexpr std::array<ImageFormat, 66> kFormats = {{
-    {GL_RGBA8, GL_RGBA, true},
-    {GL_RGB8, GL_RGB, true},
-    {GL_RGBA2, GL_RGBA, true},
-    {GL_RGBA4, GL_RGBA, true},
-    {GL_RGB5_A1, GL_RGBA, true},
-    {GL_RGB10_A2, GL_RGBA, true},
-    {GL_RGBA16, GL_RGBA, true},
-    {GL_R3_G3_B2, GL_RGB, true},
-    {GL_RGB4, GL_RGB, true},
-    {GL_RGB5, GL_RGB, true},
-    {GL_RGB565, GL_RGB, true},
-    {GL_RGB10, GL_RGB, true},
-    {GL_RGB16, GL_RGB, true},
-    {GL_R8, GL_RED, true},
-    {GL_R16, GL_RED, true},
-    {GL_RG8, GL_RG, true},
-    {GL_RG16, GL_RG, true},
-    {GL_ALPHA8, GL_ALPHA, true},
-    {GL_ALPHA16, GL_ALPHA, true},
-    {GL_LUMINANCE8, GL_LUMINANCE, true},
-    {GL_LUMINANCE16, GL_LUMINANCE, true},
-    {GL_LUMINANCE4_ALPHA4, GL_LUMINANCE_ALPHA, true},
-    {GL_LUMINANCE8_ALPHA8, GL_LUMINANCE_ALPHA, true},
-    {GL_LUMINANCE16_ALPHA16, GL_LUMINANCE_ALPHA, true},
-    {GL_INTENSITY8, GL_INTENSITY, true},
-    {GL_INTENSITY16, GL_INTENSITY, true},
-    {GL_SRGB8, GL_RGB, true},
-    {GL_SRGB8_ALPHA8, GL_RGBA, true},
+    {GL_RGBA8, GL_RGBA, false},
+    {GL_RGB8, GL_RGB, false},
+    {GL_RGBA2, GL_RGBA, false},
+    {GL_RGBA4, GL_RGBA, false},
+    {GL_RGB5_A1, GL_RGBA, false},
+    {GL_RGB10_A2, GL_RGBA, false},
+    {GL_RGBA16, GL_RGBA, false},
+    {GL_R3_G3_B2, GL_RGB, false},
+    {GL_RGB4, GL_RGB, false},
+    {GL_RGB5, GL_RGB, false},
+    {GL_RGB565, GL_RGB, false},
+    {GL_RGB10, GL_RGB, false},
+    {GL_RGB16, GL_RGB, false},
+    {GL_R8, GL_RED, false},
+    {GL_R16, GL_RED, false},
+    {GL_RG8, GL_RG, false},
+    {GL_RG16, GL_RG, false},
+    {GL_ALPHA8, GL_ALPHA, false},
+    {GL_ALPHA16, GL_ALPHA, false},
+    {GL_LUMINANCE8, GL_LUMINANCE, false},
+    {GL_LUMINANCE16, GL_LUMINANCE, false},
+    {GL_LUMINANCE4_ALPHA4, GL_LUMINANCE_ALPHA, false},
+    {GL_LUMINANCE8_ALPHA8, GL_LUMINANCE_ALPHA, false},
+    {GL_LUMINANCE16_ALPHA16, GL_LUMINANCE_ALPHA, false},
+    {GL_INTENSITY8, GL_INTENSITY, false},
+    {GL_INTENSITY16, GL_INTENSITY, false},
+    {GL_SRGB8, GL_RGB, false},
+    {GL_SRGB8_ALPHA8, GL_RGBA, false},
     {GL_R16F, GL_RED, false},
     {GL_RG16F, GL_RG, false},
     {GL_RGB16F, GL_RGB, false},
@@ -61,27 +61,27 @@ constexpr std::array<ImageFormat, 66> kFormats = {{
     {GL_INTENSITY16F_ARB, GL_INTENSITY, false},
     {GL_INTENSITY32F_ARB, GL_INTENSITY, false},
     {GL_R11F_G11F_B10F, GL_RGB, false},
-    {GL_R8_SNORM, GL_RED, false},
-    {GL_R16_SNORM, GL_RED, false},
-    {GL_RG8_SNORM, GL_RG, false},
-    {GL_RG16_SNORM, GL_RG, false},
-    {GL_RGB8_SNORM, GL_RGB, false},
-    {GL_RGB16_SNORM, GL_RGB, false},
-    {GL_RGBA8_SNORM, GL_RGBA, false},
-    {GL_RGBA16_SNORM, GL_RGBA, false},
-    {GL_ALPHA8_SNORM, GL_ALPHA, false},
-    {GL_ALPHA16_SNORM, GL_ALPHA, false},
-    {GL_LUMINANCE8_SNORM, GL_LUMINANCE, false},
-    {GL_LUMINANCE16_SNORM, GL_LUMINANCE, false},
-    {GL_LUMINANCE8_ALPHA8_SNORM, GL_LUMINANCE_ALPHA, false},
-    {GL_LUMINANCE16_ALPHA16_SNORM, GL_LUMINANCE_ALPHA, false},
-    {GL_INTENSITY8_SNORM, GL_INTENSITY, false},
-    {GL_INTENSITY16_SNORM, GL_INTENSITY, false},
-    {GL_RGBA, GL_RGBA, true},
-    {GL_RGB, GL_RGB, true},
-    {GL_LUMINANCE, GL_LUMINANCE, true},
-    {GL_ALPHA, GL_ALPHA, true},
-    {GL_RED, GL_RED, true},
+    {GL_R8_SNORM, GL_RED, true},
+    {GL_R16_SNORM, GL_RED, true},
+    {GL_RG8_SNORM, GL_RG, true},
+    {GL_RG16_SNORM, GL_RG, true},
+    {GL_RGB8_SNORM, GL_RGB, true},
+    {GL_RGB16_SNORM, GL_RGB, true},
+    {GL_RGBA8_SNORM, GL_RGBA, true},
+    {GL_RGBA16_SNORM, GL_RGBA, true},
+    {GL_ALPHA8_SNORM, GL_ALPHA, true},
+    {GL_ALPHA16_SNORM, GL_ALPHA, true},
+    {GL_LUMINANCE8_SNORM, GL_LUMINANCE, true},
+    {GL_LUMINANCE16_SNORM, GL_LUMINANCE, true},
+    {GL_LUMINANCE8_ALPHA8_SNORM, GL_LUMINANCE_ALPHA, true},
+    {GL_LUMINANCE16_ALPHA16_SNORM, GL_LUMINANCE_ALPHA, true},
+    {GL_INTENSITY8_SNORM, GL_INTENSITY, true},
+    {GL_INTENSITY16_SNORM, GL_INTENSITY, true},
+    {GL_RGBA, GL_RGBA, false},
+    {GL_RGB, GL_RGB, false},
+    {GL_LUMINANCE, GL_LUMINANCE, false},
+    {GL_ALPHA, GL_ALPHA, false},
+    {GL_RED, GL_RED, false},
 }};
 
 struct Target {
@@ -146,13 +146,19 @@ void random_clamping(Stage& s) {
     if (r.chance(60)) gl.ClampColor(what, GLenum(r.pick({GL_TRUE, GL_FALSE, GL_FALSE, GL_FIXED_ONLY})));
 }
 
-/// OSMesa blends a single component with the equation of colors, also alpha (reference/DEVIATIONS.md), and
-/// mixes where nothing but the source counts.
+/// OSMesa blends a lone alpha with the equation of colors, and signed alpha as if its factors were those of
+/// colors (reference/DEVIATIONS.md).
 void random_merging(Stage& s, const Target& t) {
   const Gl& gl = s.gl;
   Random& r = s.random;
   if (r.chance(60)) random_blending(s);
   if (t.format.base == GL_ALPHA) gl.BlendEquation(GL_FUNC_ADD);
+  if (t.format.has_sign) {
+    const GLenum source =
+        r.pick({GL_ONE, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_COLOR, GL_DST_COLOR, GL_ONE_MINUS_DST_ALPHA});
+    gl.BlendFunc(source,
+                 r.pick({GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_SRC_COLOR, GL_ONE_MINUS_DST_COLOR, GL_ZERO}));
+  }
   if (r.chance(20)) {
     gl.Enable(GL_COLOR_LOGIC_OP);
     gl.LogicOp(GLenum(GL_CLEAR + r.integer(0, 15)));
