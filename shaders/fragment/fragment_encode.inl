@@ -3,8 +3,8 @@
 #pragma once
 
 #include "shaders/common/color_encoding.h"
-#include "shaders/common/simd.h"
 #include "shaders/common/lane_math.h"
+#include "shaders/common/simd.h"
 #include "shaders/common/srgb.h"
 #include "shaders/fragment/fragment_program.h"
 

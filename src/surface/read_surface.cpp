@@ -151,7 +151,8 @@ void color_row_to_floats(const Surface& s, const void* row, int count, float (*r
 void color_row_to_linear_floats(const Surface& s, const void* row, int count, float (*rgba)[4]) {
   color_row_to_floats(s, row, count, rgba);
   for (int i = 0; i < count; ++i)
-    for (int k = 0; k < 3; ++k) rgba[i][k] = srgb_to_linear(float(static_cast<const uint8_t*>(row)[4 * i + k]));
+    for (int k = 0; k < 3; ++k)
+      rgba[i][k] = srgb_to_linear(float(static_cast<const uint8_t*>(row)[4 * i + k]));
 }
 
 float depth_to_float(DepthFormat format, uint32_t word) {

@@ -70,7 +70,8 @@ void fill_alpha(ColorFormat format, const ColorEncoding& e, void* memory, size_t
 namespace {
 
 /// The numbers of a color.
-void store_color(ColorFormat format, const ColorEncoding& e, bool srgb, const float* rgba, bool drawn, float* value) {
+void store_color(ColorFormat format, const ColorEncoding& e, bool srgb, const float* rgba, bool drawn,
+                 float* value) {
   for (int i = 0; i < 4; ++i) {
     const int bits = e.bits[i];
     value[i] = i == 3 ? 255.0f : 0.0f; // of bytes

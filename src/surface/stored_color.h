@@ -20,6 +20,7 @@ void fill_alpha(ColorFormat format, const ColorEncoding& encoding, void* memory,
 void store_clear_color(const Surface& surface, bool srgb, const float* rgba, bool drawn, float (&value)[4]);
 
 /// Stores colors as if they were drawn; not sRGB, which is kept as it is. `pixels` have the format's size.
-void store_drawn_colors(ColorFormat format, const ColorEncoding& encoding, const float (*rgba)[4], int count, void* pixels);
+void store_drawn_colors(ColorFormat format, const ColorEncoding& encoding, const float (*rgba)[4], int count,
+                        void* pixels);
 
 } // namespace softgl

@@ -258,7 +258,8 @@ TEST_CASE("The switches of clamping are saved with what can be enabled",
   };
   const std::vector<GLint> kept = {GL_FALSE, GL_FALSE, GL_FALSE},
                            all = {GL_TRUE, GL_FIXED_ONLY, GL_FIXED_ONLY};
-  for (const GLbitfield group : {GL_COLOR_BUFFER_BIT, GL_LIGHTING_BIT, GLbitfield(GL_ALL_ATTRIB_BITS)})
+  for (const GLbitfield group :
+       std::initializer_list<GLbitfield>{GL_COLOR_BUFFER_BIT, GL_LIGHTING_BIT, GL_ALL_ATTRIB_BITS})
     CHECK(restored(softgl_library(), group) == restored(osmesa_library(), group));
   CHECK(restored(softgl_library(), GL_ENABLE_BIT) == all);
   CHECK(restored(osmesa_library(), GL_ENABLE_BIT) == kept);

@@ -126,8 +126,7 @@ void specify_image(Context& c, int dimensions, GLenum target, GLint level, GLint
       *object, t.face, level, granted_format(internal_format),
       *choose_texel_format(internal_format, format, type, c.client.pixel_store.unpack.swap_bytes));
   // Cube maps of depths came with GL_EXT_gpu_shader4 and OpenGL 3.0; programs take them for granted.
-  if (texel.layout == TexelLayout::Depth && t.target == kTexture3D)
-    return set_error(c, GL_INVALID_OPERATION);
+  if (texel.layout == TexelLayout::Depth && t.target == kTexture3D) return set_error(c, GL_INVALID_OPERATION);
   if (!takes_target(texel, t.target)) return set_error(c, GL_INVALID_ENUM);
   if (border != 0 && texel.block != BlockFormat::None) return set_error(c, GL_INVALID_OPERATION);
   const GLenum size_error = check_image_size(t, level, width, height, depth, border);
