@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <span>
 
+#include "spec/object_snapshot.h"
 #include "support/gl.h"
 
 namespace softgl::test {
@@ -26,6 +27,17 @@ template <class Check> void expect_refused(const Gl& gl, std::span<const BadCall
     CHECK(gl.GetError() == GL_NO_ERROR);
     unchanged();
   }
+}
+
+/// The same, where state and objects of the context that is current must stay as they are.
+inline void expect_refused(const Gl& gl, std::span<const BadCall> calls) {
+  const auto everything = [&] {
+    StateSnapshot snapshot = take_snapshot(gl, false);
+    add_objects(gl, snapshot);
+    return snapshot;
+  };
+  const StateSnapshot before = everything();
+  expect_refused(gl, calls, [&] { CHECK(compare_snapshots(before, everything()) == ""); });
 }
 
 } // namespace softgl::test

@@ -281,12 +281,12 @@ def compiler(row):
         lines.append("  close_compiled_run(c);\n")
     kept = {n: n for _, n, _ in row.parameters}
     pointers = row.pointers()
+    if re.fullmatch(r"(Compressed)?TexImage[123]D", row.name):
+        lines.append(f"  if (is_proxy({row.name[-2]}, target)) return gl::{row.name}(c{arguments});\n")
     if row.payload.startswith("image:"):
         width, height, depth, fmt, kind = row.payload[6:].split(",")
         name = pointers[0][1]
         dimensions = int(row.name[-2]) if "Tex" in row.name else 2
-        if row.name.startswith("TexImage"):
-            lines.append(f"  if (is_proxy(target)) return gl::{row.name}(c{arguments});\n")
         lines.append(f"  const void* kept = keep_image(c, {dimensions}, {width}, {height}, {depth}, {fmt}, {kind}, {name});\n")
         kept[name] = f"static_cast<{pointers[0][0]}>(kept)"
     elif row.payload == "pname":

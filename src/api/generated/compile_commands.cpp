@@ -441,7 +441,7 @@ void compile_ReadBuffer(Context& c, GLenum src) {
   }
 }
 void compile_TexImage1D(Context& c, GLenum target, GLint level, GLint internalformat, GLsizei width, GLint border, GLenum format, GLenum type, const void* pixels) {
-  if (is_proxy(target)) return gl::TexImage1D(c, target, level, internalformat, width, border, format, type, pixels);
+  if (is_proxy(1, target)) return gl::TexImage1D(c, target, level, internalformat, width, border, format, type, pixels);
   const void* kept = keep_image(c, 1, width, 1, 1, format, type, pixels);
   const TexImage1DArguments kept_call{target, level, internalformat, width, border, format, type, static_cast<const void*>(kept)};
   new (record(c, uint16_t(Opcode::TexImage1D), sizeof kept_call)) TexImage1DArguments(kept_call);
@@ -451,7 +451,7 @@ void compile_TexImage1D(Context& c, GLenum target, GLint level, GLint internalfo
   }
 }
 void compile_TexImage2D(Context& c, GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels) {
-  if (is_proxy(target)) return gl::TexImage2D(c, target, level, internalformat, width, height, border, format, type, pixels);
+  if (is_proxy(2, target)) return gl::TexImage2D(c, target, level, internalformat, width, height, border, format, type, pixels);
   const void* kept = keep_image(c, 2, width, height, 1, format, type, pixels);
   const TexImage2DArguments kept_call{target, level, internalformat, width, height, border, format, type, static_cast<const void*>(kept)};
   new (record(c, uint16_t(Opcode::TexImage2D), sizeof kept_call)) TexImage2DArguments(kept_call);
@@ -461,7 +461,7 @@ void compile_TexImage2D(Context& c, GLenum target, GLint level, GLint internalfo
   }
 }
 void compile_TexImage3D(Context& c, GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type, const void* pixels) {
-  if (is_proxy(target)) return gl::TexImage3D(c, target, level, internalformat, width, height, depth, border, format, type, pixels);
+  if (is_proxy(3, target)) return gl::TexImage3D(c, target, level, internalformat, width, height, depth, border, format, type, pixels);
   const void* kept = keep_image(c, 3, width, height, depth, format, type, pixels);
   const TexImage3DArguments kept_call{target, level, internalformat, width, height, depth, border, format, type, static_cast<const void*>(kept)};
   new (record(c, uint16_t(Opcode::TexImage3D), sizeof kept_call)) TexImage3DArguments(kept_call);
@@ -538,6 +538,7 @@ void compile_CopyTexSubImage3D(Context& c, GLenum target, GLint level, GLint xof
   }
 }
 void compile_CompressedTexImage1D(Context& c, GLenum target, GLint level, GLenum internalformat, GLsizei width, GLint border, GLsizei imageSize, const void* data) {
+  if (is_proxy(1, target)) return gl::CompressedTexImage1D(c, target, level, internalformat, width, border, imageSize, data);
   const CompressedTexImage1DArguments kept_call{target, level, internalformat, width, border, imageSize, keep_pixels(c, data, payload_size(imageSize))};
   new (record(c, uint16_t(Opcode::CompressedTexImage1D), sizeof kept_call)) CompressedTexImage1DArguments(kept_call);
   if (execute_too(c)) {
@@ -546,6 +547,7 @@ void compile_CompressedTexImage1D(Context& c, GLenum target, GLint level, GLenum
   }
 }
 void compile_CompressedTexImage2D(Context& c, GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const void* data) {
+  if (is_proxy(2, target)) return gl::CompressedTexImage2D(c, target, level, internalformat, width, height, border, imageSize, data);
   const CompressedTexImage2DArguments kept_call{target, level, internalformat, width, height, border, imageSize, keep_pixels(c, data, payload_size(imageSize))};
   new (record(c, uint16_t(Opcode::CompressedTexImage2D), sizeof kept_call)) CompressedTexImage2DArguments(kept_call);
   if (execute_too(c)) {
@@ -554,6 +556,7 @@ void compile_CompressedTexImage2D(Context& c, GLenum target, GLint level, GLenum
   }
 }
 void compile_CompressedTexImage3D(Context& c, GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLsizei imageSize, const void* data) {
+  if (is_proxy(3, target)) return gl::CompressedTexImage3D(c, target, level, internalformat, width, height, depth, border, imageSize, data);
   const CompressedTexImage3DArguments kept_call{target, level, internalformat, width, height, depth, border, imageSize, keep_pixels(c, data, payload_size(imageSize))};
   new (record(c, uint16_t(Opcode::CompressedTexImage3D), sizeof kept_call)) CompressedTexImage3DArguments(kept_call);
   if (execute_too(c)) {

@@ -339,10 +339,10 @@ void DrawPixels(Context& c, GLsizei width, GLsizei height, GLenum format, GLenum
 }
 
 void CopyPixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type) {
+  if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
   if (type != GL_COLOR && type != GL_DEPTH && type != GL_STENCIL && type != GL_DEPTH_STENCIL &&
       !becomes_color(type))
     return set_error(c, GL_INVALID_ENUM);
-  if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
   if (c.bindings.draw || c.bindings.read) {
     if (!ready_to_draw(c)) return;
     if (!flush_for_reading(c)) return set_error(c, GL_INVALID_FRAMEBUFFER_OPERATION);

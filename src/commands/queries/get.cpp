@@ -55,10 +55,13 @@ FramebufferBits framebuffer_bits(const Context& c) {
   }
   FramebufferBits bits{};
   if (!f->complete()) return bits;
-  if (const Attachment* a = f->color_of(f->draw_buffer)) {
-    const RenderFormat format = a->format();
+  // Of the first image, whatever the draw buffer is, as in OSMesa.
+  for (const Attachment& a : f->color) {
+    if (a.empty()) continue;
+    const RenderFormat format = a.format();
     bits.red = format.bits[0], bits.green = format.bits[1];
     bits.blue = format.bits[2], bits.alpha = format.bits[3];
+    break;
   }
   if (!f->depth.empty()) bits.depth = f->depth.format().depth_bits;
   if (!f->stencil.empty()) bits.stencil = f->stencil.format().stencil_bits;

@@ -28,6 +28,10 @@ bool wrap_allowed(GLenum mode, TextureTarget target) {
 bool compare_function(GLenum f) { return f >= GL_NEVER && f <= GL_ALWAYS; }
 
 GLint to_int(float v) { return GLint(std::clamp(std::nearbyint(double(v)), -2147483648.0, 2147483647.0)); }
+// What is given as a float for an integer: halves away from 0, as in OSMesa.
+GLint nearest(float v) {
+  return v != v ? 0 : GLint(std::clamp(std::round(double(v)), -2147483648.0, 2147483647.0));
+}
 // Colors and priorities as integers: [-1,1] to the whole range (6.1.2).
 GLint color_to_int(float v) { return GLint(2147483647.0 * double(std::clamp(v, -1.0f, 1.0f))); }
 
@@ -39,7 +43,7 @@ void TexParameter(Context& c, GLenum target, GLenum pname, const GLfloat* params
   const auto object = bound_texture(c, c.state.texture.active_unit, t);
   TextureParameters& p = object->parameters;
   const float value = params[0];
-  const GLenum token = value >= 0 && value < 65536 ? GLenum(value) : 0u;
+  const GLenum token = value >= 0 && value < 65536 ? GLenum(value) : 0xffffffffu;
   switch (pname) {
   case GL_TEXTURE_WRAP_S:
   case GL_TEXTURE_WRAP_T:
@@ -73,12 +77,13 @@ void TexParameter(Context& c, GLenum target, GLenum pname, const GLfloat* params
     p.max_anisotropy = std::min(value, kMaxAnisotropy);
     break;
   case GL_TEXTURE_BASE_LEVEL:
-    if (value < 0 || (t == kTextureRectangle && to_int(value) != 0)) return set_error(c, GL_INVALID_VALUE);
-    p.base_level = to_int(value);
+    if (nearest(value) < 0 || (t == kTextureRectangle && nearest(value) != 0))
+      return set_error(c, GL_INVALID_VALUE);
+    p.base_level = nearest(value);
     break;
   case GL_TEXTURE_MAX_LEVEL:
-    if (value < 0) return set_error(c, GL_INVALID_VALUE);
-    p.max_level = to_int(value);
+    if (nearest(value) < 0) return set_error(c, GL_INVALID_VALUE);
+    p.max_level = nearest(value);
     break;
   case GL_GENERATE_MIPMAP: p.generate_mipmap = value != 0; break;
   case GL_DEPTH_TEXTURE_MODE:

@@ -12,6 +12,7 @@
 #include "commands/vertices/vertex_stream.h"
 #include "context/buffer_objects.h"
 #include "context/context.h"
+#include "snapshot/render_targets.h"
 #include "snapshot/submit.h"
 
 namespace softgl {
@@ -23,7 +24,10 @@ bool may_draw(Context& c, GLenum mode, GLsizei count) {
     return raise_error(c, GL_INVALID_OPERATION), false;
   if (mode > GL_POLYGON) return raise_error(c, GL_INVALID_ENUM), false;
   if (count < 0) return raise_error(c, GL_INVALID_VALUE), false;
-  if (c.builder.compiling) compile_error(c, GL_NO_ERROR); // also where nothing is to be drawn
+  if (c.builder.compiling)
+    compile_error(c, GL_NO_ERROR); // also where nothing is to be drawn
+  else if (c.bindings.draw)
+    return ready_to_draw(c); // an incomplete framebuffer object is an error then, too
   return true;
 }
 

@@ -33,9 +33,9 @@ bool is_coordinate(GLenum type) { return is_integer_or_float(type) || type == GL
 /// Whether a color array of 3 to `largest` components, or GL_BGRA (GL_ARB_vertex_array_bgra), may have that
 /// type; if not, the error.
 bool check_colors(Context& c, GLint size, GLint largest, GLenum type) {
-  if ((size < 3 || size > largest) && size != GL_BGRA) return set_error(c, GL_INVALID_VALUE), false;
   if (!(type >= GL_BYTE && type <= GL_FLOAT) && type != GL_DOUBLE && type != GL_HALF_FLOAT)
     return set_error(c, GL_INVALID_ENUM), false;
+  if ((size < 3 || size > largest) && size != GL_BGRA) return set_error(c, GL_INVALID_VALUE), false;
   if (size == GL_BGRA && type != GL_UNSIGNED_BYTE) return set_error(c, GL_INVALID_OPERATION), false;
   return true;
 }
@@ -67,8 +67,8 @@ constexpr InterleavedFormat kInterleaved[14] = {
 } // namespace
 
 void gl::VertexPointer(Context& c, GLint size, GLenum type, GLsizei stride, const void* pointer) {
-  if (size < 2 || size > 4) return set_error(c, GL_INVALID_VALUE);
   if (!is_coordinate(type)) return set_error(c, GL_INVALID_ENUM);
+  if (size < 2 || size > 4) return set_error(c, GL_INVALID_VALUE);
   set_pointer(c, kPosition, size, type, stride, pointer);
 }
 void gl::NormalPointer(Context& c, GLenum type, GLsizei stride, const void* pointer) {
@@ -93,8 +93,8 @@ void gl::EdgeFlagPointer(Context& c, GLsizei stride, const void* pointer) {
   set_pointer(c, kEdgeFlag, 1, GL_UNSIGNED_BYTE, stride, pointer);
 }
 void gl::TexCoordPointer(Context& c, GLint size, GLenum type, GLsizei stride, const void* pointer) {
-  if (size < 1 || size > 4) return set_error(c, GL_INVALID_VALUE);
   if (!is_coordinate(type)) return set_error(c, GL_INVALID_ENUM);
+  if (size < 1 || size > 4) return set_error(c, GL_INVALID_VALUE);
   set_pointer(c, kTexCoord0 + c.client.vertex_array.active_texture_unit, size, type, stride, pointer);
 }
 

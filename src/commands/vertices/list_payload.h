@@ -48,9 +48,16 @@ constexpr int64_t pixel_map_bytes(GLsizei size, int bytes_per_value) {
   return size >= 1 && size <= 256 ? int64_t(size) * bytes_per_value : 0;
 }
 
-inline bool is_proxy(GLenum target) {
-  return target == GL_PROXY_TEXTURE_1D || target == GL_PROXY_TEXTURE_2D || target == GL_PROXY_TEXTURE_3D ||
-         target == GL_PROXY_TEXTURE_CUBE_MAP || target == GL_PROXY_TEXTURE_RECTANGLE_ARB;
+/// The proxy of a command that specifies images of so many dimensions: it is asked at once (GL 1.5, 5.4).
+inline bool is_proxy(int dimensions, GLenum target) {
+  switch (target) {
+  case GL_PROXY_TEXTURE_1D: return dimensions == 1;
+  case GL_PROXY_TEXTURE_2D:
+  case GL_PROXY_TEXTURE_CUBE_MAP:
+  case GL_PROXY_TEXTURE_RECTANGLE_ARB: return dimensions == 2;
+  case GL_PROXY_TEXTURE_3D: return dimensions == 3;
+  default: return false;
+  }
 }
 
 /// The image in tight rows: alignment 1, no skips, host byte order, most significant bit first.
