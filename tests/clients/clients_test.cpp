@@ -5,90 +5,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <dlfcn.h>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
-#include <vector>
 
-#include "support/gl.h"
+#include "clients/client_runs.h"
 #include "test_paths.h"
 
 namespace softgl::test {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// Where the loader finds OSMesa.
-std::string system_library() {
-  Dl_info info{};
-  REQUIRE(dladdr(reinterpret_cast<void*>(osmesa_library().OSMesaMakeCurrent), &info));
-  return info.dli_fname;
-}
-
-/// What a command prints; `code` is its exit code.
-std::string output_of(const std::string& command, int& code) {
-  std::string text;
-  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-  REQUIRE(pipe);
-  char part[4096];
-  for (size_t n; (n = fread(part, 1, sizeof part, pipe)) > 0;) text.append(part, n);
-  code = pclose(pipe);
-  return text;
-}
-
-std::vector<std::string> lines_of(const std::string& command) {
-  int code = 0;
-  const std::string text = output_of(command, code);
-  INFO(text);
-  REQUIRE(code == 0);
-  std::vector<std::string> lines;
-  for (size_t at = 0, end; (end = text.find('\n', at)) != std::string::npos; at = end + 1)
-    lines.push_back(text.substr(at, end - at));
-  REQUIRE(!lines.empty());
-  return lines;
-}
-
-std::string bytes_of(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// What the program writes with each of the two libraries. `with` makes the command out of the environment
-/// and the library; the output file is appended to it.
-struct Pair {
-  std::string ours, theirs;
-};
-template <class Command> Pair run_with_both(const std::string& name, Command with) {
-  const fs::path folder = fs::path(SOFTGL_TEST_OUTPUT) / "clients";
-  fs::create_directories(folder);
-  const auto run = [&](const char* side, const std::string& environment, const std::string& library) {
-    const fs::path file = folder / (name + "." + side);
-    fs::remove(file);
-    int code = 0;
-    const std::string text = output_of(environment + " " + with(library) + " " + file.string(), code);
-    INFO(text);
-    REQUIRE(code == 0);
-    return bytes_of(file);
-  };
-  return {run("softgl", "SOFTGL_QUADS=osmesa", SOFTGL_TEST_LIBRARY),
-          run("osmesa", "MESA_GL_VERSION_OVERRIDE=1.5", system_library())};
-}
-
-/// A folder with libOSMesa.so in it, for LD_LIBRARY_PATH.
-std::string folder_of(const std::string& library) {
-  const fs::path folder = fs::path(SOFTGL_TEST_OUTPUT) / "clients" /
-                          (library == system_library() ? "osmesa_library" : "softgl_library");
-  fs::create_directories(folder);
-  const fs::path link = folder / "libOSMesa.so";
-  std::error_code exists;
-  fs::create_symlink(library, link, exists);
-  return folder.string();
-}
 
 float float_at(const std::string& bytes, size_t i) {
   float v;
@@ -120,7 +46,7 @@ Differences differences_of(const Pair& pair) {
 
 TEST_CASE("MuJoCo draws what it draws with OSMesa", "[clients]") {
   const std::string client = std::string(SOFTGL_TEST_BINARY_DIR) + "/softgl_mujoco";
-  if (!fs::exists(client)) {
+  if (!std::filesystem::exists(client)) {
     WARN("SKIPPED: libmujoco-dev is not installed");
     return;
   }
@@ -145,11 +71,11 @@ TEST_CASE("PyOpenGL and GLU draw what they draw with OSMesa", "[clients]") {
     return;
   }
   for (const std::string& scene :
-       lines_of("LD_LIBRARY_PATH=" + folder_of(SOFTGL_TEST_LIBRARY) + " " + client + " --list"))
+       lines_of("LD_LIBRARY_PATH=" + loader_folder(SOFTGL_TEST_LIBRARY) + " " + client + " --list"))
     for (const std::string type : {"ubyte", "ushort", "float"}) {
       INFO(scene << ", " << type);
       const Pair pair = run_with_both("pyopengl_" + scene + "_" + type, [&](const std::string& library) {
-        return "LD_LIBRARY_PATH=" + folder_of(library) + " " + client + " " + scene + " " + type;
+        return "LD_LIBRARY_PATH=" + loader_folder(library) + " " + client + " " + scene + " " + type;
       });
       REQUIRE(pair.theirs.size() > 8);
       if (scene != "nurbs") {
