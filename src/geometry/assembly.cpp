@@ -77,7 +77,8 @@ template <class Elements, class Emit> int for_each_triangle(GLenum mode, bool fr
   }
 }
 
-/// The same where the first vertex provokes: it comes last, too, and the others keep their turn around it.
+/// The same where the first vertex provokes: it comes last, too, and the others keep their turn around it. Of
+/// quadrilaterals it never does.
 template <class Elements, class Emit>
 int for_each_triangle_of_first(GLenum mode, const Elements e, uint32_t step, uint32_t steps, Emit emit) {
   const int n = int(steps);
@@ -87,17 +88,10 @@ int for_each_triangle_of_first(GLenum mode, const Elements e, uint32_t step, uin
     case GL_TRIANGLES: emit(i, e[3 * k + 1], e[3 * k + 2], e[3 * k]); break;
     case GL_TRIANGLE_STRIP: emit(i, e[k + 1 + (k & 1)], e[k + 2 - (k & 1)], e[k]); break;
     case GL_TRIANGLE_FAN: emit(i, e[k + 2], e[0], e[k + 1]); break;
-    case GL_POLYGON: emit(i, e[k + 1], e[k + 2], e[0]); break;
-    case GL_QUADS:
-      emit(2 * i, e[4 * k + 1], e[4 * k + 2], e[4 * k]);
-      emit(2 * i + 1, e[4 * k + 2], e[4 * k + 3], e[4 * k]);
-      break;
-    default: // GL_QUAD_STRIP
-      emit(2 * i, e[2 * k + 1], e[2 * k + 3], e[2 * k]);
-      emit(2 * i + 1, e[2 * k + 3], e[2 * k + 2], e[2 * k]);
+    default: emit(i, e[k + 1], e[k + 2], e[0]); // GL_POLYGON
     }
   }
-  return mode == GL_QUADS || mode == GL_QUAD_STRIP ? 2 * n : n;
+  return n;
 }
 
 class Assembler {
@@ -105,7 +99,8 @@ public:
   Assembler(const DrawRecord& draw, const ShadedVertices& vertices, const PrimitiveRange& range, Arena& arena,
             PrimitiveSink& sink)
       : draw_(draw), vertices_(vertices), range_(range), arena_(arena), sink_(sink),
-        slots_(draw.layout.slots) {}
+        slots_(draw.layout.slots),
+        first_provokes_(draw.first_provokes && range.mode != GL_QUADS && range.mode != GL_QUAD_STRIP) {}
 
   template <class Elements> void run(const Elements& e, uint32_t first_step, uint32_t step_count) {
     switch (range_.mode) {
@@ -137,7 +132,7 @@ private:
         part = std::min(part, (first + kBatchVertices) / 4 - step);
       }
       auto for_each = [&](auto emit) {
-        if (draw_.first_provokes) return for_each_triangle_of_first(range_.mode, e, step, part, emit);
+        if (first_provokes_) return for_each_triangle_of_first(range_.mode, e, step, part, emit);
         return for_each_triangle(range_.mode, from_1_to_3, right_first, e, step, part, emit);
       };
       // One pass for the corners and for what clips them: of lists of indices GCC makes vectors that are
@@ -228,7 +223,7 @@ private:
                         polygons.triangle({{a, b, c}, edges, part < 0 ? begins : part == 0});
                       });
       };
-      if (draw_.first_provokes)
+      if (first_provokes_)
         for_each_triangle_of_first(range_.mode, e, at, 1, put);
       else
         for_each_triangle(range_.mode, true, false, e, at, 1, put);
@@ -284,7 +279,7 @@ private:
     end[0] = shaded(v[0]);
     end[1] = shaded(v[1]);
     if ((m0 | m1) != 0 && !Clipper(draw_, vertices_, arena_).line(v, end)) return false;
-    if (draw_.first_provokes) end[1] = with_colors(end[1], shaded(v[0]));
+    if (first_provokes_) end[1] = with_colors(end[1], shaded(v[0]));
     return true;
   }
 
@@ -338,6 +333,7 @@ private:
   Arena& arena_;
   PrimitiveSink& sink_;
   const uint32_t slots_;
+  const bool first_provokes_;
 };
 
 } // namespace

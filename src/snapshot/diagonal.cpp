@@ -38,8 +38,6 @@ bool reads_colors_of_vertices(const Context& c, const DrawCall& call, const Frag
 
 Diagonal diagonal_of_quadrilaterals(const Context& c, const DrawCall& call, const FragmentProgram& program) {
   const bool flat = program.key.flat;
-  // The first vertex is in both triangles.
-  if (flat && c.state.lighting.provoking_vertex == GL_FIRST_VERTEX_CONVENTION) return Diagonal::From0To2;
   if (!c.osmesa_quadrilaterals) return flat ? Diagonal::From1To3 : Diagonal::From0To2;
   if (call.indices || call.from_list || (flat && reads_colors_of_vertices(c, call, program)))
     return Diagonal::From1To3;

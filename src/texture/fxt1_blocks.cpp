@@ -239,9 +239,8 @@ private:
 
   /// The same two ends for both halves.
   void with_alpha() {
-    const bool all[kTexels] = {true, true, true, true, true, true, true, true, true, true, true,
-                               true, true, true, true, true, true, true, true, true, true, true,
-                               true, true, true, true, true, true, true, true, true, true};
+    bool all[kTexels];
+    std::fill_n(all, kTexels, true);
     double low[4], high[4];
     ends_of_axis(texel_, all, kTexels, low, high);
     Bits bits;

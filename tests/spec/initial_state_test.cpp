@@ -1,6 +1,8 @@
 // GL 1.5, tables 6.5 to 6.37: every value of a new context.
 #include <catch2/catch.hpp>
 
+#include <utility>
+
 #include "spec/state_snapshot.h"
 
 using namespace softgl::test;
@@ -26,5 +28,22 @@ TEST_CASE("a new context answers every query as OSMesa's does", "[spec][state]")
         compare_snapshots(take_snapshot(softgl_library(), true), take_snapshot(osmesa_library(), true));
     INFO(type << ": softgl | OSMesa\n" << difference);
     REQUIRE(difference.empty());
+  }
+}
+
+TEST_CASE("the fourth argument of a texture environment is one at first", "[spec][state]") {
+  const Gl& gl = softgl_library();
+  CurrentContext context(gl);
+  const std::pair<GLenum, GLint> values[] = {{GL_SOURCE3_RGB_NV, GL_ZERO},
+                                             {GL_SOURCE3_ALPHA_NV, GL_ZERO},
+                                             {GL_OPERAND3_RGB_NV, GL_ONE_MINUS_SRC_COLOR},
+                                             {GL_OPERAND3_ALPHA_NV, GL_ONE_MINUS_SRC_ALPHA}};
+  for (const auto& [pname, expected] : values) {
+    GLint value = -1;
+    gl.GetTexEnviv(GL_TEXTURE_ENV, pname, &value);
+    CHECK(value == expected);
+    gl.TexEnvi(GL_TEXTURE_ENV, pname, expected == GL_ZERO ? GL_TEXTURE : GL_SRC_ALPHA);
+    gl.GetTexEnviv(GL_TEXTURE_ENV, pname, &value);
+    CHECK(value == (expected == GL_ZERO ? GL_TEXTURE : GL_SRC_ALPHA));
   }
 }

@@ -51,10 +51,10 @@ const Expectation kTable[] = {
       {0.9f, -0.9f},
       {0.9f, 0.9f},
       {0.1f, 0.9f}},
-     {{{-0.3f, -0.5f}, 0, 3}, {{0.7f, 0.5f}, 4, 7}}},
+     {{{-0.3f, -0.5f}, 3, 3}, {{0.7f, 0.5f}, 7, 7}}},
     {GL_QUAD_STRIP,
      {{-0.9f, -0.9f}, {-0.9f, 0.9f}, {0, -0.9f}, {0, 0.9f}, {0.9f, -0.9f}, {0.9f, 0.9f}},
-     {{{-0.7f, 0.5f}, 0, 3}, {{0.7f, -0.5f}, 2, 5}}},
+     {{{-0.7f, 0.5f}, 3, 3}, {{0.7f, -0.5f}, 5, 5}}},
     {GL_POLYGON,
      {{-0.9f, -0.9f}, {0.9f, -0.9f}, {0.9f, 0.9f}, {-0.9f, 0.9f}},
      {{{-0.5f, 0.5f}, 0, 0}, {{0.5f, -0.5f}, 0, 0}}},
@@ -130,7 +130,7 @@ TEST_CASE("the first vertex colors what is clipped, cut by a stipple, seen from 
   gl.ClipPlane(GL_CLIP_PLANE0, upper);
   gl.Enable(GL_CLIP_PLANE0);
   const Expectation triangle{GL_TRIANGLES, {{-0.9f, -0.9f}, {0.9f, -0.9f}, {0, 0.9f}}, {}},
-      line{GL_LINES, {{0, -0.9f}, {0, 0.9f}}, {}};
+      line{GL_LINES, {{0.02f, -0.9f}, {0.02f, 0.9f}}, {}};
   for (const Expectation& e : {triangle, line}) {
     gl.Clear(GL_COLOR_BUFFER_BIT);
     draw(gl, e, Way::Immediate);
@@ -195,7 +195,7 @@ TEST_CASE("the convention is kept in lists and with the lighting attributes", "[
   CHECK(get() == GL_FIRST_VERTEX_CONVENTION);
   gl.PopAttrib();
   CHECK(get() == GL_LAST_VERTEX_CONVENTION);
-  GLboolean follow = GL_FALSE;
+  GLboolean follow = GL_TRUE;
   gl.GetBooleanv(GL_QUADS_FOLLOW_PROVOKING_VERTEX_CONVENTION, &follow);
-  CHECK(follow == GL_TRUE);
+  CHECK(follow == GL_FALSE);
 }

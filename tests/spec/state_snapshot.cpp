@@ -100,12 +100,10 @@ void add_lighting(const Gl& gl, StateSnapshot& out, int lights) {
 }
 
 void add_unit(const Gl& gl, StateSnapshot& out, const std::string& prefix) {
-  for (GLenum pname : {GL_TEXTURE_ENV_MODE, GL_TEXTURE_ENV_COLOR, GL_COMBINE_RGB,    GL_COMBINE_ALPHA,
-                       GL_SOURCE0_RGB,      GL_SOURCE1_RGB,       GL_SOURCE2_RGB,    GL_SOURCE0_ALPHA,
-                       GL_SOURCE1_ALPHA,    GL_SOURCE2_ALPHA,     GL_SOURCE3_RGB_NV, GL_SOURCE3_ALPHA_NV,
-                       GL_OPERAND3_RGB_NV,  GL_OPERAND3_ALPHA_NV, GL_OPERAND0_RGB,   GL_OPERAND1_RGB,
-                       GL_OPERAND2_RGB,     GL_OPERAND0_ALPHA,    GL_OPERAND1_ALPHA, GL_OPERAND2_ALPHA,
-                       GL_RGB_SCALE,        GL_ALPHA_SCALE}) {
+  for (GLenum pname : {GL_TEXTURE_ENV_MODE, GL_TEXTURE_ENV_COLOR, GL_COMBINE_RGB, GL_COMBINE_ALPHA,
+                       GL_SOURCE0_RGB, GL_SOURCE1_RGB, GL_SOURCE2_RGB, GL_SOURCE0_ALPHA, GL_SOURCE1_ALPHA,
+                       GL_SOURCE2_ALPHA, GL_OPERAND0_RGB, GL_OPERAND1_RGB, GL_OPERAND2_RGB, GL_OPERAND0_ALPHA,
+                       GL_OPERAND1_ALPHA, GL_OPERAND2_ALPHA, GL_RGB_SCALE, GL_ALPHA_SCALE}) {
     out.emplace_back(prefix + "environment " + std::to_string(pname),
                      answers<GLfloat>([&](GLfloat* p) { gl.GetTexEnvfv(GL_TEXTURE_ENV, pname, p); }));
     out.emplace_back(prefix + "environment int " + std::to_string(pname),

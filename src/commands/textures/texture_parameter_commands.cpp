@@ -157,8 +157,12 @@ bool get_level_parameter(Context& c, GLenum target, GLint level, GLenum pname, G
   const GLenum base = f ? f->base : 0;
   const bool compressed = f && f->block != BlockFormat::None,
              s3tc = compressed && f->block < BlockFormat::Red;
-  // OSMesa 22.3.6 says 4 of the components of S3TC.
-  auto bits = [&](bool has, int k) { return f && has && f->bits[k] ? s3tc ? 4 : GLint(f->bits[k]) : 0; };
+  const bool fxt1 = compressed && block_width(f->block) == 8;
+  // OSMesa 22.3.6 says 4 of the components of S3TC and FXT1, and 1 of FXT1's alpha.
+  auto bits = [&](bool has, int k) {
+    if (!f || !has || !f->bits[k]) return 0;
+    return fxt1 && k == 3 ? 1 : s3tc || fxt1 ? 4 : GLint(f->bits[k]);
+  };
   const bool rgb = base == GL_RGB || base == GL_RGBA || base == GL_RED || base == GL_RG;
   const GLint kind = !f                                             ? GL_NONE
                      : f->layout == TexelLayout::Float || f->floats ? GL_FLOAT
