@@ -10,6 +10,10 @@ struct Form {
   const char *command, *letters;
 };
 constexpr Form kForms[] = {
+    {"TexStorage1D", ".nfw"}, {"TexStorage2D", ".nfww"}, {"TexStorage3D", ".nfvvv"}, {"LockArraysEXT", "in"},
+    {"DebugMessageCallback", "00"}, {"DebugMessageControl", "...d.."}, {"DebugMessageInsert", "....nT"},
+    {"GetDebugMessageLog", "dnxxxxxx"}, {"PushDebugGroup", "..nT"}, {"ObjectLabel", ".hnT"},
+    {"GetObjectLabel", ".hnxx"}, {"ObjectPtrLabel", "mnT"}, {"GetObjectPtrLabel", "mnxx"},
     {"ArrayElement", "i"}, {"DrawArrays", ".in"}, {"DrawElements", ".n.k"}, {"DrawRangeElements", ".iin.k"},
     {"MultiDrawArrays", ".ind"}, {"MultiDrawElements", ".n.Kd"}, {"DrawElementsBaseVertex", ".n.kb"},
     {"DrawRangeElementsBaseVertex", ".iin.kb"}, {"MultiDrawElementsBaseVertex", ".n.Kdb"},

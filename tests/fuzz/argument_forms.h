@@ -5,8 +5,8 @@
 
 namespace softgl::test {
 
-// What a letter says about an argument that its type does not. Commands without a form do harm with no
-/// number.
+/// A letter for each argument of a command, which says what its type does not. Empty for commands that do harm
+/// with no number.
 ///   .  by its type             n  a count of elements        d  a count of names or arrays
 ///   i  an index of an element  b  what is added to an index  k  memory that holds indices
 ///   w  a size of an image      v  of a volume                r  of a rectangle of pixels
@@ -19,6 +19,7 @@ namespace softgl::test {
 ///   m  memory of pixels        M  the same, or null          x  memory to write to
 ///   5  components of an array  l  memory that holds names of lists
 ///   K  arrays of indices       I  what a buffer begins with, or null
+///   T  a text                  0  null
 std::string_view form_of(std::string_view command);
 
 } // namespace softgl::test

@@ -164,6 +164,8 @@ bool choose_by_letter(char letter, Choices& choices, Argument& a) {
   case 'F': return a.whole = one_of(kCompressedFormats, choices), true;
   case 'f': return a.whole = choices.chance(80) ? one_of(kInternalFormats, choices) : any_name(choices), true;
   case 'k': return memory(input().indices);
+  case 'T': return memory("a text that is longer than any length");
+  case '0': return memory(nullptr);
   case 'K': return memory(input().index_arrays);
   case 'I': return memory(choices.chance(70) ? input().indices : nullptr);
   case 'l': return memory(input().indices + choices.integer(0, 3));
@@ -223,7 +225,8 @@ Arguments choose_arguments(const AnyCommand& command, Choices& choices) {
     const uint8_t group = p.group == kNamesOfParameter && i > 0
                               ? group_of_parameter(uint32_t(all[size_t(i) - 1].whole))
                               : p.group;
-    const bool array = p.length != TraceLength::Value && p.type != TraceType::Pointer;
+    const bool array =
+        p.length != TraceLength::Value && p.type != TraceType::Pointer && p.type != TraceType::String;
     if (!array && choose_by_letter(letter, choices, a)) continue;
     if (p.out) {
       a.pointer = OutputMemory::bytes();

@@ -48,7 +48,14 @@ bool kept_in_lists(std::string_view name) { // GL 1.5, 5.4, and the sections of 
                               "EnableClientState",
                               "DisableClientState",
                               "PushClientAttrib",
-                              "PopClientAttrib"})
+                              "PopClientAttrib",
+                              "TexStorage",
+                              "LockArrays",
+                              "UnlockArrays",
+                              "Debug",
+                              "PushDebugGroup",
+                              "PopDebugGroup",
+                              "Object"})
     if (name.starts_with(at_once)) return false;
   return !name.ends_with("Pointer");
 }
