@@ -148,7 +148,8 @@ def attribute_door(command, export_name):
     else:
         numbers = [n if kind == "GLfloat" else f"float({n})" for n in names]
     arguments = ", ".join(numbers)
-    head = f"SOFTGL_EXPORT void APIENTRY gl{export_name}({', '.join(p.declaration() for p in command.parameters)})"
+    visible = "SOFTGL_EXPORT " if "gl" + export_name in exported_symbols() else ""
+    head = f"{visible}void APIENTRY gl{export_name}({', '.join(p.declaration() for p in command.parameters)})"
     context = f"{traced(command, export_name)} Context& c = *current_context;"
     if family == "Vertex":
         return f"{head} {{ {context} emit_vertex{count}(c, {arguments}); }}\n"

@@ -16,8 +16,8 @@ SOFTGL_EXPORT void APIENTRY glColor3d(GLdouble red, GLdouble green, GLdouble blu
 SOFTGL_EXPORT void APIENTRY glColor3dv(const GLdouble* v) { SOFTGL_TRACED(glColor3dv, v); Context& c = *current_context; set_attribute3(c, kColor, float(v[0]), float(v[1]), float(v[2])); }
 SOFTGL_EXPORT void APIENTRY glColor3f(GLfloat red, GLfloat green, GLfloat blue) { SOFTGL_TRACED(glColor3f, red, green, blue); Context& c = *current_context; set_attribute3(c, kColor, red, green, blue); }
 SOFTGL_EXPORT void APIENTRY glColor3fv(const GLfloat* v) { SOFTGL_TRACED(glColor3fv, v); Context& c = *current_context; set_attribute3(c, kColor, v[0], v[1], v[2]); }
-SOFTGL_EXPORT void APIENTRY glColor3hNV(GLhalfNV red, GLhalfNV green, GLhalfNV blue) { SOFTGL_TRACED(glColor3hNV, red, green, blue); Context& c = *current_context; set_attribute3(c, kColor, half_to_float(red), half_to_float(green), half_to_float(blue)); }
-SOFTGL_EXPORT void APIENTRY glColor3hvNV(const GLhalfNV* v) { SOFTGL_TRACED(glColor3hvNV, v); Context& c = *current_context; set_attribute3(c, kColor, half_to_float(v[0]), half_to_float(v[1]), half_to_float(v[2])); }
+void APIENTRY glColor3hNV(GLhalfNV red, GLhalfNV green, GLhalfNV blue) { SOFTGL_TRACED(glColor3hNV, red, green, blue); Context& c = *current_context; set_attribute3(c, kColor, half_to_float(red), half_to_float(green), half_to_float(blue)); }
+void APIENTRY glColor3hvNV(const GLhalfNV* v) { SOFTGL_TRACED(glColor3hvNV, v); Context& c = *current_context; set_attribute3(c, kColor, half_to_float(v[0]), half_to_float(v[1]), half_to_float(v[2])); }
 SOFTGL_EXPORT void APIENTRY glColor3i(GLint red, GLint green, GLint blue) { SOFTGL_TRACED(glColor3i, red, green, blue); Context& c = *current_context; set_attribute3(c, kColor, normalized(red), normalized(green), normalized(blue)); }
 SOFTGL_EXPORT void APIENTRY glColor3iv(const GLint* v) { SOFTGL_TRACED(glColor3iv, v); Context& c = *current_context; set_attribute3(c, kColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
 SOFTGL_EXPORT void APIENTRY glColor3s(GLshort red, GLshort green, GLshort blue) { SOFTGL_TRACED(glColor3s, red, green, blue); Context& c = *current_context; set_attribute3(c, kColor, normalized(red), normalized(green), normalized(blue)); }
@@ -34,8 +34,8 @@ SOFTGL_EXPORT void APIENTRY glColor4d(GLdouble red, GLdouble green, GLdouble blu
 SOFTGL_EXPORT void APIENTRY glColor4dv(const GLdouble* v) { SOFTGL_TRACED(glColor4dv, v); Context& c = *current_context; set_attribute4(c, kColor, float(v[0]), float(v[1]), float(v[2]), float(v[3])); }
 SOFTGL_EXPORT void APIENTRY glColor4f(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) { SOFTGL_TRACED(glColor4f, red, green, blue, alpha); Context& c = *current_context; set_attribute4(c, kColor, red, green, blue, alpha); }
 SOFTGL_EXPORT void APIENTRY glColor4fv(const GLfloat* v) { SOFTGL_TRACED(glColor4fv, v); Context& c = *current_context; set_attribute4(c, kColor, v[0], v[1], v[2], v[3]); }
-SOFTGL_EXPORT void APIENTRY glColor4hNV(GLhalfNV red, GLhalfNV green, GLhalfNV blue, GLhalfNV alpha) { SOFTGL_TRACED(glColor4hNV, red, green, blue, alpha); Context& c = *current_context; set_attribute4(c, kColor, half_to_float(red), half_to_float(green), half_to_float(blue), half_to_float(alpha)); }
-SOFTGL_EXPORT void APIENTRY glColor4hvNV(const GLhalfNV* v) { SOFTGL_TRACED(glColor4hvNV, v); Context& c = *current_context; set_attribute4(c, kColor, half_to_float(v[0]), half_to_float(v[1]), half_to_float(v[2]), half_to_float(v[3])); }
+void APIENTRY glColor4hNV(GLhalfNV red, GLhalfNV green, GLhalfNV blue, GLhalfNV alpha) { SOFTGL_TRACED(glColor4hNV, red, green, blue, alpha); Context& c = *current_context; set_attribute4(c, kColor, half_to_float(red), half_to_float(green), half_to_float(blue), half_to_float(alpha)); }
+void APIENTRY glColor4hvNV(const GLhalfNV* v) { SOFTGL_TRACED(glColor4hvNV, v); Context& c = *current_context; set_attribute4(c, kColor, half_to_float(v[0]), half_to_float(v[1]), half_to_float(v[2]), half_to_float(v[3])); }
 SOFTGL_EXPORT void APIENTRY glColor4i(GLint red, GLint green, GLint blue, GLint alpha) { SOFTGL_TRACED(glColor4i, red, green, blue, alpha); Context& c = *current_context; set_attribute4(c, kColor, normalized(red), normalized(green), normalized(blue), normalized(alpha)); }
 SOFTGL_EXPORT void APIENTRY glColor4iv(const GLint* v) { SOFTGL_TRACED(glColor4iv, v); Context& c = *current_context; set_attribute4(c, kColor, normalized(v[0]), normalized(v[1]), normalized(v[2]), normalized(v[3])); }
 SOFTGL_EXPORT void APIENTRY glColor4s(GLshort red, GLshort green, GLshort blue, GLshort alpha) { SOFTGL_TRACED(glColor4s, red, green, blue, alpha); Context& c = *current_context; set_attribute4(c, kColor, normalized(red), normalized(green), normalized(blue), normalized(alpha)); }
@@ -56,8 +56,8 @@ SOFTGL_EXPORT void APIENTRY glFogCoordf(GLfloat coord) { SOFTGL_TRACED(glFogCoor
 SOFTGL_EXPORT void APIENTRY glFogCoordfEXT(GLfloat coord) { SOFTGL_TRACED(glFogCoordfEXT, coord); Context& c = *current_context; set_attribute1(c, kFogCoordinate, coord); }
 SOFTGL_EXPORT void APIENTRY glFogCoordfv(const GLfloat* coord) { SOFTGL_TRACED(glFogCoordfv, coord); Context& c = *current_context; set_attribute1(c, kFogCoordinate, coord[0]); }
 SOFTGL_EXPORT void APIENTRY glFogCoordfvEXT(const GLfloat* coord) { SOFTGL_TRACED(glFogCoordfvEXT, coord); Context& c = *current_context; set_attribute1(c, kFogCoordinate, coord[0]); }
-SOFTGL_EXPORT void APIENTRY glFogCoordhNV(GLhalfNV fog) { SOFTGL_TRACED(glFogCoordhNV, fog); Context& c = *current_context; set_attribute1(c, kFogCoordinate, half_to_float(fog)); }
-SOFTGL_EXPORT void APIENTRY glFogCoordhvNV(const GLhalfNV* fog) { SOFTGL_TRACED(glFogCoordhvNV, fog); Context& c = *current_context; set_attribute1(c, kFogCoordinate, half_to_float(fog[0])); }
+void APIENTRY glFogCoordhNV(GLhalfNV fog) { SOFTGL_TRACED(glFogCoordhNV, fog); Context& c = *current_context; set_attribute1(c, kFogCoordinate, half_to_float(fog)); }
+void APIENTRY glFogCoordhvNV(const GLhalfNV* fog) { SOFTGL_TRACED(glFogCoordhvNV, fog); Context& c = *current_context; set_attribute1(c, kFogCoordinate, half_to_float(fog[0])); }
 SOFTGL_EXPORT void APIENTRY glIndexd(GLdouble value) { SOFTGL_TRACED(glIndexd, value); Context& c = *current_context; set_attribute1(c, kColorIndex, float(value)); }
 SOFTGL_EXPORT void APIENTRY glIndexdv(const GLdouble* value) { SOFTGL_TRACED(glIndexdv, value); Context& c = *current_context; set_attribute1(c, kColorIndex, float(value[0])); }
 SOFTGL_EXPORT void APIENTRY glIndexf(GLfloat value) { SOFTGL_TRACED(glIndexf, value); Context& c = *current_context; set_attribute1(c, kColorIndex, value); }
@@ -116,13 +116,13 @@ SOFTGL_EXPORT void APIENTRY glMultiTexCoord1fvARB(GLenum target, const GLfloat* 
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute1(c, kTexCoord0 + int(unit), v[0]);
 }
-SOFTGL_EXPORT void APIENTRY glMultiTexCoord1hNV(GLenum target, GLhalfNV s) {
+void APIENTRY glMultiTexCoord1hNV(GLenum target, GLhalfNV s) {
   SOFTGL_TRACED(glMultiTexCoord1hNV, target, s); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute1(c, kTexCoord0 + int(unit), half_to_float(s));
 }
-SOFTGL_EXPORT void APIENTRY glMultiTexCoord1hvNV(GLenum target, const GLhalfNV* v) {
+void APIENTRY glMultiTexCoord1hvNV(GLenum target, const GLhalfNV* v) {
   SOFTGL_TRACED(glMultiTexCoord1hvNV, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
@@ -224,13 +224,13 @@ SOFTGL_EXPORT void APIENTRY glMultiTexCoord2fvARB(GLenum target, const GLfloat* 
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute2(c, kTexCoord0 + int(unit), v[0], v[1]);
 }
-SOFTGL_EXPORT void APIENTRY glMultiTexCoord2hNV(GLenum target, GLhalfNV s, GLhalfNV t) {
+void APIENTRY glMultiTexCoord2hNV(GLenum target, GLhalfNV s, GLhalfNV t) {
   SOFTGL_TRACED(glMultiTexCoord2hNV, target, s, t); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute2(c, kTexCoord0 + int(unit), half_to_float(s), half_to_float(t));
 }
-SOFTGL_EXPORT void APIENTRY glMultiTexCoord2hvNV(GLenum target, const GLhalfNV* v) {
+void APIENTRY glMultiTexCoord2hvNV(GLenum target, const GLhalfNV* v) {
   SOFTGL_TRACED(glMultiTexCoord2hvNV, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
@@ -332,13 +332,13 @@ SOFTGL_EXPORT void APIENTRY glMultiTexCoord3fvARB(GLenum target, const GLfloat* 
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute3(c, kTexCoord0 + int(unit), v[0], v[1], v[2]);
 }
-SOFTGL_EXPORT void APIENTRY glMultiTexCoord3hNV(GLenum target, GLhalfNV s, GLhalfNV t, GLhalfNV r) {
+void APIENTRY glMultiTexCoord3hNV(GLenum target, GLhalfNV s, GLhalfNV t, GLhalfNV r) {
   SOFTGL_TRACED(glMultiTexCoord3hNV, target, s, t, r); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute3(c, kTexCoord0 + int(unit), half_to_float(s), half_to_float(t), half_to_float(r));
 }
-SOFTGL_EXPORT void APIENTRY glMultiTexCoord3hvNV(GLenum target, const GLhalfNV* v) {
+void APIENTRY glMultiTexCoord3hvNV(GLenum target, const GLhalfNV* v) {
   SOFTGL_TRACED(glMultiTexCoord3hvNV, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
@@ -440,13 +440,13 @@ SOFTGL_EXPORT void APIENTRY glMultiTexCoord4fvARB(GLenum target, const GLfloat* 
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute4(c, kTexCoord0 + int(unit), v[0], v[1], v[2], v[3]);
 }
-SOFTGL_EXPORT void APIENTRY glMultiTexCoord4hNV(GLenum target, GLhalfNV s, GLhalfNV t, GLhalfNV r, GLhalfNV q) {
+void APIENTRY glMultiTexCoord4hNV(GLenum target, GLhalfNV s, GLhalfNV t, GLhalfNV r, GLhalfNV q) {
   SOFTGL_TRACED(glMultiTexCoord4hNV, target, s, t, r, q); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
   set_attribute4(c, kTexCoord0 + int(unit), half_to_float(s), half_to_float(t), half_to_float(r), half_to_float(q));
 }
-SOFTGL_EXPORT void APIENTRY glMultiTexCoord4hvNV(GLenum target, const GLhalfNV* v) {
+void APIENTRY glMultiTexCoord4hvNV(GLenum target, const GLhalfNV* v) {
   SOFTGL_TRACED(glMultiTexCoord4hvNV, target, v); Context& c = *current_context;
   const unsigned unit = target - GL_TEXTURE0;
   if (unit >= unsigned(kMaxTextureUnits)) [[unlikely]] return bad_texture_unit(c);
@@ -506,8 +506,8 @@ SOFTGL_EXPORT void APIENTRY glNormal3d(GLdouble nx, GLdouble ny, GLdouble nz) { 
 SOFTGL_EXPORT void APIENTRY glNormal3dv(const GLdouble* v) { SOFTGL_TRACED(glNormal3dv, v); Context& c = *current_context; set_attribute3(c, kNormal, float(v[0]), float(v[1]), float(v[2])); }
 SOFTGL_EXPORT void APIENTRY glNormal3f(GLfloat nx, GLfloat ny, GLfloat nz) { SOFTGL_TRACED(glNormal3f, nx, ny, nz); Context& c = *current_context; set_attribute3(c, kNormal, nx, ny, nz); }
 SOFTGL_EXPORT void APIENTRY glNormal3fv(const GLfloat* v) { SOFTGL_TRACED(glNormal3fv, v); Context& c = *current_context; set_attribute3(c, kNormal, v[0], v[1], v[2]); }
-SOFTGL_EXPORT void APIENTRY glNormal3hNV(GLhalfNV nx, GLhalfNV ny, GLhalfNV nz) { SOFTGL_TRACED(glNormal3hNV, nx, ny, nz); Context& c = *current_context; set_attribute3(c, kNormal, half_to_float(nx), half_to_float(ny), half_to_float(nz)); }
-SOFTGL_EXPORT void APIENTRY glNormal3hvNV(const GLhalfNV* v) { SOFTGL_TRACED(glNormal3hvNV, v); Context& c = *current_context; set_attribute3(c, kNormal, half_to_float(v[0]), half_to_float(v[1]), half_to_float(v[2])); }
+void APIENTRY glNormal3hNV(GLhalfNV nx, GLhalfNV ny, GLhalfNV nz) { SOFTGL_TRACED(glNormal3hNV, nx, ny, nz); Context& c = *current_context; set_attribute3(c, kNormal, half_to_float(nx), half_to_float(ny), half_to_float(nz)); }
+void APIENTRY glNormal3hvNV(const GLhalfNV* v) { SOFTGL_TRACED(glNormal3hvNV, v); Context& c = *current_context; set_attribute3(c, kNormal, half_to_float(v[0]), half_to_float(v[1]), half_to_float(v[2])); }
 SOFTGL_EXPORT void APIENTRY glNormal3i(GLint nx, GLint ny, GLint nz) { SOFTGL_TRACED(glNormal3i, nx, ny, nz); Context& c = *current_context; set_attribute3(c, kNormal, normalized(nx), normalized(ny), normalized(nz)); }
 SOFTGL_EXPORT void APIENTRY glNormal3iv(const GLint* v) { SOFTGL_TRACED(glNormal3iv, v); Context& c = *current_context; set_attribute3(c, kNormal, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
 SOFTGL_EXPORT void APIENTRY glNormal3s(GLshort nx, GLshort ny, GLshort nz) { SOFTGL_TRACED(glNormal3s, nx, ny, nz); Context& c = *current_context; set_attribute3(c, kNormal, normalized(nx), normalized(ny), normalized(nz)); }
@@ -524,8 +524,8 @@ SOFTGL_EXPORT void APIENTRY glSecondaryColor3f(GLfloat red, GLfloat green, GLflo
 SOFTGL_EXPORT void APIENTRY glSecondaryColor3fEXT(GLfloat red, GLfloat green, GLfloat blue) { SOFTGL_TRACED(glSecondaryColor3fEXT, red, green, blue); Context& c = *current_context; set_attribute3(c, kSecondaryColor, red, green, blue); }
 SOFTGL_EXPORT void APIENTRY glSecondaryColor3fv(const GLfloat* v) { SOFTGL_TRACED(glSecondaryColor3fv, v); Context& c = *current_context; set_attribute3(c, kSecondaryColor, v[0], v[1], v[2]); }
 SOFTGL_EXPORT void APIENTRY glSecondaryColor3fvEXT(const GLfloat* v) { SOFTGL_TRACED(glSecondaryColor3fvEXT, v); Context& c = *current_context; set_attribute3(c, kSecondaryColor, v[0], v[1], v[2]); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3hNV(GLhalfNV red, GLhalfNV green, GLhalfNV blue) { SOFTGL_TRACED(glSecondaryColor3hNV, red, green, blue); Context& c = *current_context; set_attribute3(c, kSecondaryColor, half_to_float(red), half_to_float(green), half_to_float(blue)); }
-SOFTGL_EXPORT void APIENTRY glSecondaryColor3hvNV(const GLhalfNV* v) { SOFTGL_TRACED(glSecondaryColor3hvNV, v); Context& c = *current_context; set_attribute3(c, kSecondaryColor, half_to_float(v[0]), half_to_float(v[1]), half_to_float(v[2])); }
+void APIENTRY glSecondaryColor3hNV(GLhalfNV red, GLhalfNV green, GLhalfNV blue) { SOFTGL_TRACED(glSecondaryColor3hNV, red, green, blue); Context& c = *current_context; set_attribute3(c, kSecondaryColor, half_to_float(red), half_to_float(green), half_to_float(blue)); }
+void APIENTRY glSecondaryColor3hvNV(const GLhalfNV* v) { SOFTGL_TRACED(glSecondaryColor3hvNV, v); Context& c = *current_context; set_attribute3(c, kSecondaryColor, half_to_float(v[0]), half_to_float(v[1]), half_to_float(v[2])); }
 SOFTGL_EXPORT void APIENTRY glSecondaryColor3i(GLint red, GLint green, GLint blue) { SOFTGL_TRACED(glSecondaryColor3i, red, green, blue); Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(red), normalized(green), normalized(blue)); }
 SOFTGL_EXPORT void APIENTRY glSecondaryColor3iEXT(GLint red, GLint green, GLint blue) { SOFTGL_TRACED(glSecondaryColor3iEXT, red, green, blue); Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(red), normalized(green), normalized(blue)); }
 SOFTGL_EXPORT void APIENTRY glSecondaryColor3iv(const GLint* v) { SOFTGL_TRACED(glSecondaryColor3iv, v); Context& c = *current_context; set_attribute3(c, kSecondaryColor, normalized(v[0]), normalized(v[1]), normalized(v[2])); }
@@ -550,8 +550,8 @@ SOFTGL_EXPORT void APIENTRY glTexCoord1d(GLdouble s) { SOFTGL_TRACED(glTexCoord1
 SOFTGL_EXPORT void APIENTRY glTexCoord1dv(const GLdouble* v) { SOFTGL_TRACED(glTexCoord1dv, v); Context& c = *current_context; set_attribute1(c, kTexCoord0, float(v[0])); }
 SOFTGL_EXPORT void APIENTRY glTexCoord1f(GLfloat s) { SOFTGL_TRACED(glTexCoord1f, s); Context& c = *current_context; set_attribute1(c, kTexCoord0, s); }
 SOFTGL_EXPORT void APIENTRY glTexCoord1fv(const GLfloat* v) { SOFTGL_TRACED(glTexCoord1fv, v); Context& c = *current_context; set_attribute1(c, kTexCoord0, v[0]); }
-SOFTGL_EXPORT void APIENTRY glTexCoord1hNV(GLhalfNV s) { SOFTGL_TRACED(glTexCoord1hNV, s); Context& c = *current_context; set_attribute1(c, kTexCoord0, half_to_float(s)); }
-SOFTGL_EXPORT void APIENTRY glTexCoord1hvNV(const GLhalfNV* v) { SOFTGL_TRACED(glTexCoord1hvNV, v); Context& c = *current_context; set_attribute1(c, kTexCoord0, half_to_float(v[0])); }
+void APIENTRY glTexCoord1hNV(GLhalfNV s) { SOFTGL_TRACED(glTexCoord1hNV, s); Context& c = *current_context; set_attribute1(c, kTexCoord0, half_to_float(s)); }
+void APIENTRY glTexCoord1hvNV(const GLhalfNV* v) { SOFTGL_TRACED(glTexCoord1hvNV, v); Context& c = *current_context; set_attribute1(c, kTexCoord0, half_to_float(v[0])); }
 SOFTGL_EXPORT void APIENTRY glTexCoord1i(GLint s) { SOFTGL_TRACED(glTexCoord1i, s); Context& c = *current_context; set_attribute1(c, kTexCoord0, float(s)); }
 SOFTGL_EXPORT void APIENTRY glTexCoord1iv(const GLint* v) { SOFTGL_TRACED(glTexCoord1iv, v); Context& c = *current_context; set_attribute1(c, kTexCoord0, float(v[0])); }
 SOFTGL_EXPORT void APIENTRY glTexCoord1s(GLshort s) { SOFTGL_TRACED(glTexCoord1s, s); Context& c = *current_context; set_attribute1(c, kTexCoord0, float(s)); }
@@ -560,8 +560,8 @@ SOFTGL_EXPORT void APIENTRY glTexCoord2d(GLdouble s, GLdouble t) { SOFTGL_TRACED
 SOFTGL_EXPORT void APIENTRY glTexCoord2dv(const GLdouble* v) { SOFTGL_TRACED(glTexCoord2dv, v); Context& c = *current_context; set_attribute2(c, kTexCoord0, float(v[0]), float(v[1])); }
 SOFTGL_EXPORT void APIENTRY glTexCoord2f(GLfloat s, GLfloat t) { SOFTGL_TRACED(glTexCoord2f, s, t); Context& c = *current_context; set_attribute2(c, kTexCoord0, s, t); }
 SOFTGL_EXPORT void APIENTRY glTexCoord2fv(const GLfloat* v) { SOFTGL_TRACED(glTexCoord2fv, v); Context& c = *current_context; set_attribute2(c, kTexCoord0, v[0], v[1]); }
-SOFTGL_EXPORT void APIENTRY glTexCoord2hNV(GLhalfNV s, GLhalfNV t) { SOFTGL_TRACED(glTexCoord2hNV, s, t); Context& c = *current_context; set_attribute2(c, kTexCoord0, half_to_float(s), half_to_float(t)); }
-SOFTGL_EXPORT void APIENTRY glTexCoord2hvNV(const GLhalfNV* v) { SOFTGL_TRACED(glTexCoord2hvNV, v); Context& c = *current_context; set_attribute2(c, kTexCoord0, half_to_float(v[0]), half_to_float(v[1])); }
+void APIENTRY glTexCoord2hNV(GLhalfNV s, GLhalfNV t) { SOFTGL_TRACED(glTexCoord2hNV, s, t); Context& c = *current_context; set_attribute2(c, kTexCoord0, half_to_float(s), half_to_float(t)); }
+void APIENTRY glTexCoord2hvNV(const GLhalfNV* v) { SOFTGL_TRACED(glTexCoord2hvNV, v); Context& c = *current_context; set_attribute2(c, kTexCoord0, half_to_float(v[0]), half_to_float(v[1])); }
 SOFTGL_EXPORT void APIENTRY glTexCoord2i(GLint s, GLint t) { SOFTGL_TRACED(glTexCoord2i, s, t); Context& c = *current_context; set_attribute2(c, kTexCoord0, float(s), float(t)); }
 SOFTGL_EXPORT void APIENTRY glTexCoord2iv(const GLint* v) { SOFTGL_TRACED(glTexCoord2iv, v); Context& c = *current_context; set_attribute2(c, kTexCoord0, float(v[0]), float(v[1])); }
 SOFTGL_EXPORT void APIENTRY glTexCoord2s(GLshort s, GLshort t) { SOFTGL_TRACED(glTexCoord2s, s, t); Context& c = *current_context; set_attribute2(c, kTexCoord0, float(s), float(t)); }
@@ -570,8 +570,8 @@ SOFTGL_EXPORT void APIENTRY glTexCoord3d(GLdouble s, GLdouble t, GLdouble r) { S
 SOFTGL_EXPORT void APIENTRY glTexCoord3dv(const GLdouble* v) { SOFTGL_TRACED(glTexCoord3dv, v); Context& c = *current_context; set_attribute3(c, kTexCoord0, float(v[0]), float(v[1]), float(v[2])); }
 SOFTGL_EXPORT void APIENTRY glTexCoord3f(GLfloat s, GLfloat t, GLfloat r) { SOFTGL_TRACED(glTexCoord3f, s, t, r); Context& c = *current_context; set_attribute3(c, kTexCoord0, s, t, r); }
 SOFTGL_EXPORT void APIENTRY glTexCoord3fv(const GLfloat* v) { SOFTGL_TRACED(glTexCoord3fv, v); Context& c = *current_context; set_attribute3(c, kTexCoord0, v[0], v[1], v[2]); }
-SOFTGL_EXPORT void APIENTRY glTexCoord3hNV(GLhalfNV s, GLhalfNV t, GLhalfNV r) { SOFTGL_TRACED(glTexCoord3hNV, s, t, r); Context& c = *current_context; set_attribute3(c, kTexCoord0, half_to_float(s), half_to_float(t), half_to_float(r)); }
-SOFTGL_EXPORT void APIENTRY glTexCoord3hvNV(const GLhalfNV* v) { SOFTGL_TRACED(glTexCoord3hvNV, v); Context& c = *current_context; set_attribute3(c, kTexCoord0, half_to_float(v[0]), half_to_float(v[1]), half_to_float(v[2])); }
+void APIENTRY glTexCoord3hNV(GLhalfNV s, GLhalfNV t, GLhalfNV r) { SOFTGL_TRACED(glTexCoord3hNV, s, t, r); Context& c = *current_context; set_attribute3(c, kTexCoord0, half_to_float(s), half_to_float(t), half_to_float(r)); }
+void APIENTRY glTexCoord3hvNV(const GLhalfNV* v) { SOFTGL_TRACED(glTexCoord3hvNV, v); Context& c = *current_context; set_attribute3(c, kTexCoord0, half_to_float(v[0]), half_to_float(v[1]), half_to_float(v[2])); }
 SOFTGL_EXPORT void APIENTRY glTexCoord3i(GLint s, GLint t, GLint r) { SOFTGL_TRACED(glTexCoord3i, s, t, r); Context& c = *current_context; set_attribute3(c, kTexCoord0, float(s), float(t), float(r)); }
 SOFTGL_EXPORT void APIENTRY glTexCoord3iv(const GLint* v) { SOFTGL_TRACED(glTexCoord3iv, v); Context& c = *current_context; set_attribute3(c, kTexCoord0, float(v[0]), float(v[1]), float(v[2])); }
 SOFTGL_EXPORT void APIENTRY glTexCoord3s(GLshort s, GLshort t, GLshort r) { SOFTGL_TRACED(glTexCoord3s, s, t, r); Context& c = *current_context; set_attribute3(c, kTexCoord0, float(s), float(t), float(r)); }
@@ -580,8 +580,8 @@ SOFTGL_EXPORT void APIENTRY glTexCoord4d(GLdouble s, GLdouble t, GLdouble r, GLd
 SOFTGL_EXPORT void APIENTRY glTexCoord4dv(const GLdouble* v) { SOFTGL_TRACED(glTexCoord4dv, v); Context& c = *current_context; set_attribute4(c, kTexCoord0, float(v[0]), float(v[1]), float(v[2]), float(v[3])); }
 SOFTGL_EXPORT void APIENTRY glTexCoord4f(GLfloat s, GLfloat t, GLfloat r, GLfloat q) { SOFTGL_TRACED(glTexCoord4f, s, t, r, q); Context& c = *current_context; set_attribute4(c, kTexCoord0, s, t, r, q); }
 SOFTGL_EXPORT void APIENTRY glTexCoord4fv(const GLfloat* v) { SOFTGL_TRACED(glTexCoord4fv, v); Context& c = *current_context; set_attribute4(c, kTexCoord0, v[0], v[1], v[2], v[3]); }
-SOFTGL_EXPORT void APIENTRY glTexCoord4hNV(GLhalfNV s, GLhalfNV t, GLhalfNV r, GLhalfNV q) { SOFTGL_TRACED(glTexCoord4hNV, s, t, r, q); Context& c = *current_context; set_attribute4(c, kTexCoord0, half_to_float(s), half_to_float(t), half_to_float(r), half_to_float(q)); }
-SOFTGL_EXPORT void APIENTRY glTexCoord4hvNV(const GLhalfNV* v) { SOFTGL_TRACED(glTexCoord4hvNV, v); Context& c = *current_context; set_attribute4(c, kTexCoord0, half_to_float(v[0]), half_to_float(v[1]), half_to_float(v[2]), half_to_float(v[3])); }
+void APIENTRY glTexCoord4hNV(GLhalfNV s, GLhalfNV t, GLhalfNV r, GLhalfNV q) { SOFTGL_TRACED(glTexCoord4hNV, s, t, r, q); Context& c = *current_context; set_attribute4(c, kTexCoord0, half_to_float(s), half_to_float(t), half_to_float(r), half_to_float(q)); }
+void APIENTRY glTexCoord4hvNV(const GLhalfNV* v) { SOFTGL_TRACED(glTexCoord4hvNV, v); Context& c = *current_context; set_attribute4(c, kTexCoord0, half_to_float(v[0]), half_to_float(v[1]), half_to_float(v[2]), half_to_float(v[3])); }
 SOFTGL_EXPORT void APIENTRY glTexCoord4i(GLint s, GLint t, GLint r, GLint q) { SOFTGL_TRACED(glTexCoord4i, s, t, r, q); Context& c = *current_context; set_attribute4(c, kTexCoord0, float(s), float(t), float(r), float(q)); }
 SOFTGL_EXPORT void APIENTRY glTexCoord4iv(const GLint* v) { SOFTGL_TRACED(glTexCoord4iv, v); Context& c = *current_context; set_attribute4(c, kTexCoord0, float(v[0]), float(v[1]), float(v[2]), float(v[3])); }
 SOFTGL_EXPORT void APIENTRY glTexCoord4s(GLshort s, GLshort t, GLshort r, GLshort q) { SOFTGL_TRACED(glTexCoord4s, s, t, r, q); Context& c = *current_context; set_attribute4(c, kTexCoord0, float(s), float(t), float(r), float(q)); }
@@ -590,8 +590,8 @@ SOFTGL_EXPORT void APIENTRY glVertex2d(GLdouble x, GLdouble y) { SOFTGL_TRACED(g
 SOFTGL_EXPORT void APIENTRY glVertex2dv(const GLdouble* v) { SOFTGL_TRACED(glVertex2dv, v); Context& c = *current_context; emit_vertex2(c, float(v[0]), float(v[1])); }
 SOFTGL_EXPORT void APIENTRY glVertex2f(GLfloat x, GLfloat y) { SOFTGL_TRACED(glVertex2f, x, y); Context& c = *current_context; emit_vertex2(c, x, y); }
 SOFTGL_EXPORT void APIENTRY glVertex2fv(const GLfloat* v) { SOFTGL_TRACED(glVertex2fv, v); Context& c = *current_context; emit_vertex2(c, v[0], v[1]); }
-SOFTGL_EXPORT void APIENTRY glVertex2hNV(GLhalfNV x, GLhalfNV y) { SOFTGL_TRACED(glVertex2hNV, x, y); Context& c = *current_context; emit_vertex2(c, half_to_float(x), half_to_float(y)); }
-SOFTGL_EXPORT void APIENTRY glVertex2hvNV(const GLhalfNV* v) { SOFTGL_TRACED(glVertex2hvNV, v); Context& c = *current_context; emit_vertex2(c, half_to_float(v[0]), half_to_float(v[1])); }
+void APIENTRY glVertex2hNV(GLhalfNV x, GLhalfNV y) { SOFTGL_TRACED(glVertex2hNV, x, y); Context& c = *current_context; emit_vertex2(c, half_to_float(x), half_to_float(y)); }
+void APIENTRY glVertex2hvNV(const GLhalfNV* v) { SOFTGL_TRACED(glVertex2hvNV, v); Context& c = *current_context; emit_vertex2(c, half_to_float(v[0]), half_to_float(v[1])); }
 SOFTGL_EXPORT void APIENTRY glVertex2i(GLint x, GLint y) { SOFTGL_TRACED(glVertex2i, x, y); Context& c = *current_context; emit_vertex2(c, float(x), float(y)); }
 SOFTGL_EXPORT void APIENTRY glVertex2iv(const GLint* v) { SOFTGL_TRACED(glVertex2iv, v); Context& c = *current_context; emit_vertex2(c, float(v[0]), float(v[1])); }
 SOFTGL_EXPORT void APIENTRY glVertex2s(GLshort x, GLshort y) { SOFTGL_TRACED(glVertex2s, x, y); Context& c = *current_context; emit_vertex2(c, float(x), float(y)); }
@@ -600,8 +600,8 @@ SOFTGL_EXPORT void APIENTRY glVertex3d(GLdouble x, GLdouble y, GLdouble z) { SOF
 SOFTGL_EXPORT void APIENTRY glVertex3dv(const GLdouble* v) { SOFTGL_TRACED(glVertex3dv, v); Context& c = *current_context; emit_vertex3(c, float(v[0]), float(v[1]), float(v[2])); }
 SOFTGL_EXPORT void APIENTRY glVertex3f(GLfloat x, GLfloat y, GLfloat z) { SOFTGL_TRACED(glVertex3f, x, y, z); Context& c = *current_context; emit_vertex3(c, x, y, z); }
 SOFTGL_EXPORT void APIENTRY glVertex3fv(const GLfloat* v) { SOFTGL_TRACED(glVertex3fv, v); Context& c = *current_context; emit_vertex3(c, v[0], v[1], v[2]); }
-SOFTGL_EXPORT void APIENTRY glVertex3hNV(GLhalfNV x, GLhalfNV y, GLhalfNV z) { SOFTGL_TRACED(glVertex3hNV, x, y, z); Context& c = *current_context; emit_vertex3(c, half_to_float(x), half_to_float(y), half_to_float(z)); }
-SOFTGL_EXPORT void APIENTRY glVertex3hvNV(const GLhalfNV* v) { SOFTGL_TRACED(glVertex3hvNV, v); Context& c = *current_context; emit_vertex3(c, half_to_float(v[0]), half_to_float(v[1]), half_to_float(v[2])); }
+void APIENTRY glVertex3hNV(GLhalfNV x, GLhalfNV y, GLhalfNV z) { SOFTGL_TRACED(glVertex3hNV, x, y, z); Context& c = *current_context; emit_vertex3(c, half_to_float(x), half_to_float(y), half_to_float(z)); }
+void APIENTRY glVertex3hvNV(const GLhalfNV* v) { SOFTGL_TRACED(glVertex3hvNV, v); Context& c = *current_context; emit_vertex3(c, half_to_float(v[0]), half_to_float(v[1]), half_to_float(v[2])); }
 SOFTGL_EXPORT void APIENTRY glVertex3i(GLint x, GLint y, GLint z) { SOFTGL_TRACED(glVertex3i, x, y, z); Context& c = *current_context; emit_vertex3(c, float(x), float(y), float(z)); }
 SOFTGL_EXPORT void APIENTRY glVertex3iv(const GLint* v) { SOFTGL_TRACED(glVertex3iv, v); Context& c = *current_context; emit_vertex3(c, float(v[0]), float(v[1]), float(v[2])); }
 SOFTGL_EXPORT void APIENTRY glVertex3s(GLshort x, GLshort y, GLshort z) { SOFTGL_TRACED(glVertex3s, x, y, z); Context& c = *current_context; emit_vertex3(c, float(x), float(y), float(z)); }
@@ -610,8 +610,8 @@ SOFTGL_EXPORT void APIENTRY glVertex4d(GLdouble x, GLdouble y, GLdouble z, GLdou
 SOFTGL_EXPORT void APIENTRY glVertex4dv(const GLdouble* v) { SOFTGL_TRACED(glVertex4dv, v); Context& c = *current_context; emit_vertex4(c, float(v[0]), float(v[1]), float(v[2]), float(v[3])); }
 SOFTGL_EXPORT void APIENTRY glVertex4f(GLfloat x, GLfloat y, GLfloat z, GLfloat w) { SOFTGL_TRACED(glVertex4f, x, y, z, w); Context& c = *current_context; emit_vertex4(c, x, y, z, w); }
 SOFTGL_EXPORT void APIENTRY glVertex4fv(const GLfloat* v) { SOFTGL_TRACED(glVertex4fv, v); Context& c = *current_context; emit_vertex4(c, v[0], v[1], v[2], v[3]); }
-SOFTGL_EXPORT void APIENTRY glVertex4hNV(GLhalfNV x, GLhalfNV y, GLhalfNV z, GLhalfNV w) { SOFTGL_TRACED(glVertex4hNV, x, y, z, w); Context& c = *current_context; emit_vertex4(c, half_to_float(x), half_to_float(y), half_to_float(z), half_to_float(w)); }
-SOFTGL_EXPORT void APIENTRY glVertex4hvNV(const GLhalfNV* v) { SOFTGL_TRACED(glVertex4hvNV, v); Context& c = *current_context; emit_vertex4(c, half_to_float(v[0]), half_to_float(v[1]), half_to_float(v[2]), half_to_float(v[3])); }
+void APIENTRY glVertex4hNV(GLhalfNV x, GLhalfNV y, GLhalfNV z, GLhalfNV w) { SOFTGL_TRACED(glVertex4hNV, x, y, z, w); Context& c = *current_context; emit_vertex4(c, half_to_float(x), half_to_float(y), half_to_float(z), half_to_float(w)); }
+void APIENTRY glVertex4hvNV(const GLhalfNV* v) { SOFTGL_TRACED(glVertex4hvNV, v); Context& c = *current_context; emit_vertex4(c, half_to_float(v[0]), half_to_float(v[1]), half_to_float(v[2]), half_to_float(v[3])); }
 SOFTGL_EXPORT void APIENTRY glVertex4i(GLint x, GLint y, GLint z, GLint w) { SOFTGL_TRACED(glVertex4i, x, y, z, w); Context& c = *current_context; emit_vertex4(c, float(x), float(y), float(z), float(w)); }
 SOFTGL_EXPORT void APIENTRY glVertex4iv(const GLint* v) { SOFTGL_TRACED(glVertex4iv, v); Context& c = *current_context; emit_vertex4(c, float(v[0]), float(v[1]), float(v[2]), float(v[3])); }
 SOFTGL_EXPORT void APIENTRY glVertex4s(GLshort x, GLshort y, GLshort z, GLshort w) { SOFTGL_TRACED(glVertex4s, x, y, z, w); Context& c = *current_context; emit_vertex4(c, float(x), float(y), float(z), float(w)); }
