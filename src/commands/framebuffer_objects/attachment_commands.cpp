@@ -79,6 +79,7 @@ GLint component_bits(const RenderFormat& f, GLenum pname) {
 
 /// What the components are, stencil values apart.
 GLint component_type(const RenderFormat& f) {
+  if (!f.texels && f.kind == RenderFormat::Kind::None) return GL_NONE; // without storage
   if (!f.texels) return f.has_floats() ? GL_FLOAT : GL_UNSIGNED_NORMALIZED;
   switch (f.encoding.numbers) {
   case ColorNumbers::Float: return GL_FLOAT;
