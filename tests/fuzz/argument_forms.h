@@ -5,8 +5,8 @@
 
 namespace softgl::test {
 
-/// A letter for each argument of a command, which says what its type does not. Empty for commands that do harm
-/// with no number.
+/// A letter for each argument of a command, which says what its type does not. Empty for commands that do
+/// harm with no number.
 ///   .  by its type             n  a count of elements        d  a count of names or arrays
 ///   i  an index of an element  b  what is added to an index  k  memory that holds indices
 ///   w  a size of an image      v  of a volume                r  of a rectangle of pixels
