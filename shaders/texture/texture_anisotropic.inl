@@ -110,6 +110,9 @@ static inline bool sample_ellipse(const BlockCoordinates& c, const TextureUnitCo
   A *= form, B *= form, C *= form;
   const float center_u = c.s[lane] * (zero_width * scale) + -0.5f,
               center_v = c.t[lane] * (zero_height * scale) + -0.5f;
+  // Texels beyond 2^30, and what is no number, have no neighbors.
+  const float far = 1073741824.0f;
+  if (!(absolute(center_u) + half_width < far && absolute(center_v) + half_height < far)) return false;
   const int32_t u0 = whole_number(floor_of(center_u - half_width)),
                 u1 = whole_number(-floor_of(-(center_u + half_width))),
                 v0 = whole_number(floor_of(center_v - half_height)),

@@ -167,7 +167,7 @@ void set_all(const Gl& gl, uint64_t seed) {
     gl.TexParameterf(target, GL_TEXTURE_MIN_LOD, float(r.integer(-5, 5)));
     gl.TexParameterf(target, GL_TEXTURE_MAX_LOD, float(r.integer(-5, 5)));
     gl.TexParameterf(target, GL_TEXTURE_LOD_BIAS, float(r.integer(-20, 20)));
-    gl.TexParameterf(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, float(r.integer(2, 24)) * 0.75f);
+    gl.TexParameterf(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, float(r.integer(1, 20)) + 0.25f);
     gl.TexParameteri(target, GL_TEXTURE_BASE_LEVEL, r.integer(0, 3));
     gl.TexParameteri(target, GL_TEXTURE_MAX_LEVEL, r.integer(0, 2000));
     gl.TexParameteri(target, GL_DEPTH_TEXTURE_MODE, r.pick({GL_LUMINANCE, GL_INTENSITY, GL_ALPHA, GL_RED}));
