@@ -59,8 +59,6 @@ TEST_CASE("images of textures refuse what is wrong in one argument", "[spec][err
           TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 20000, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr)),
       BAD(INVALID_VALUE, TexImage2D(GL_TEXTURE_2D, 14, GL_RGBA, 2, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes)),
       BAD(INVALID_VALUE, TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 4, 4, -1, GL_RGBA, GL_UNSIGNED_BYTE, bytes)),
-      BAD(INVALID_OPERATION, TexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X, 0, GL_DEPTH_COMPONENT, 4, 4, 0,
-                                        GL_DEPTH_COMPONENT, GL_FLOAT, bytes)),
       BAD(INVALID_OPERATION,
           TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 4, 4, 0, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, bytes)),
       BAD(INVALID_ENUM,
