@@ -327,4 +327,37 @@ TEST_CASE("Signed alpha is blended by its own factors", "[spec][formats][deviati
   CHECK(blended(osmesa_library()) < 0);                       // the factor does not fit
 }
 
+TEST_CASE("Blending with one and zero leaves nothing of what was there", "[spec][formats][deviation]") {
+  const auto blended = [](const Gl& gl) {
+    const CurrentContext current(gl);
+    bound_framebuffer(gl);
+    attach_texture(gl, GL_R16_SNORM);
+    for (const GLenum what : {GL_CLAMP_VERTEX_COLOR, GL_CLAMP_FRAGMENT_COLOR, GL_CLAMP_READ_COLOR})
+      gl.ClampColor(what, GL_FALSE);
+    fill(gl, 0.5f, 0, 0, 1);
+    gl.Enable(GL_BLEND);
+    gl.BlendFunc(GL_ONE, GL_ZERO);
+    fill(gl, -0.25f, 0, 0, 1);
+    return std::lround(pixel(gl)[0] * 32767);
+  };
+  CHECK(blended(softgl_library()) == -8192);
+  CHECK(blended(osmesa_library()) == -8193); // a mixture of the two, rounded
+}
+
+TEST_CASE("Copies of sRGB stay what they are", "[spec][formats][srgb][deviation]") {
+  const auto copied = [](const Gl& gl) {
+    const CurrentContext current(gl);
+    bound_framebuffer(gl);
+    attach_texture(gl, GL_SRGB8_ALPHA8);
+    fill(gl, 0.5f, 0.5f, 0.5f, 1);
+    gl.WindowPos2i(2, 2);
+    gl.Enable(GL_BLEND);
+    gl.BlendFunc(GL_ONE, GL_ZERO);
+    gl.CopyPixels(0, 0, 2, 2, GL_COLOR);
+    return bytes(gl)[0];
+  };
+  CHECK(copied(softgl_library()) == 128);
+  CHECK(copied(osmesa_library()) < 100); // read as sRGB, stored as it is
+}
+
 } // namespace softgl::test
