@@ -48,11 +48,14 @@ def draw(hack, file, environment, arguments, display):
         EGL_ON_OSMESA_FILE=str(file),
     )
     command = [str(FOLDER / hack), "-window", "-geometry", arguments.geometry]
-    with open(file.with_suffix(file.suffix + ".log"), "w") as log:
-        try:
-            subprocess.run(command, env=everything, stdout=log, stderr=log, timeout=arguments.timeout)
-        except subprocess.TimeoutExpired:
-            pass
+    for _ in range(2):  # a machine under load may refuse the first connection to the X server
+        with open(file.with_suffix(file.suffix + ".log"), "w") as log:
+            try:
+                subprocess.run(command, env=everything, stdout=log, stderr=log, timeout=arguments.timeout)
+            except subprocess.TimeoutExpired:
+                pass
+        if file.exists():
+            break
     return file.read_bytes() if file.exists() else b""
 
 
