@@ -103,7 +103,7 @@ void draw_cube_map(const Gl& gl) {
   GLuint texture;
   gl.GenTextures(1, &texture);
   gl.BindTexture(GL_TEXTURE_CUBE_MAP, texture);
-  std::vector<GLubyte> texels(size_t(8) * 8 * 4);
+  std::vector<GLubyte> texels(size_t(8) * 8 * 4 + 4 * 5); // each face begins one later
   for (size_t i = 0; i < texels.size(); ++i) texels[i] = GLubyte(i * 53);
   for (int face = 0; face < 6; ++face)
     gl.TexImage2D(GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face), 0, GL_RGBA8, 8, 8, 0, GL_RGBA,
