@@ -91,7 +91,7 @@ TEST_CASE("The library can be loaded and unloaded a hundred times", "[abi]") {
   const Footprint after = footprint();
   CHECK(after.threads == before.threads);
   CHECK(after.mappings <= before.mappings + 8);
-#ifndef SOFTGL_ADDRESS_SANITIZER // which keeps what is freed
+#ifndef SOFTGL_ADDRESS_SANITIZER                              // which keeps what is freed
   CHECK(after.resident_pages <= before.resident_pages + 256); // a leak of a window is 350 pages a time
 #endif
 }
