@@ -103,7 +103,7 @@ void store(Context& c, int dimensions, GLenum target, GLsizei levels, GLenum int
   mark_images(c, *object);
   for (int face = 0; face < faces; ++face)
     for (int level = 0; level < levels; ++level)
-      object->image[face][level] = std::move(made[size_t(face * levels + level)]);
+      object->image[face][level] = std::move(made[size_t(face) * size_t(levels) + size_t(level)]);
   object->immutable_levels = levels;
 }
 
