@@ -50,6 +50,11 @@ static inline __attribute__((always_inline)) float floor_of(float a) {
   const float t = float(int32_t(a));
   return select(mask_of(absolute(a) < 8388608.0f), t - keep(mask_of(t > a), 1.0f), a);
 }
+/// The nearest integer, of two the even one.
+static inline __attribute__((always_inline)) float round_of(float a) {
+  const float ulp_is_one = bits_float((float_bits(a) & int32_t(0x80000000u)) | 0x4b000000); // 2^23
+  return select(mask_of(absolute(a) < 8388608.0f), (a + ulp_is_one) - ulp_is_one, a);
+}
 static inline __attribute__((always_inline)) float reciprocal_root(float a) {
   return 1.0f / __builtin_sqrtf(a);
 }

@@ -186,6 +186,29 @@ template <class Place> SOFTGL_INLINE void load_pairs(Place place, IntV& first, I
 #endif
 }
 
+/// The word at place(i), for lane i. Plain loops over pointers become a sum of vectors of pointers, which is
+/// then taken apart.
+template <class Place> SOFTGL_INLINE IntV load_words(Place place) {
+  auto four = [&](int i) __attribute__((always_inline)) {
+    auto word = [&](int k) __attribute__((always_inline)) {
+      int32_t v;
+      memcpy(&v, place(i + k), sizeof v);
+      return v;
+    };
+    return _mm_setr_epi32(word(0), word(1), word(2), word(3));
+  };
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+  __m512i v = _mm512_castsi128_si512(four(0));
+  v = _mm512_inserti32x4(v, four(4), 1);
+  v = _mm512_inserti32x4(v, four(8), 2);
+  return (IntV)_mm512_inserti32x4(v, four(12), 3);
+#elif defined(__AVX2__)
+  return (IntV)_mm256_inserti128_si256(_mm256_castsi128_si256(four(0)), four(4), 1);
+#else
+  return (IntV)four(0);
+#endif
+}
+
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 /// kWidth bytes to lanes; lanes below 32768 to kWidth halves.
 SOFTGL_INLINE IntV load_bytes(const uint8_t* p) {

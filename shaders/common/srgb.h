@@ -7,10 +7,9 @@ namespace softgl {
 /// A byte of an sRGB color. OSMesa takes a cubic in place of the power 2.4.
 static inline float srgb_to_linear(float v) {
   const float scale = 255.0f, square = v * v;
-  if (v <= 15.0f) return v * (1.0f / (12.6f * scale));
   const float even = (0.6935f / (scale * scale)) * square + 0.0023f;
   const float odd = (0.3012f / (scale * scale * scale)) * square + 0.0030f / scale;
-  return odd * v + even;
+  return v <= 15.0f ? v * (1.0f / (12.6f * scale)) : odd * v + even;
 }
 
 /// The way back, not rounded yet: 0 to 255 for linear numbers of [0, 1]. The power 1/2.4 is a mean of those

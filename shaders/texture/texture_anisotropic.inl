@@ -29,123 +29,169 @@ constexpr EllipseWeights kEllipse;
 
 } // namespace
 
-/// What does not fit an int32_t becomes INT32_MIN.
-static inline int32_t whole_number(float v) {
-  return v >= -2147483648.0f && v < 2147483648.0f ? int32_t(v) : INT32_MIN;
-}
+/// A strip of a block's lanes, for loops over lanes. The compiler shall not see how many there are: it would
+/// unroll the loops instead of vectorising them.
+struct StripOfLanes {
+  int32_t lanes;
+};
 
-/// The differences of s and t across the 2x2 quad of a lane.
+/// The differences of s and t across the 2x2 quads of a strip's lanes.
 struct QuadDifferences {
-  float ds_dx, ds_dy, dt_dx, dt_dy;
-};
-static inline QuadDifferences quad_of(const BlockCoordinates& c, const TextureUnitConstants& t, int lane) {
-  if (t.shape != TextureShape::Cube) return {c.ds_dx[lane], c.ds_dy[lane], c.dt_dx[lane], c.dt_dy[lane]};
-  const int first = first_of_quad(lane); // OSMesa takes those on the faces, though they may be several
-  return {c.s[first + 1] - c.s[first], c.s[first + 8] - c.s[first], c.t[first + 1] - c.t[first],
-          c.t[first + 8] - c.t[first]};
-}
+  alignas(64) float ds_dx[kStripLanes], ds_dy[kStripLanes], dt_dx[kStripLanes], dt_dy[kStripLanes];
 
-/// The level whose texels are as long as the ellipse's shorter axis, whatever the greatest anisotropy is.
-static inline int32_t ellipse_level(const TextureUnitConstants& t, const QuadDifferences& d) {
-  if (t.mip == TextureMip::None) return 0;
-  float lod = t.min_lod;
-  if (!t.constant_lod) {
-    const float w = float(t.level[0].width), h = float(t.level[0].height);
-    const float sx = d.ds_dx * w, sy = d.ds_dy * w, tx = d.dt_dx * h, ty = d.dt_dy * h;
-    const float x = sx * sx + tx * tx, y = sy * sy + ty * ty;
-    lod = half_log2(select(mask_of(x < y), x, y)) + t.lod_bias;
-    if (t.has_max_lod && !(lod < t.max_lod)) lod = t.max_lod;
-    if (t.has_min_lod && !(lod > t.min_lod)) lod = t.min_lod;
+  QuadDifferences(const StripOfLanes& e, const BlockCoordinates& c, const TextureUnitConstants& t,
+                  int strip) {
+    if (t.shape != TextureShape::Cube) {
+      SOFTGL_FOR_LANES(e, i) {
+        ds_dx[i] = c.ds_dx[strip + i], ds_dy[i] = c.ds_dy[strip + i];
+        dt_dx[i] = c.dt_dx[strip + i], dt_dy[i] = c.dt_dy[strip + i];
+      }
+      return;
+    }
+    SOFTGL_FOR_LANES(e, i) {
+      const int first =
+          first_of_quad(strip + i); // OSMesa takes those on the faces, though they may be several
+      ds_dx[i] = c.s[first + 1] - c.s[first], ds_dy[i] = c.s[first + 8] - c.s[first];
+      dt_dx[i] = c.t[first + 1] - c.t[first], dt_dy[i] = c.t[first + 8] - c.t[first];
+    }
   }
-  return clamp_int(whole_number(lod), 0, t.last_level);
-}
-
-/// Texels on their way through a wrap mode: a block's lanes, all of one fragment.
-struct EllipseTexels {
-  static constexpr int kMost = kLanes;
-  int32_t lanes = 0;
-  alignas(64) float s[kMost], t[kMost], r[kMost], weight[kMost];
-  alignas(64) int32_t width[kMost], height[kMost], depth[kMost];
-  alignas(64) int32_t x[kMost], y[kMost], z[kMost];
 };
 
-/// Adds the weighted texels to `sum`, in order.
-static inline void add_texels(const TextureUnitConstants& t, const TextureLevel& level, int face,
-                              EllipseTexels& e, float sum[4], float& weights) {
-  const int32_t count = e.lanes;
-  e.lanes = (count + kStripLanes - 1) & ~(kStripLanes - 1);
-  for (int i = count; i < e.lanes; ++i) e.s[i] = e.t[i] = 0;
-  const bool three = t.shape == TextureShape::ThreeD;
-  float_nearest_axis(e, t, 0, e.s, e.width, e.x);
-  float_nearest_axis(e, t, 1, e.t, e.height, e.y);
-  if (three) float_nearest_axis(e, t, 2, e.r, e.depth, e.z);
-  for (int i = 0; i < count; ++i) {
-    float v[4];
-    fetch_float(t, level, face, e.x[i], e.y[i], three ? e.z[i] : 0, v);
-    for (int k = 0; k < 4; ++k) sum[k] = sum[k] + v[k] * e.weight[i];
-    weights = weights + e.weight[i];
+/// The levels whose texels are as long as the ellipse's shorter axis, whatever the greatest anisotropy is.
+static inline void find_ellipse_levels(const StripOfLanes& e, const TextureUnitConstants& t,
+                                       const QuadDifferences& d, int32_t* __restrict level) {
+  if (t.mip == TextureMip::None || t.constant_lod) {
+    const int32_t l = t.mip == TextureMip::None ? 0 : clamp_int(int32_t(t.min_lod), 0, t.last_level);
+    SOFTGL_FOR_LANES(e, i) level[i] = l;
+    return;
   }
-  e.lanes = 0;
+  const float w = float(t.level[0].width), h = float(t.level[0].height), bias = t.lod_bias;
+  const float low = t.min_lod, high = t.max_lod;
+  const int32_t below = -int32_t(t.has_min_lod), above = -int32_t(t.has_max_lod), last = t.last_level;
+  SOFTGL_FOR_LANES(e, i) {
+    const float sx = d.ds_dx[i] * w, sy = d.ds_dy[i] * w, tx = d.dt_dx[i] * h, ty = d.dt_dy[i] * h;
+    float lod = half_log2(minimum(sx * sx + tx * tx, sy * sy + ty * ty)) + bias;
+    lod = select(above & ~mask_of(lod < high), high, lod);
+    lod = select(below & ~mask_of(lod > low), low, lod);
+    level[i] = clamp_int(int32_t(lod), 0, last);
+  }
 }
 
 /// Ellipses in larger boxes are filtered without anisotropy, lest a pixel takes forever.
-constexpr int64_t kMostEllipseBox = 1 << 16;
+constexpr int32_t kMostEllipseBox = 1 << 16;
 
-/// The mean of the texels under the ellipse of a lane on level number `l`; false: there are none.
-static inline bool sample_ellipse(const BlockCoordinates& c, const TextureUnitConstants& t, int lane,
-                                  int32_t l, const QuadDifferences& d, EllipseTexels& e, float out[4]) {
-  const TextureLevel& level = t.level[l];
-  const int32_t number = t.first_level + l; // sizes are those of level 0, divided, not cut to whole numbers
-  const float scale = 1.0f / float(int32_t(1) << number);
-  const float zero_width = float(t.zero_width), zero_height = float(t.zero_height);
-  const float ux = d.ds_dx * zero_width * scale, uy = d.ds_dy * zero_width * scale,
-              vx = d.dt_dx * zero_height * scale, vy = d.dt_dy * zero_height * scale;
-  // A u^2 + B u v + C v^2 = F around the ellipse.
-  float A = (vx * vx + vy * vy) + 1.0f, B = (ux * vx + uy * vy) * -2.0f, C = (ux * ux + uy * uy) + 1.0f;
-  const float F = A * C - B * B / 4.0f;
-  const float D = (0.0f - B * B) + (A * C) * 4.0f;
-  const float half_width = (2.0f / D) * __builtin_sqrtf((D * C) * F),
-              half_height = (2.0f / D) * __builtin_sqrtf((A * D) * F);
-  const float form = float(kEllipseWeights - 1) / F;
-  A *= form, B *= form, C *= form;
-  const float center_u = c.s[lane] * (zero_width * scale) + -0.5f,
-              center_v = c.t[lane] * (zero_height * scale) + -0.5f;
-  // Texels beyond 2^30, and what is no number, have no neighbors.
-  const float far = 1073741824.0f;
-  if (!(absolute(center_u) + half_width < far && absolute(center_v) + half_height < far)) return false;
-  const int32_t u0 = whole_number(floor_of(center_u - half_width)),
-                u1 = whole_number(-floor_of(-(center_u + half_width))),
-                v0 = whole_number(floor_of(center_v - half_height)),
-                v1 = whole_number(-floor_of(-(center_v + half_height)));
-  const int64_t columns = int64_t(u1) - u0 + 1, rows = int64_t(v1) - v0 + 1;
-  if (columns <= 0 || rows <= 0 || columns > kMostEllipseBox || rows > kMostEllipseBox ||
-      columns * rows > kMostEllipseBox)
-    return false;
-  for (int i = 0; i < kLanes; ++i) {
-    e.r[i] = c.r[lane];
-    e.width[i] = level.width, e.height[i] = level.height, e.depth[i] = level.depth;
-  }
-  const int face = t.shape == TextureShape::Cube ? face_of(c, lane) : 0;
-  const float width = float(level.width), height = float(level.height);
-  const float U = float(u0) - center_u, second_step = A * 2.0f;
-  const float first_step = (U * 2.0f + 1.0f) * A, first = (U * U) * A;
-  float sum[4] = {}, weights = 0;
-  for (int64_t row = 0; row < rows; ++row) {
-    const float v = float(int32_t(v0 + row)), V = v - center_v;
-    float step = V * B + first_step, q = (C * V + B * U) * V + first;
-    for (int64_t column = 0; column < columns; ++column, q += step, step += second_step) {
-      const int32_t distance = whole_number(q);
-      if (distance >= kEllipseWeights) continue;
-      const int i = e.lanes++;
-      e.weight[i] = kEllipse.weight[distance > 0 ? distance : 0];
-      e.s[i] = float(int32_t(u0 + column)) / width, e.t[i] = v / height;
-      if (e.lanes == EllipseTexels::kMost) add_texels(t, level, face, e, sum, weights);
+/// The ellipses of a strip's lanes on their levels: boxes of columns x rows texels from (u0, v0) on around
+/// centers, and the form A u^2 + B u v + C v^2, which is kEllipseWeights - 1 around an ellipse. No rows:
+/// none.
+struct Ellipses {
+  alignas(64) float A[kStripLanes], B[kStripLanes], C[kStripLanes];
+  alignas(64) float center_u[kStripLanes], center_v[kStripLanes];
+  alignas(64) int32_t u0[kStripLanes], v0[kStripLanes], columns[kStripLanes], rows[kStripLanes];
+
+  Ellipses(const StripOfLanes& e, const TextureUnitConstants& t, const float* __restrict s_,
+           const float* __restrict t_, const uint32_t* __restrict live, const int32_t* __restrict level,
+           const QuadDifferences& d) {
+    const float zero_width = float(t.zero_width), zero_height = float(t.zero_height);
+    const int32_t first_level = t.first_level;
+    SOFTGL_FOR_LANES(e, i) {
+      // Sizes are those of level 0, divided, not cut to whole numbers.
+      const float scale = bits_float((127 - first_level - level[i]) << 23);
+      const float ux = d.ds_dx[i] * zero_width * scale, uy = d.ds_dy[i] * zero_width * scale,
+                  vx = d.dt_dx[i] * zero_height * scale, vy = d.dt_dy[i] * zero_height * scale;
+      const float a = (vx * vx + vy * vy) + 1.0f, b = (ux * vx + uy * vy) * -2.0f,
+                  c = (ux * ux + uy * uy) + 1.0f;
+      const float F = a * c - b * b / 4.0f;
+      const float D = (0.0f - b * b) + (a * c) * 4.0f;
+      const float half_width = (2.0f / D) * __builtin_sqrtf((D * c) * F),
+                  half_height = (2.0f / D) * __builtin_sqrtf((a * D) * F);
+      const float form = float(kEllipseWeights - 1) / F;
+      A[i] = a * form, B[i] = b * form, C[i] = c * form;
+      const float u = s_[i] * (zero_width * scale) + -0.5f, v = t_[i] * (zero_height * scale) + -0.5f;
+      center_u[i] = u, center_v[i] = v;
+      // Texels beyond 2^30, and what is no number, have no neighbors. Half a box is at most half of
+      // kMostEllipseBox; the bound leaves room for rounding, and keeps the differences in 32 bits.
+      const float far = 1073741824.0f, wide = float(kMostEllipseBox);
+      const int32_t left = floor_to_int(u - half_width), right = -floor_to_int(-(u + half_width)),
+                    top = floor_to_int(v - half_height), bottom = -floor_to_int(-(v + half_height));
+      const int32_t near = mask_of(absolute(u) + half_width < far) &
+                           mask_of(absolute(v) + half_height < far) & mask_of(half_width < wide) &
+                           mask_of(half_height < wide);
+      const int32_t across = ((right & near) - (left & near) + 1),
+                    down = ((bottom & near) - (top & near) + 1);
+      const int32_t has = int32_t(live[i]) & near & mask_of(across > 0) & mask_of(down > 0) &
+                          mask_of(across <= kMostEllipseBox) & mask_of(down <= kMostEllipseBox) &
+                          mask_of(float(across) * float(down) <= wide);
+      u0[i] = left & has, v0[i] = top & has, columns[i] = across & has, rows[i] = down & has;
     }
   }
-  add_texels(t, level, face, e, sum, weights);
-  if (weights == 0.0f) return false;
-  for (int k = 0; k < 4; ++k) out[k] = sum[k] / weights;
-  return true;
+};
+
+/// Sums of weighted texels, and of weights.
+struct EllipseSums {
+  alignas(64) float v[4][kStripLanes] = {}, weight[kStripLanes] = {};
+};
+
+/// The greatest of the strip's numbers where the mask is set, or 0.
+static inline int32_t greatest(const StripOfLanes& e, const int32_t* numbers, const int32_t* mask) {
+  int32_t most = 0;
+  SOFTGL_FOR_LANES(e, i) {
+    const int32_t n = numbers[i] & mask[i];
+    most = select(mask_of(n > most), n, most);
+  }
+  return most;
+}
+
+/// Adds the texels under the ellipses, row by row. r is the third texture coordinate.
+static inline void sum_ellipses(const StripOfLanes& e, const TextureUnitConstants& t,
+                                const LevelImages& images, const float* r, const Ellipses& ellipses,
+                                EllipseSums& sum) {
+  const bool three = t.shape == TextureShape::ThreeD;
+  alignas(64) int32_t x[kLanes], y[kLanes], z[kLanes], all[kStripLanes], in_row[kStripLanes],
+      takes[kStripLanes];
+  alignas(64) float s[kLanes], q[kStripLanes], step[kStripLanes], v[kStripLanes], weight[kStripLanes];
+  if (three) float_nearest_axis(e, t, 2, r, images.depth, z);
+  SOFTGL_FOR_LANES(e, i) all[i] = -1;
+  TexelRows texel_rows;
+  TexelPlaces at;
+  FloatTexels texel;
+  const int32_t rows = greatest(e, ellipses.rows, all);
+  for (int32_t row = 0; row < rows; ++row) {
+    SOFTGL_FOR_LANES(e, i) {
+      in_row[i] = mask_of(row < ellipses.rows[i]);
+      v[i] = float(ellipses.v0[i] + row);
+      const float V = v[i] - ellipses.center_v[i], U = float(ellipses.u0[i]) - ellipses.center_u[i];
+      const float first_step = (U * 2.0f + 1.0f) * ellipses.A[i], first = (U * U) * ellipses.A[i];
+      step[i] = V * ellipses.B[i] + first_step;
+      q[i] = (ellipses.C[i] * V + ellipses.B[i] * U) * V + first;
+      v[i] = v[i] / float(images.height[i]);
+    }
+    float_nearest_axis(e, t, 1, v, images.height, y);
+    find_rows(e, images, y, three ? z : nullptr, texel_rows);
+    const int32_t columns = greatest(e, ellipses.columns, in_row);
+    for (int32_t column = 0; column < columns; ++column) {
+      int32_t some = 0;
+      SOFTGL_FOR_LANES(e, i) {
+        const int32_t distance = int32_t(q[i]);
+        takes[i] = in_row[i] & mask_of(column < ellipses.columns[i]) & mask_of(distance < kEllipseWeights);
+        some |= takes[i];
+        x[i] = clamp_int(distance, 0, kEllipseWeights - 1);
+        q[i] += step[i];
+        step[i] += ellipses.A[i] * 2.0f;
+      }
+      if (some == 0) continue;
+      for (int32_t i = 0; i < e.lanes; i += kWidth) {
+        const auto place = [&](int k) __attribute__((always_inline)) { return kEllipse.weight + x[i + k]; };
+        store(weight + i, (FloatV)load_words(place));
+      }
+      SOFTGL_FOR_LANES(e, i) s[i] = float(ellipses.u0[i] + column) / float(images.width[i]);
+      float_nearest_axis(e, t, 0, s, images.width, x);
+      find_texels(e, images, texel_rows, x, at);
+      fetch_texels(e, t, at, texel);
+      for (int k = 0; k < 4; ++k) SOFTGL_FOR_LANES(e, i)
+      sum.v[k][i] = select(takes[i], sum.v[k][i] + texel.v[k][i] * weight[i], sum.v[k][i]);
+      SOFTGL_FOR_LANES(e, i) sum.weight[i] += keep(takes[i], weight[i]);
+    }
+  }
 }
 
 /// The filtered texels of a block; dead lanes get none.
@@ -153,18 +199,21 @@ static inline void sample_anisotropic(const FragmentBlock& block, const BlockCoo
                                       const TextureUnitConstants& t, FloatTexels& out) {
   alignas(64) int32_t level[kLanes], empty[kLanes];
   int32_t any_empty = 0;
-  EllipseTexels texels;
-  for (int i = 0; i < block.lanes; ++i) {
-    level[i] = empty[i] = 0;
-    for (int k = 0; k < 4; ++k) out.v[k][i] = 0;
-    const QuadDifferences d = quad_of(c, t, i);
-    level[i] = ellipse_level(t, d);
-    if (!block.live[i]) continue;
-    float v[4];
-    if (sample_ellipse(c, t, i, level[i], d, texels, v)) {
-      for (int k = 0; k < 4; ++k) out.v[k][i] = v[k];
-    } else {
-      any_empty |= empty[i] = -1;
+  for (int strip = 0; strip < block.lanes; strip += kStripLanes) {
+    const StripOfLanes e{block.lanes - strip < kStripLanes ? block.lanes - strip : kStripLanes};
+    const QuadDifferences differences(e, c, t, strip);
+    find_ellipse_levels(e, t, differences, level + strip);
+    const Ellipses ellipses(e, t, c.s + strip, c.t + strip, block.live + strip, level + strip, differences);
+    LevelImages images;
+    for (int i = strip; i < strip + kStripLanes; ++i)
+      images.set(i - strip, t.level[level[i]], t.shape == TextureShape::Cube ? face_of(c, i) : 0);
+    EllipseSums sum;
+    sum_ellipses(e, t, images, c.r + strip, ellipses, sum);
+    for (int i = strip; i < strip + kStripLanes; ++i) {
+      empty[i] = int32_t(block.live[i]) & mask_of(sum.weight[i - strip] == 0.0f);
+      any_empty |= empty[i];
+      for (int k = 0; k < 4; ++k)
+        out.v[k][i] = keep(mask_of(block.live[i] != 0), sum.v[k][i - strip] / sum.weight[i - strip]);
     }
   }
   if (!any_empty) return;

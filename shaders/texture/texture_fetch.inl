@@ -5,6 +5,7 @@
 #include "shaders/common/srgb.h"
 #include "shaders/fragment/fragment_block.h"
 #include "shaders/texture/texture_constants.h"
+#include "shaders/texture/texture_cube.inl"
 
 namespace softgl {
 namespace SOFTGL_ISA {
@@ -19,54 +20,193 @@ struct FloatTexels {
   alignas(64) float v[4][kLanes];
 };
 
-/// The word of a depth.
-static inline __attribute__((always_inline)) uint32_t depth_word(const TextureLevel& level, int face,
-                                                                 size_t index) {
-  typedef uint32_t AliasedDepth __attribute__((may_alias));
-  return reinterpret_cast<const AliasedDepth*>(level.face[face])[index];
+/// The images that a block's lanes look at, one a lane.
+struct LevelImages {
+  const TextureLevel* level[kLanes];
+  const unsigned char* texels[kLanes]; // of the lane's face
+  alignas(64) int32_t width[kLanes], height[kLanes], depth[kLanes];
+  alignas(64) int32_t row[kLanes], slice[kLanes];
+
+  void set(int lane, const TextureLevel& l, int face) {
+    level[lane] = &l;
+    texels[lane] = l.face[face];
+    width[lane] = l.width, height[lane] = l.height, depth[lane] = l.depth;
+    row[lane] = l.row, slice[lane] = l.slice;
+  }
+};
+
+/// Level `levels` + `add` of each lane, at most the last one. That all live lanes look at one level is the
+/// usual case; lanes that are dead follow them.
+static inline void find_images(const FragmentBlock& block, const BlockCoordinates& c,
+                               const TextureUnitConstants& t, const int32_t* levels, int add,
+                               LevelImages& out) {
+  int first = 0;
+  while (first < block.lanes - 1 && block.live[first] == 0) ++first;
+  const int32_t reference = levels[first];
+  int32_t differs = 0;
+  SOFTGL_FOR_LANES(block, i) differs |= (levels[i] ^ reference) & int32_t(block.live[i]);
+  const auto level_at = [&](int32_t l) { return &t.level[l + add > t.last_level ? t.last_level : l + add]; };
+  const bool cube = t.shape == TextureShape::Cube;
+  if (differs == 0) {
+    const TextureLevel& level = *level_at(reference);
+    SOFTGL_FOR_LANES(block, i) out.set(i, level, 0);
+    for (int32_t i = 0; cube && i < block.lanes; ++i) out.texels[i] = level.face[face_of(c, i)];
+  } else {
+    for (int32_t i = 0; i < block.lanes; ++i) out.set(i, *level_at(levels[i]), cube ? face_of(c, i) : 0);
+  }
 }
+
 /// 32 bits do not fit a float: OSMesa keeps the upper 23.
 static inline __attribute__((always_inline)) float wide_depth(uint32_t v) {
   return (bits_float(int32_t((v >> 9) | 0x3f800000u)) - 1.0f) * 1.00000011920930376163766f;
 }
 
-/// One texel as floats; the border outside.
-static inline void fetch_float(const TextureUnitConstants& t, const TextureLevel& level, int face, int32_t x,
-                               int32_t y, int32_t z, float* rgba) {
-  if (x < 0 || x >= level.width || y < 0 || y >= level.height || z < 0 || z >= level.depth) {
-    for (int k = 0; k < 4; ++k) rgba[k] = t.border[k];
-    return;
-  }
-  const size_t index = size_t(z) * size_t(level.slice) + size_t(y) * size_t(level.row) + size_t(x);
-  if (t.texel == TextureTexel::Rgba8) {
-    const unsigned char* p = level.face[face] + index * 4;
-    for (int k = 0; k < 4; ++k) rgba[k] = float(int32_t(p[k] >> t.shift[k])) * t.scale[k];
-  } else if (t.texel == TextureTexel::Rgba16) {
-    typedef uint16_t AliasedHalf __attribute__((may_alias));
-    const AliasedHalf* p = reinterpret_cast<const AliasedHalf*>(level.face[face] + index * 8);
-    for (int k = 0; k < 4; ++k) rgba[k] = float(int32_t(p[k])) * t.scale[k];
-  } else if (t.texel == TextureTexel::Float) {
-    typedef float AliasedFloat __attribute__((may_alias));
-    const AliasedFloat* p = reinterpret_cast<const AliasedFloat*>(level.face[face] + index * 16);
-    for (int k = 0; k < 4; ++k) rgba[k] = p[k];
-  } else if (t.texel == TextureTexel::Srgb8) {
-    const unsigned char* p = level.face[face] + index * 4;
-    for (int k = 0; k < 3; ++k) rgba[k] = srgb_to_linear(float(int32_t(p[k])));
-    rgba[3] = float(int32_t(p[3])) * t.scale[3];
-  } else if (t.texel == TextureTexel::Signed16) {
-    typedef int16_t AliasedShort __attribute__((may_alias));
-    const AliasedShort* p = reinterpret_cast<const AliasedShort*>(level.face[face] + index * 8);
-    for (int k = 0; k < 4; ++k) {
-      const float v = float(int32_t(p[k])) * t.scale[k];
-      rgba[k] = v > -1.0f ? v : -1.0f;
+/// Rows of a block's images: the number of the first texel of each, and a mask: is there such a row?
+struct TexelRows {
+  alignas(64) uint32_t index[kLanes];
+  alignas(64) int32_t inside[kLanes];
+};
+
+/// Rows (y, z); both are null where the shape of the texture has no such axis.
+template <class Lanes> static inline void find_rows(const Lanes& block, const LevelImages& images,
+                                                    const int32_t* y, const int32_t* z, TexelRows& out) {
+  if (y) {
+    SOFTGL_FOR_LANES(block, i) {
+      out.inside[i] = mask_of(uint32_t(y[i]) < uint32_t(images.height[i]));
+      out.index[i] = uint32_t(y[i]) * uint32_t(images.row[i]);
     }
   } else {
-    const uint32_t v = depth_word(level, face, index);
-    const float d = t.texel == TextureTexel::DepthFloat ? bits_float(int32_t(v))
-                    : t.shift[0] == 32                  ? wide_depth(v)
-                                                        : float(int32_t(v)) * t.scale[0];
-    rgba[0] = rgba[1] = rgba[2] = d;
-    rgba[3] = 1;
+    SOFTGL_FOR_LANES(block, i) out.index[i] = 0, out.inside[i] = -1;
+  }
+  if (z) SOFTGL_FOR_LANES(block, i) {
+      out.inside[i] &= mask_of(uint32_t(z[i]) < uint32_t(images.depth[i]));
+      out.index[i] += uint32_t(z[i]) * uint32_t(images.slice[i]);
+    }
+}
+
+/// Which texels a block's lanes take: number `index` at `texels`. Those outside their image are the border.
+struct TexelPlaces {
+  const unsigned char* const* texels;
+  alignas(64) uint32_t index[kLanes];
+  alignas(64) int32_t inside[kLanes];
+};
+
+/// Texels x of rows.
+template <class Lanes> static inline void find_texels(const Lanes& block, const LevelImages& images,
+                                                      const TexelRows& rows, const int32_t* __restrict x,
+                                                      TexelPlaces& out) {
+  out.texels = images.texels;
+  SOFTGL_FOR_LANES(block, i) {
+    const int32_t inside = mask_of(uint32_t(x[i]) < uint32_t(images.width[i])) & rows.inside[i];
+    out.inside[i] = inside;
+    out.index[i] = (rows.index[i] + uint32_t(x[i])) & uint32_t(inside);
+  }
+}
+
+/// The words of texels that have one.
+template <class Lanes>
+static inline void fetch_words(const Lanes& block, const TexelPlaces& at, int32_t* __restrict word) {
+  for (int32_t i = 0; i < block.lanes; i += kWidth) {
+    const auto place = [&](int k) __attribute__((always_inline)) {
+      return at.texels[i + k] + size_t(at.index[i + k]) * 4;
+    };
+    store(word + i, load_words(place));
+  }
+}
+
+/// The depths of texels; the border outside.
+template <class Lanes> static inline void fetch_depths(const Lanes& block, const TextureUnitConstants& t,
+                                                       const TexelPlaces& at, float* __restrict out) {
+  alignas(64) int32_t word[kLanes];
+  fetch_words(block, at, word);
+  const float border = t.border[0];
+  const auto decode = [&](auto depth) {
+    SOFTGL_FOR_LANES(block, i) out[i] = select(at.inside[i], depth(uint32_t(word[i])), border);
+  };
+  if (t.texel == TextureTexel::DepthFloat)
+    decode([](uint32_t v) { return bits_float(int32_t(v)); });
+  else if (t.shift[0] == 32)
+    decode([](uint32_t v) { return wide_depth(v); });
+  else
+    decode([scale = t.scale[0]](uint32_t v) { return float(int32_t(v)) * scale; });
+}
+
+/// Component k of texels of four bytes: decoder(k)(byte).
+template <class Lanes, class Decoder>
+static inline void fetch_bytes(const Lanes& block, const TexelPlaces& at, FloatTexels& out, Decoder decoder) {
+  alignas(64) int32_t word[kLanes];
+  fetch_words(block, at, word);
+  for (int k = 0; k < 4; ++k) {
+    const auto decode = decoder(k);
+    SOFTGL_FOR_LANES(block, i) out.v[k][i] = decode(int32_t(uint32_t(word[i]) >> 8 * k & 255));
+  }
+}
+
+/// Component k of texels of four halves: decoder(k)(half as it is in the lower 16 bits).
+template <class Lanes, class Decoder> static inline void
+fetch_halves(const Lanes& block, const TexelPlaces& at, FloatTexels& out, Decoder decoder) {
+  alignas(64) int32_t word[2][kLanes];
+  for (int32_t i = 0; i < block.lanes; i += kWidth) {
+    IntV first, second;
+    const auto place = [&](int k) __attribute__((always_inline)) {
+      return at.texels[i + k] + size_t(at.index[i + k]) * 8;
+    };
+    load_pairs(place, first, second);
+    store(word[0] + i, first), store(word[1] + i, second);
+  }
+  for (int k = 0; k < 4; ++k) {
+    const auto decode = decoder(k);
+    SOFTGL_FOR_LANES(block, i) out.v[k][i] = decode(uint32_t(word[k >> 1][i]) >> 16 * (k & 1));
+  }
+}
+
+/// The texels as floats; the border outside.
+template <class Lanes> static inline void fetch_texels(const Lanes& block, const TextureUnitConstants& t,
+                                                       const TexelPlaces& at, FloatTexels& out) {
+  switch (t.texel) {
+  case TextureTexel::Rgba8:
+    fetch_bytes(block, at, out, [&](int k) {
+      return [shift = t.shift[k], scale = t.scale[k]](int32_t v) { return float(v >> shift) * scale; };
+    });
+    break;
+  case TextureTexel::Srgb8:
+    fetch_bytes(block, at, out, [&](int k) {
+      return [linear = k == 3, scale = t.scale[3]](int32_t v) {
+        return linear ? float(v) * scale : srgb_to_linear(float(v));
+      };
+    });
+    break;
+  case TextureTexel::Rgba16:
+    fetch_halves(block, at, out, [&](int k) {
+      return [scale = t.scale[k]](uint32_t v) { return float(int32_t(v & 0xffff)) * scale; };
+    });
+    break;
+  case TextureTexel::Signed16:
+    fetch_halves(block, at, out, [&](int k) {
+      return
+          [scale = t.scale[k]](uint32_t v) { return maximum(float(int32_t(v << 16) >> 16) * scale, -1.0f); };
+    });
+    break;
+  case TextureTexel::Float:
+    for (int32_t i = 0; i < block.lanes; i += kWidth) {
+      FloatV v[4];
+      const auto place = [&](int k) __attribute__((always_inline)) {
+        return reinterpret_cast<const float*>(at.texels[i + k]) + size_t(at.index[i + k]) * 4;
+      };
+      load_transposed(place, v);
+      for (int k = 0; k < 4; ++k) store(out.v[k] + i, v[k]);
+    }
+    break;
+  default:
+    fetch_depths(block, t, at, out.v[0]);
+    for (int k = 1; k < 4; ++k) SOFTGL_FOR_LANES(block, i) out.v[k][i] = k < 3 ? out.v[0][i] : 1.0f;
+  }
+  int32_t outside = 0;
+  SOFTGL_FOR_LANES(block, i) outside |= ~at.inside[i];
+  if (outside == 0) return;
+  for (int k = 0; k < 4; ++k) {
+    const float border = t.border[k];
+    SOFTGL_FOR_LANES(block, i) out.v[k][i] = select(at.inside[i], out.v[k][i], border);
   }
 }
 

@@ -6,15 +6,14 @@
 #include "shaders/texture/texture_fetch.inl"
 #include "shaders/texture/texture_lod.inl"
 #include "shaders/texture/texture_seamless.inl"
+#include "shaders/texture/texture_shadow.inl"
 
 namespace softgl {
 namespace SOFTGL_ISA {
 
 /// 2 * |s / 2 - round(s / 2)|: one period of mirrored repetition.
 static inline __attribute__((always_inline)) float mirror(float s) {
-  const float half = s * 0.5f;
-  const float r = __builtin_rintf(half);
-  const float d = half - r;
+  const float half = s * 0.5f, d = half - round_of(half);
   return absolute(d + d);
 }
 
@@ -69,11 +68,11 @@ static inline void float_linear_axis(const FragmentBlock& block, const TextureUn
     }
     break;
   default: // MirroredRepeat
-    for (int32_t i = 0; i < block.lanes; ++i) {
+    SOFTGL_FOR_LANES(block, i) {
       floor_axis(out, i, maximum(mirror(coordinate[i]), 0.0f) * float(sizes[i]) - 0.5f);
-      const int32_t x = out.first[i], next = x + 1;
-      out.first[i] = x > 0 ? x : 0;
-      out.second[i] = next < sizes[i] - 1 ? next : sizes[i] - 1;
+      const int32_t x = out.first[i], next = x + 1, last = sizes[i] - 1;
+      out.first[i] = select(mask_of(x > 0), x, 0);
+      out.second[i] = select(mask_of(next < last), next, last);
     }
   }
 }
@@ -102,137 +101,113 @@ static inline void float_nearest_axis(const Lanes& block, const TextureUnitConst
     SOFTGL_FOR_LANES(block, i) out[i] = floor_to_int(coordinate[i] * scale(i));
     break;
   default: // MirroredRepeat
-    for (int32_t i = 0; i < block.lanes; ++i)
-      out[i] = clamp_int(int32_t(maximum(mirror(coordinate[i]), 0.0f) * float(sizes[i])), 0, sizes[i] - 1);
+    SOFTGL_FOR_LANES(block, i)
+    out[i] = clamp_int(int32_t(maximum(mirror(coordinate[i]), 0.0f) * float(sizes[i])), 0, sizes[i] - 1);
   }
 }
 
-/// r is clamped as the texels are, unless they are floats (GL_ARB_depth_buffer_float, 3.8.14).
-static inline float compared_r(const TextureUnitConstants& t, float r) {
-  return t.texel == TextureTexel::DepthFloat ? r : saturate(r);
+/// a += weight * (b - a).
+static inline void lerp_lanes(const FragmentBlock& block, int components, const float* __restrict weight,
+                              const FloatTexels& b, FloatTexels& a) {
+  for (int k = 0; k < components; ++k)
+    SOFTGL_FOR_LANES(block, i) a.v[k][i] = weight[i] * (b.v[k][i] - a.v[k][i]) + a.v[k][i];
 }
 
-/// r FUNC texel: 1 or 0 (3.8.14).
-static inline bool depth_passes(uint8_t function, float r, float texel) {
-  switch (function) {
-  case 0: return false;
-  case 1: return r < texel;
-  case 2: return r == texel;
-  case 3: return r <= texel;
-  case 4: return r > texel;
-  case 5: return r != texel;
-  case 6: return r >= texel;
-  default: return true;
-  }
-}
+/// The texels between which a linear filter interpolates, and what it does with them, axis by axis.
+struct LinearFilter {
+  const FragmentBlock& block;
+  const BlockCoordinates& c;
+  const TextureUnitConstants& t;
+  const LevelImages& images;
+  int axes, components;
+  FloatAxis axis[3];
 
-/// Depth textures without a filter: shadows. 1 where r passes the comparison with the texel, else 0.
-static inline void compare_nearest_level(const FragmentBlock& block, const BlockCoordinates& c,
-                                         const TextureUnitConstants& t, const TextureLevel* const* level,
-                                         const int32_t* x, const int32_t* y, FloatTexels& out) {
-  alignas(64) float texel[kLanes];
-  alignas(64) uint32_t word[kLanes];
-  alignas(64) int32_t inside[kLanes];
-  for (int i = 0; i < block.lanes; ++i) {
-    const TextureLevel& l = *level[i];
-    inside[i] = mask_of(uint32_t(x[i]) < uint32_t(l.width)) & mask_of(uint32_t(y[i]) < uint32_t(l.height));
-    const size_t row = size_t(y[i] & inside[i]) * size_t(l.row);
-    word[i] = depth_word(l, 0, row + size_t(x[i] & inside[i]));
+  LinearFilter(const FragmentBlock& block_, const BlockCoordinates& c_, const TextureUnitConstants& t_,
+               const LevelImages& images_)
+      : block(block_), c(c_), t(t_), images(images_), axes(t_.shape == TextureShape::OneD     ? 1
+                                                           : t_.shape == TextureShape::ThreeD ? 3
+                                                                                              : 2),
+        components(t_.compares ? 1 : 4) {
+    const float* coordinate[3] = {c.s, c.t, c.r};
+    const int32_t* sizes[3] = {images.width, images.height, images.depth};
+    for (int a = 0; a < axes; ++a) float_linear_axis(block, t, a, coordinate[a], sizes[a], axis[a]);
   }
-  const float border = t.border[0];
-  const auto decode = [&](auto depth) {
-    SOFTGL_FOR_LANES(block, i) texel[i] = select(inside[i], depth(word[i]), border);
-  };
-  if (t.texel == TextureTexel::DepthFloat)
-    decode([](uint32_t v) { return bits_float(int32_t(v)); });
-  else if (t.shift[0] == 32)
-    decode([](uint32_t v) { return wide_depth(v); });
-  else
-    decode([scale = t.scale[0]](uint32_t v) { return float(int32_t(v)) * scale; });
-  const auto compare = [&](auto passes) {
-    SOFTGL_FOR_LANES(block, i) {
-      const float one = keep(mask_of(passes(compared_r(t, c.r[i]), texel[i])), 1.0f);
-      for (int k = 0; k < 4; ++k) out.v[k][i] = one;
+
+  /// Along x.
+  void line(const int32_t* y, const int32_t* z, FloatTexels& out) const {
+    if (block.lanes <= 0) __builtin_unreachable(); // the arrays below are filled
+    FloatTexels next;
+    TexelRows rows;
+    TexelPlaces at;
+    find_rows(block, images, y, z, rows);
+    find_texels(block, images, rows, axis[0].first, at);
+    if (!t.compares) {
+      fetch_texels(block, t, at, out);
+      find_texels(block, images, rows, axis[0].second, at);
+      fetch_texels(block, t, at, next);
+      lerp_lanes(block, components, axis[0].weight, next, out);
+      return;
     }
-  };
-  switch (t.compare_function) {
-  case 0: return compare([](float, float) { return false; });
-  case 1: return compare([](float r, float d) { return r < d; });
-  case 2: return compare([](float r, float d) { return r == d; });
-  case 3: return compare([](float r, float d) { return r <= d; });
-  case 4: return compare([](float r, float d) { return r > d; });
-  case 5: return compare([](float r, float d) { return r != d; });
-  case 6: return compare([](float r, float d) { return r >= d; });
-  default: return compare([](float, float) { return true; });
+    // The comparisons are filtered, as masked weights (OSMesa 22.3.6).
+    compare_texels(block, c, t, at, out.v[0]);
+    find_texels(block, images, rows, axis[0].second, at);
+    compare_texels(block, c, t, at, next.v[0]);
+    const float* __restrict weight = axis[0].weight;
+    SOFTGL_FOR_LANES(block, i)
+    out.v[0][i] =
+        keep(mask_of(next.v[0][i] != 0), weight[i]) + keep(mask_of(out.v[0][i] != 0), 1.0f - weight[i]);
   }
-}
+  /// Along x and y.
+  void plane(const int32_t* z, FloatTexels& out) const {
+    line(axes > 1 ? axis[1].first : nullptr, z, out);
+    if (axes == 1) return;
+    FloatTexels next;
+    line(axis[1].second, z, next);
+    lerp_lanes(block, components, axis[1].weight, next, out);
+  }
+  void filter(FloatTexels& out) const {
+    plane(axes > 2 ? axis[2].first : nullptr, out);
+    if (axes == 3) {
+      FloatTexels next;
+      plane(axis[2].second, next);
+      lerp_lanes(block, components, axis[2].weight, next, out);
+    }
+    for (int k = components; k < 4; ++k) SOFTGL_FOR_LANES(block, i) out.v[k][i] = out.v[0][i];
+  }
+};
 
 /// `nearest`, if there is one: lanes whose linear filter takes the texel of the greater weight alone.
 static inline void sample_float_level(const FragmentBlock& block, const BlockCoordinates& c,
                                       const TextureUnitConstants& t, const int32_t* levels, int add,
                                       bool linear, const int32_t* nearest, FloatTexels& out) {
   if (block.lanes <= 0) __builtin_unreachable(); // the arrays below are filled
-  alignas(64) int32_t width[kLanes], height[kLanes], depth[kLanes];
-  const TextureLevel* level[kLanes];
-  SOFTGL_FOR_LANES(block, i) {
-    int32_t l = levels[i] + add;
-    l = l > t.last_level ? t.last_level : l;
-    level[i] = &t.level[l];
-    width[i] = level[i]->width, height[i] = level[i]->height, depth[i] = level[i]->depth;
-  }
-  const bool two = t.shape != TextureShape::OneD, three = t.shape == TextureShape::ThreeD,
-             cube = t.shape == TextureShape::Cube;
+  LevelImages images;
+  find_images(block, c, t, levels, add, images);
   if (!linear) {
     alignas(64) int32_t x[kLanes], y[kLanes], z[kLanes];
-    float_nearest_axis(block, t, 0, c.s, width, x);
-    if (two) float_nearest_axis(block, t, 1, c.t, height, y);
-    if (three) float_nearest_axis(block, t, 2, c.r, depth, z);
-    if (t.compares && t.shape == TextureShape::TwoD)
-      return compare_nearest_level(block, c, t, level, x, y, out);
-    for (int i = 0; i < block.lanes; ++i) {
-      float v[4];
-      fetch_float(t, *level[i], cube ? face_of(c, i) : 0, x[i], two ? y[i] : 0, three ? z[i] : 0, v);
-      if (t.compares)
-        v[0] = v[1] = v[2] = v[3] =
-            depth_passes(t.compare_function, compared_r(t, c.r[i]), v[0]) ? 1.0f : 0.0f;
-      for (int k = 0; k < 4; ++k) out.v[k][i] = v[k];
-    }
+    const bool two = t.shape != TextureShape::OneD, three = t.shape == TextureShape::ThreeD;
+    float_nearest_axis(block, t, 0, c.s, images.width, x);
+    if (two) float_nearest_axis(block, t, 1, c.t, images.height, y);
+    if (three) float_nearest_axis(block, t, 2, c.r, images.depth, z);
+    TexelRows rows;
+    TexelPlaces at;
+    find_rows(block, images, two ? y : nullptr, three ? z : nullptr, rows);
+    find_texels(block, images, rows, x, at);
+    if (!t.compares) return fetch_texels(block, t, at, out);
+    compare_texels(block, c, t, at, out.v[0]);
+    for (int k = 1; k < 4; ++k) SOFTGL_FOR_LANES(block, i) out.v[k][i] = out.v[0][i];
     return;
   }
-  if (t.seamless) return sample_seamless_level(block, c, t, level, width, nearest, out);
-  FloatAxis x, y, z;
-  float_linear_axis(block, t, 0, c.s, width, x);
-  if (two) float_linear_axis(block, t, 1, c.t, height, y);
-  if (three) float_linear_axis(block, t, 2, c.r, depth, z);
-  for (int i = 0; nearest && i < block.lanes; ++i)
-    if (nearest[i]) x.weight[i] = x.weight[i] > 0.5f, y.weight[i] = y.weight[i] > 0.5f;
-  for (int i = 0; i < block.lanes; ++i) {
-    float plane[2][4];
-    for (int b = 0; b < (three ? 2 : 1); ++b) {
-      const int32_t slice = three ? (b ? z.second[i] : z.first[i]) : 0;
-      float line[2][4];
-      for (int a = 0; a < (two ? 2 : 1); ++a) {
-        const int32_t row = two ? (a ? y.second[i] : y.first[i]) : 0;
-        const int face = cube ? face_of(c, i) : 0;
-        float v0[4], v1[4];
-        fetch_float(t, *level[i], face, x.first[i], row, slice, v0);
-        fetch_float(t, *level[i], face, x.second[i], row, slice, v1);
-        if (t.compares) {
-          // The comparisons are filtered, as masked weights.
-          const float r = compared_r(t, c.r[i]), w = x.weight[i];
-          const float p0 = depth_passes(t.compare_function, r, v0[0]) ? 1.0f - w : 0.0f;
-          const float p1 = depth_passes(t.compare_function, r, v1[0]) ? w : 0.0f;
-          for (int k = 0; k < 4; ++k) line[a][k] = p1 + p0;
-        } else {
-          for (int k = 0; k < 4; ++k) line[a][k] = x.weight[i] * (v1[k] - v0[k]) + v0[k];
-        }
-      }
-      for (int k = 0; k < 4; ++k)
-        plane[b][k] = two ? y.weight[i] * (line[1][k] - line[0][k]) + line[0][k] : line[0][k];
+  if (t.seamless) return sample_seamless_level(block, c, t, images, nearest, out);
+  LinearFilter filter(block, c, t, images);
+  for (int a = 0; nearest && a < filter.axes; ++a) {
+    float* __restrict weight = filter.axis[a].weight;
+    SOFTGL_FOR_LANES(block, i) {
+      const float whole = keep(mask_of(weight[i] > 0.5f), 1.0f);
+      weight[i] = select(mask_of(nearest[i] != 0), whole, weight[i]);
     }
-    for (int k = 0; k < 4; ++k)
-      out.v[k][i] = three ? z.weight[i] * (plane[1][k] - plane[0][k]) + plane[0][k] : plane[0][k];
   }
+  filter.filter(out);
 }
 
 static inline void sample_float_levels(const FragmentBlock& block, const BlockCoordinates& c,

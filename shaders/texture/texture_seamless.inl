@@ -57,71 +57,41 @@ static inline void seamless_axis(const FragmentBlock& block, const float* __rest
   }
 }
 
-/// Component k of texel n (00, 10, 01, 11 in x and y) of each lane.
-struct FourTexels {
-  alignas(64) float v[4][4][kLanes];
-};
-
-typedef int32_t AliasedTexel __attribute__((may_alias));
-
-/// Texel (x, y) of four bytes.
-static inline const AliasedTexel* texel_word(const TextureLevel& level, int32_t face, int32_t x, int32_t y) {
-  return reinterpret_cast<const AliasedTexel*>(level.face[face]) + size_t(y) * size_t(level.row) + size_t(x);
-}
-
-/// Where `beside` is negative a texel of the lane is beside the lane's face.
+/// Component k of texel n (00, 10, 01, 11 in x and y) of each lane. Where `beside` is negative a texel of the
+/// lane is beside the lane's face.
 static inline void fetch_seamless(const FragmentBlock& block, const BlockCoordinates& c,
-                                  const TextureUnitConstants& t, const TextureLevel* const* level,
+                                  const TextureUnitConstants& t, const LevelImages& images,
                                   const FloatAxis& x, const FloatAxis& y, const int32_t* beside,
-                                  FourTexels& out) {
-  const auto texel = [&](int32_t i, int n) {
-    const CubeTexel own{face_of(c, i), n & 1 ? x.second[i] : x.first[i], n & 2 ? y.second[i] : y.first[i]};
-    return beside[i] < 0 ? across_edges(own, level[i]->width) : own;
-  };
-  if (t.texel != TextureTexel::Rgba8) {
-    for (int n = 0; n < 4; ++n)
-      for (int32_t i = 0; i < block.lanes; ++i) {
-        const CubeTexel from = texel(i, n);
-        float v[4];
-        fetch_float(t, *level[i], from.face, from.x, from.y, 0, v);
-        for (int k = 0; k < 4; ++k) out.v[n][k][i] = v[k];
+                                  FloatTexels out[4]) {
+  const unsigned char* texels[kLanes];
+  TexelRows rows;
+  TexelPlaces at;
+  for (int n = 0; n < 4; ++n) {
+    const int32_t *column = n & 1 ? x.second : x.first, *row = n & 2 ? y.second : y.first;
+    find_rows(block, images, row, nullptr, rows);
+    find_texels(block, images, rows, column, at);
+    SOFTGL_FOR_LANES(block, i) at.inside[i] = -1;
+    at.texels = texels;
+    SOFTGL_FOR_LANES(block, i) texels[i] = images.texels[i];
+    for (int32_t i = 0; i < block.lanes; i += kWidth)
+      for (uint32_t lanes = sign_bits(load(beside + i) & load(block.live + i)); lanes != 0;
+           lanes &= lanes - 1) {
+        const int32_t lane = i + __builtin_ctz(lanes);
+        const CubeTexel from = across_edges({face_of(c, lane), column[lane], row[lane]}, images.width[lane]);
+        texels[lane] = images.level[lane]->face[from.face];
+        at.index[lane] = uint32_t(from.y * images.row[lane] + from.x);
       }
-    return;
+    fetch_texels(block, t, at, out[n]);
   }
-  alignas(64) int32_t word[4][kLanes];
-  for (int32_t i = 0; i < block.lanes; ++i) {
-    if (!block.live[i]) { // of a quad that has others
-      for (int n = 0; n < 4; ++n) word[n][i] = 0;
-      continue;
-    }
-    if (beside[i] < 0) {
-      for (int n = 0; n < 4; ++n) {
-        const CubeTexel from = texel(i, n);
-        word[n][i] = *texel_word(*level[i], from.face, from.x, from.y);
-      }
-      continue;
-    }
-    const AliasedTexel* upper = texel_word(*level[i], face_of(c, i), x.first[i], y.first[i]);
-    const AliasedTexel* lower = upper + level[i]->row;
-    word[0][i] = upper[0], word[1][i] = upper[1], word[2][i] = lower[0], word[3][i] = lower[1];
-  }
-  for (int n = 0; n < 4; ++n)
-    for (int k = 0; k < 4; ++k) {
-      const int shift = 8 * k + t.shift[k];
-      const int32_t mask = 255 >> t.shift[k];
-      const float scale = t.scale[k];
-      const int32_t* __restrict from = word[n];
-      float* __restrict to = out.v[n][k];
-      SOFTGL_FOR_LANES(block, i) to[i] = float(int32_t(uint32_t(from[i]) >> shift) & mask) * scale;
-    }
 }
 
 /// As sample_float_level(), of a cube map with linear filtering. Operation order as in OSMesa 22.3.6: where
 /// one lane of a quad looks at a corner of the cube, its quad adds weighted texels instead of interpolating,
 /// and the weight of the texel that is not there goes to the other three.
 static inline void sample_seamless_level(const FragmentBlock& block, const BlockCoordinates& c,
-                                         const TextureUnitConstants& t, const TextureLevel* const* level,
-                                         const int32_t* size, const int32_t* nearest, FloatTexels& out) {
+                                         const TextureUnitConstants& t, const LevelImages& images,
+                                         const int32_t* nearest, FloatTexels& out) {
+  const int32_t* __restrict size = images.width;
   FloatAxis x, y;
   seamless_axis(block, c.s, size, x);
   seamless_axis(block, c.t, size, y);
@@ -135,14 +105,13 @@ static inline void sample_seamless_level(const FragmentBlock& block, const Block
     beside[i] = beside_x | beside_y;
     corners |= beside_x & beside_y;
   }
-  FourTexels texels;
-  fetch_seamless(block, c, t, level, x, y, beside, texels);
-  const auto& v = texels.v;
+  FloatTexels texels[4];
+  fetch_seamless(block, c, t, images, x, y, beside, texels);
   for (int k = 0; k < 4; ++k) {
     float* __restrict result = out.v[k];
     SOFTGL_FOR_LANES(block, i) {
-      const float upper = x.weight[i] * (v[1][k][i] - v[0][k][i]) + v[0][k][i],
-                  lower = x.weight[i] * (v[3][k][i] - v[2][k][i]) + v[2][k][i];
+      const float upper = x.weight[i] * (texels[1].v[k][i] - texels[0].v[k][i]) + texels[0].v[k][i],
+                  lower = x.weight[i] * (texels[3].v[k][i] - texels[2].v[k][i]) + texels[2].v[k][i];
       result[i] = y.weight[i] * (lower - upper) + upper;
     }
   }
@@ -161,8 +130,9 @@ static inline void sample_seamless_level(const FragmentBlock& block, const Block
     const float share = missing[i] < 0 ? 0.0f : weight[missing[i]] * (1.0f / 3.0f);
     for (int n = 0; n < 4; ++n) weight[n] = n == missing[i] ? 0.0f : weight[n] + share;
     for (int k = 0; k < 4; ++k)
-      out.v[k][i] = weight[3] * v[3][k][i] +
-                    (weight[2] * v[2][k][i] + (weight[1] * v[1][k][i] + weight[0] * v[0][k][i]));
+      out.v[k][i] =
+          weight[3] * texels[3].v[k][i] +
+          (weight[2] * texels[2].v[k][i] + (weight[1] * texels[1].v[k][i] + weight[0] * texels[0].v[k][i]));
     if (t.no_alpha) out.v[3][i] = 1.0f;
   }
 }
