@@ -5,7 +5,7 @@
 
 #include "shaders/common/color_encoding.h"
 #include "texture/base_format.h"
-#include "texture/pixel_formats.h"
+#include "texture/component_values.h"
 
 namespace softgl {
 namespace {

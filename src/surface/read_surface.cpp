@@ -9,21 +9,31 @@
 #include "base/assert.h"
 #include "shaders/common/srgb.h"
 #include "texture/base_format.h"
-#include "texture/pixel_formats.h"
+#include "texture/component_values.h"
 #include "texture/texel_format.h"
 
 namespace softgl {
 namespace {
 
-/// Copies the pixels of a row block by block: 8 neighbours are contiguous.
+/// Copies the pixels of a row block by block: 8 neighbours are contiguous, the next 8 of the row in the tile
+/// are a block further.
 template <class Pixel> void copy_row(const Surface& s, const Pixel* plane, const TileWords* tiles,
                                      int32_t columns, int x, int y, int count, Pixel* row) {
   SOFTGL_ASSERT(x >= 0 && count >= 0 && x + count <= s.width && y >= 0 && y < s.height);
+  constexpr int kBlock = 8;
   while (count > 0) {
     SOFTGL_ASSERT(tiles[(y >> 6) * columns + (x >> 6)].place != kNoPlace &&
                   !tiles[(y >> 6) * columns + (x >> 6)].waits);
-    const int run = std::min(count, 8 - (x & 7));
-    std::memcpy(row, plane + pixel_index(tiles, columns, x, y), size_t(run) * sizeof(Pixel));
+    const Pixel* from = plane + pixel_index(tiles, columns, x, y);
+    int run = std::min(count, kTileSize - (x & (kTileSize - 1)));
+    if (x % kBlock != 0 || run < kBlock) { // a part of a block
+      run = std::min(run, kBlock - x % kBlock);
+      std::memcpy(row, from, size_t(run) * sizeof(Pixel));
+    } else {
+      run -= run % kBlock;
+      for (int i = 0; i < run; i += kBlock, from += kBlock * kBlock)
+        std::memcpy(row + i, from, kBlock * sizeof(Pixel));
+    }
     x += run;
     row += run;
     count -= run;
@@ -100,7 +110,7 @@ void color_row_to_bytes(const Surface& s, const void* row, int count, uint8_t (*
   } else {
     for (int i = 0; i < count; ++i) {
       const size_t pixel = size_t(i) * size_t(bytes_per_pixel(s.color_format));
-      float color[1][4];
+      float color[1][4] = {};
       color_row_to_floats(s, static_cast<const unsigned char*>(row) + pixel, 1, color);
       for (int k = 0; k < 4; ++k) rgba[i][k] = uint8_t(float_to_unorm(color[0][k], 8));
     }
@@ -158,8 +168,20 @@ void color_row_to_linear_floats(const Surface& s, const void* row, int count, fl
 float depth_to_float(DepthFormat format, uint32_t word) {
   if (format == DepthFormat::Z32F) return std::bit_cast<float>(word);
   const uint32_t one = largest_depth(format);
-  if (format == DepthFormat::Z16) return float(word & one) * (1.0f / float(one));
-  return float(double(word & one) * (1.0 / double(one)));
+  const auto whole = int32_t(word & one);
+  if (format == DepthFormat::Z16) return float(whole) * (1.0f / float(one));
+  return float(double(whole) * (1.0 / double(one)));
+}
+
+void depths_to_floats(DepthFormat format, const uint32_t* word, int count, float* depth) {
+  const auto each = [&](auto value) {
+    for (int i = 0; i < count; ++i) depth[i] = value(word[i]);
+  };
+  switch (format) {
+  case DepthFormat::Z32F: std::memcpy(depth, word, size_t(count) * 4); return;
+  case DepthFormat::Z16: return each([](uint32_t v) { return depth_to_float(DepthFormat::Z16, v); });
+  default: return each([](uint32_t v) { return depth_to_float(DepthFormat::Z24S8, v); });
+  }
 }
 
 uint32_t float_to_depth(DepthFormat format, float depth) {

@@ -27,6 +27,8 @@ void color_row_to_floats(const Surface& surface, const void* row, int count, flo
 /// The same of an sRGB surface, made linear.
 void color_row_to_linear_floats(const Surface& surface, const void* row, int count, float (*rgba)[4]);
 float depth_to_float(DepthFormat format, uint32_t word);
+/// Of the words of a row.
+void depths_to_floats(DepthFormat format, const uint32_t* word, int count, float* depth);
 /// The word of a depth of [0, 1]: the nearest integer, or the float itself.
 uint32_t float_to_depth(DepthFormat format, float depth);
 

@@ -6,7 +6,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "texture/pixel_formats.h"
+#include "texture/component_values.h"
+#include "texture/drawn_values.h"
 #include "texture/texture_object.h"
 
 namespace softgl {
@@ -151,7 +152,7 @@ void reduce_wide(const TextureImage& from, const Footprints& footprints, Texture
           std::memcpy(to.at(x, y, z) + size_t(k) * sizeof(T), &v, sizeof v);
         }
         if constexpr (std::is_same_v<T, float>)
-          format.reduce(reinterpret_cast<float*>(to.at(x, y, z)), false);
+          format.reduce(reinterpret_cast<float(*)[4]>(to.at(x, y, z)), 1, false);
       }
 }
 

@@ -96,31 +96,4 @@ DepthStencilPixel unpack_depth_stencil(const PixelFormat& format, const void* pi
 void pack_depth_stencil(const PixelFormat& format, const DepthStencilPixel& value, bool swap_bytes,
                         void* pixel);
 
-/// A value of `from` bits in `to` bits, as OSMesa converts it: repeated bits upwards, round to nearest
-/// downwards.
-constexpr uint32_t convert_unorm(uint32_t x, int from, int to) {
-  const uint64_t from_max = (uint64_t(1) << from) - 1, to_max = (uint64_t(1) << to) - 1;
-  if (from < to) return uint32_t(x * (to_max / from_max) + (to % from ? x >> (from - to % from) : 0));
-  if (from > to) return uint32_t((x * to_max + ((uint64_t(1) << (from - 1)) - 1)) / from_max);
-  return x;
-}
-/// Round to nearest even of clamped x * (2^bits - 1); not a number gives 0 (as everywhere in softgl).
-uint32_t float_to_unorm(float x, int bits);
-/// Round to nearest even of x * (2^(bits-1) - 1), x clamped to [-1, 1].
-int32_t float_to_snorm(float x, int bits);
-/// The other rounding of OSMesa, used when a whole RGBA group of floats is packed at once: halves go up,
-/// except to 8 bits.
-uint32_t pack_unorm(float x, int bits);
-inline float unorm_to_float(uint32_t x, int bits) {
-  return float(x) * (1.0f / float((uint64_t(1) << bits) - 1));
-}
-
-// How OSMesa stores what it draws into a texture: generated mipmaps and copies of the framebuffer.
-
-/// 8 bits cut to `bits` (0: all of them) and filled to a byte again.
-uint8_t reduced_byte(uint32_t value, int bits);
-/// A component of 2 or 10 to 32 bits as a float and back.
-float wide_to_float(uint32_t value, int bits);
-uint32_t float_to_wide(float value, int bits);
-
 } // namespace softgl

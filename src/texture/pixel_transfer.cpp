@@ -56,6 +56,12 @@ float PixelTransfer::depth(float value) const {
   return unit_range(changes_depth() ? value * mode.depth_scale + mode.depth_bias : value);
 }
 
+void PixelTransfer::depths(float* value, int count) const {
+  if (changes_depth())
+    for (int i = 0; i < count; ++i) value[i] = value[i] * mode.depth_scale + mode.depth_bias;
+  for (int i = 0; i < count; ++i) value[i] = unit_range(value[i]);
+}
+
 uint32_t PixelTransfer::index(uint32_t v) const {
   if (mode.index_shift > 0) v = mode.index_shift < 32 ? v << mode.index_shift : 0;
   if (mode.index_shift < 0) v = mode.index_shift > -32 ? v >> -mode.index_shift : 0;

@@ -27,6 +27,7 @@ struct PixelTransfer {
   bool changes_depth() const;
   /// Scale, bias, clamp to [0,1]; also where nothing changes.
   float depth(float value) const;
+  void depths(float* value, int count) const;
 
   /// Shift and offset.
   uint32_t index(uint32_t value) const;
@@ -34,6 +35,21 @@ struct PixelTransfer {
   uint32_t stencil(uint32_t value) const;
   /// A color index, shifted and offset, through GL_PIXEL_MAP_I_TO_R .. A.
   void index_to_color(uint32_t index, float rgba[4]) const;
+};
+
+/// The stencil values of indexes after the pixel transfer; a table has those of indexes below 256.
+class StencilTransfer {
+public:
+  explicit StencilTransfer(const PixelTransfer& transfer) : transfer_(transfer) {
+    for (uint32_t v = 0; v < 256; ++v) table_[v] = uint8_t(transfer.stencil(v));
+  }
+  uint8_t operator()(uint32_t index) const {
+    return index < 256 ? table_[index] : uint8_t(transfer_.stencil(index));
+  }
+
+private:
+  const PixelTransfer& transfer_;
+  uint8_t table_[256];
 };
 
 } // namespace softgl

@@ -56,8 +56,9 @@ uint32_t to_unsigned_float(float value, int mantissa) {
 }
 
 void shared_exponent_to_floats(uint32_t word, float* rgb) {
-  const int exponent = int(word >> 27) - 15 - 9;
-  for (int k = 0; k < 3; ++k) rgb[k] = std::ldexp(float(word >> (9 * k) & 511), exponent);
+  // 2 to the power of the exponent, which is -24 to 7.
+  const float scale = std::bit_cast<float>(((word >> 27) - 15 - 9 + 127) << 23);
+  for (int k = 0; k < 3; ++k) rgb[k] = float(word >> (9 * k) & 511) * scale;
 }
 
 // The extension's own algorithm.
@@ -68,14 +69,65 @@ uint32_t floats_to_shared_exponent(const float* rgb) {
     value[k] = rgb[k] > 0 ? std::min(rgb[k], most) : 0.0f;
     largest = std::max(largest, value[k]);
   }
-  int exponent = -16;
-  if (largest > 0) exponent = std::max(exponent, std::ilogb(largest));
-  exponent += 16;
+  // The logarithm, cut to a whole number; of those too small for a normal number it does not matter.
+  const int logarithm = int(std::bit_cast<uint32_t>(largest) >> 23) - 127;
+  int exponent = std::max(-16, logarithm) + 16;
   const auto mantissa = [&](float v) {
-    return uint32_t(std::floor(std::ldexp(double(v), 24 - exponent) + 0.5));
+    const auto scale = std::bit_cast<double>(uint64_t(1023 + 24 - exponent) << 52); // 2^(24 - exponent)
+    return uint32_t(double(v) * scale + 0.5);
   };
   if (mantissa(largest) == 512) ++exponent;
   return mantissa(value[0]) | mantissa(value[1]) << 9 | mantissa(value[2]) << 18 | uint32_t(exponent) << 27;
+}
+
+namespace {
+
+/// `value` for each of `count` floats.
+template <class F> void replace(float* v, int count, F value) {
+  for (int i = 0; i < count; ++i)
+    v[i] = std::bit_cast<float>(
+        value(std::bit_cast<uint32_t>(v[i]), std::bit_cast<uint32_t>(v[i]) & 0x7fffffffu));
+}
+
+/// What is below 2^-14 in units of the smallest half; of others some number.
+float in_smallest_halves(uint32_t magnitude) {
+  return std::bit_cast<float>(std::min(magnitude, 0x38800000u)) * 16777216.0f;
+}
+
+} // namespace
+
+void reduce_to_halves(float* v, int count) {
+  replace(v, count, [](uint32_t bits, uint32_t magnitude) {
+    const uint32_t sign = bits & 0x80000000u, normal = magnitude & 0xffffe000u;
+    const float small = float(int32_t(in_smallest_halves(magnitude))) * (1.0f / 16777216.0f);
+    const uint32_t finite = std::min(normal, 0x477fe000u); // 65504
+    uint32_t result = magnitude < 0x38800000u ? std::bit_cast<uint32_t>(small) : finite;
+    result = magnitude == kInfinity ? kInfinity : result;
+    result = magnitude > kInfinity ? 0x7fc00000u : result;
+    return sign | result;
+  });
+}
+
+void round_to_halves(float* v, int count) {
+  replace(v, count, [](uint32_t bits, uint32_t magnitude) {
+    const uint32_t sign = bits & 0x80000000u;
+    const uint32_t normal = (magnitude + 0xfffu + (magnitude >> 13 & 1)) & 0xffffe000u;
+    const float small = ((in_smallest_halves(magnitude) + 8388608.0f) - 8388608.0f) * (1.0f / 16777216.0f);
+    uint32_t result = magnitude < 0x38800000u ? std::bit_cast<uint32_t>(small) : normal;
+    result = magnitude >= 0x477ff000u ? kInfinity : result; // 65520 and more
+    result = magnitude > kInfinity ? 0x7fc00000u : result;
+    return sign | result;
+  });
+}
+
+float reduce_to_unsigned_float(float value, int mantissa) {
+  const uint32_t bits = std::bit_cast<uint32_t>(value), magnitude = bits & 0x7fffffffu;
+  const uint32_t step = 1u << (23 - mantissa), most = 0x47800000u - step; // below 2^16
+  uint32_t result = std::min(magnitude & ~(step - 1), most);
+  result = magnitude == kInfinity ? kInfinity : result;
+  result = (bits >> 31) != 0 || magnitude < 0x38800000u ? 0 : result;
+  result = magnitude > kInfinity ? kInfinity | step : result;
+  return std::bit_cast<float>(result);
 }
 
 } // namespace softgl

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "texture/base_format.h"
+#include "texture/component_values.h"
 #include "texture/pixel_formats.h"
 #include "texture/pixel_transfer.h"
 #include "texture/small_floats.h"
@@ -16,10 +17,14 @@ namespace {
 
 constexpr int kRow = 256; // texels converted at a time
 
-// Bits repeated until they fill a byte.
-uint8_t fill_byte(uint32_t v, int bits) { return uint8_t(convert_unorm(v, bits, 8)); }
 int stored_bits(const TexelFormat& f, int k) {
   return f.bits[k] ? f.bits[k] : f.layout == TexelLayout::Rgba8 ? 8 : 0;
+}
+
+/// to[i][k] = value(from[i][k]) of a row.
+template <class To, class From, class F>
+void convert_component(int k, const From (*from)[4], int count, To (*to)[4], F value) {
+  for (int i = 0; i < count; ++i) to[i][k] = value(from[i][k]);
 }
 
 void store_rgba8(const TexelFormat& to, uint8_t (*texel)[4], const PixelFormat& from, const void* pixels,
@@ -29,18 +34,27 @@ void store_rgba8(const TexelFormat& to, uint8_t (*texel)[4], const PixelFormat& 
     float v[kRow][4];
     unpack_pixels(from, pixels, count, swap, v);
     if (transfers) transfer.clamped_color(v, count);
-    for (int i = 0; i < count; ++i)
-      for (int k = 0; k < 4; ++k)
-        texel[i][k] = fill_byte(pack_unorm(v[i][k], stored_bits(to, k)), stored_bits(to, k));
+    for (int k = 0; k < 4; ++k) {
+      const int bits = stored_bits(to, k);
+      if (bits == 8)
+        convert_component(k, v, count, texel, [](float x) { return uint8_t(pack_unorm(x, 8)); });
+      else
+        convert_component(k, v, count, texel, [=, table = kWidened[size_t(bits)].data()](float x) {
+          return table[pack_unorm(x, bits)];
+        });
+    }
   } else {
     unpack_pixels(from, pixels, count, swap, texel);
-    if (!to.array)
-      for (int i = 0; i < count; ++i)
-        for (int k = 0; k < 4; ++k)
-          texel[i][k] = fill_byte(convert_unorm(texel[i][k], 8, stored_bits(to, k)), stored_bits(to, k));
+    for (int k = 0; k < 4 && !to.array; ++k) {
+      const size_t bits = size_t(stored_bits(to, k));
+      if (bits != 8)
+        convert_component(k, texel, count, texel,
+                          [narrowed = kNarrowed[bits].data(), widened = kWidened[bits].data()](uint8_t x) {
+                            return widened[narrowed[x]];
+                          });
+    }
   }
-  if (to.base != GL_RGBA)
-    for (int i = 0; i < count; ++i) spread<uint8_t>(to.base, texel[i], 255);
+  spread_row<uint8_t>(to.base, texel, count, 255);
 }
 
 void store_rgba16(const TexelFormat& to, uint16_t (*texel)[4], const PixelFormat& from, const void* pixels,
@@ -53,19 +67,20 @@ void store_rgba16(const TexelFormat& to, uint16_t (*texel)[4], const PixelFormat
   } else if (bytes && !transfers) {
     uint8_t v[kRow][4];
     unpack_pixels(from, pixels, count, swap, v);
-    for (int i = 0; i < count; ++i)
-      for (int k = 0; k < 4; ++k)
-        texel[i][k] = uint16_t(to.bits[k] ? convert_unorm(v[i][k], 8, to.bits[k]) : 0);
+    for (int k = 0; k < 4; ++k)
+      convert_component(k, v, count, texel, [bits = to.bits[k]](uint8_t x) {
+        return uint16_t(bits ? convert_unorm(x, 8, bits) : 0);
+      });
   } else {
     float v[kRow][4];
     unpack_pixels(from, pixels, count, swap, v);
     if (transfers) transfer.clamped_color(v, count);
-    for (int i = 0; i < count; ++i)
-      for (int k = 0; k < 4; ++k)
-        texel[i][k] = uint16_t(to.array || to.bits[k] ? pack_unorm(v[i][k], to.array ? 16 : to.bits[k]) : 0);
+    for (int k = 0; k < 4; ++k) {
+      const int bits = to.array ? 16 : to.bits[k];
+      convert_component(k, v, count, texel, [=](float x) { return uint16_t(pack_unorm(x, bits)); });
+    }
   }
-  if (to.base != GL_RGBA)
-    for (int i = 0; i < count; ++i) spread<uint16_t>(to.base, texel[i], 1);
+  spread_row<uint16_t>(to.base, texel, count, 1);
 }
 
 /// Whether OSMesa makes texels of whole colors, and not one component after the other: then halves are cut,
@@ -99,10 +114,9 @@ template <class T> void store_signed(const TexelFormat& to, int16_t (*texel)[4],
   } else {
     unpack_pixels(from, pixels, count, swap, v);
   }
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < count; ++i)
     for (int k = 0; k < 4; ++k) texel[i][k] = v[i][k];
-    if (to.base != GL_RGBA) spread<int16_t>(to.base, texel[i], 1);
-  }
+  spread_row<int16_t>(to.base, texel, count, 1);
 }
 
 void store_float(const TexelFormat& to, float (*texel)[4], const PixelFormat& from, const void* pixels,
@@ -113,10 +127,8 @@ void store_float(const TexelFormat& to, float (*texel)[4], const PixelFormat& fr
   const bool nearest = !packs_colors(from, transfers);
   const bool same = !transfers && from.channel == PixelChannel::PackedFloat &&
                     (from.type == GL_UNSIGNED_INT_5_9_9_9_REV) == (to.bits[0] == 9) && !to.array;
-  for (int i = 0; i < count; ++i) {
-    if (!same) to.reduce(texel[i], nearest);
-    if (to.base != GL_RGBA) spread<float>(to.base, texel[i], 1);
-  }
+  if (!same) to.reduce(texel, count, nearest);
+  spread_row<float>(to.base, texel, count, 1);
 }
 
 void store_depth(const TexelFormat& to, uint32_t* texel, const PixelFormat& from, const void* pixels,
@@ -126,7 +138,8 @@ void store_depth(const TexelFormat& to, uint32_t* texel, const PixelFormat& from
   if (to.floats) {
     float d[kRow];
     unpack_depth(from, pixels, count, swap, d);
-    for (int i = 0; i < count; ++i) texel[i] = std::bit_cast<uint32_t>(transfer.depth(d[i]));
+    transfer.depths(d, count);
+    std::memcpy(texel, d, size_t(count) * 4);
     return;
   }
   const int bits = to.bits[0];
@@ -149,25 +162,27 @@ void store_depth(const TexelFormat& to, uint32_t* texel, const PixelFormat& from
   }
   float d[kRow];
   unpack_depth(from, pixels, count, swap, d);
-  for (int i = 0; i < count; ++i) {
-    const float v = transfer.depth(d[i]);
-    // OSMesa truncates here.
-    if (bits == 32)
-      texel[i] = uint32_t(std::min(double(v) * 4294967295.0, 4294967295.0));
-    else
-      texel[i] = uint32_t(v * float((1u << bits) - 1));
-  }
+  transfer.depths(d, count);
+  // OSMesa truncates here.
+  const float most = float((1u << (bits & 31)) - 1);
+  if (bits == 32)
+    for (int i = 0; i < count; ++i) texel[i] = uint32_t(std::min(double(d[i]) * 4294967295.0, 4294967295.0));
+  else
+    for (int i = 0; i < count; ++i) texel[i] = uint32_t(int32_t(d[i] * most));
 }
 
 } // namespace
 
-void TexelFormat::reduce(float* rgba, bool to_nearest) const {
-  if (bits[0] == 9) return shared_exponent_to_floats(floats_to_shared_exponent(rgba), rgba);
-  for (int k = 0; k < 4; ++k) {
-    float& v = rgba[k];
-    if (bits[k] == 16) v = half_to_float(to_nearest ? float_to_half(v) : float_to_half_towards_zero(v));
-    if (bits[k] == 11) v = unsigned_float(to_unsigned_float(v, 6), 6);
-    if (bits[k] == 10) v = unsigned_float(to_unsigned_float(v, 5), 5);
+void TexelFormat::reduce(float (*rgba)[4], int count, bool to_nearest) const {
+  if (bits[0] == 9) {
+    for (int i = 0; i < count; ++i) shared_exponent_to_floats(floats_to_shared_exponent(rgba[i]), rgba[i]);
+  } else if (bits[0] == 16 || bits[3] == 16) { // components that are not stored may be reduced, too
+    to_nearest ? round_to_halves(rgba[0], 4 * count) : reduce_to_halves(rgba[0], 4 * count);
+  } else if (bits[0] == 11) {
+    for (int k = 0; k < 3; ++k)
+      convert_component(k, rgba, count, rgba, [mantissa = k < 2 ? 6 : 5](float v) {
+        return reduce_to_unsigned_float(v, mantissa);
+      });
   }
 }
 
@@ -316,34 +331,34 @@ void load_color(const TexelFormat& from, const unsigned char* texels, const Pixe
     return v;
   };
   const bool exact_bytes = from.array && from.base == GL_RGBA;
-  const bool clamps = clamps_luminance(to);
+  // A byte stays the same on its way through a float.
+  const bool clamps =
+      clamps_luminance(to) && !(narrow && from.array && to.channel == PixelChannel::UnsignedByte);
   const bool floats = clamps || (from.array ? (narrow ? wide_packed(to) && !exact_bytes : wide_packed(to))
                                             : wide_or_signed(to));
   if (floats) {
     float v[kRow][4];
-    for (int i = 0; i < count; ++i) {
-      for (int k = 0; k < 4; ++k)
+    for (int k = 0; k < 4; ++k)
+      for (int i = 0; i < count; ++i)
         v[i][k] = from.bits[k] ? unorm_to_float(stored(i, k), from.bits[k]) : float(stored(i, k));
-      gather<float>(from.base, v[i], 1.0f);
-    }
+    gather_row<float>(from.base, v, count, 1.0f);
     pack_pixels(to, v, count, swap, pixels);
   } else if (!narrow && from.array) {
     uint16_t v[kRow][4];
     std::memcpy(v, texels, size_t(count) * 8);
-    for (int i = 0; i < count; ++i) {
-      if (from.bits[3] == 0) v[i][3] = 65535;
-      gather<uint16_t>(from.base, v[i], 65535);
-    }
+    if (from.bits[3] == 0)
+      for (int i = 0; i < count; ++i) v[i][3] = 65535;
+    gather_row<uint16_t>(from.base, v, count, 65535);
     pack_pixels(to, v, count, swap, pixels);
   } else {
     uint8_t v[kRow][4];
-    for (int i = 0; i < count; ++i) {
-      for (int k = 0; k < 4; ++k)
-        v[i][k] = narrow ? texels[i * 4 + k]
-                         : uint8_t(from.bits[k] ? convert_unorm(stored(i, k), from.bits[k], 8)
-                                                : 255 * stored(i, k));
-      gather<uint8_t>(from.base, v[i], 255);
-    }
+    if (narrow)
+      std::memcpy(v, texels, size_t(count) * 4);
+    else
+      for (int i = 0; i < count; ++i)
+        for (int k = 0; k < 4; ++k)
+          v[i][k] = uint8_t(from.bits[k] ? convert_unorm(stored(i, k), from.bits[k], 8) : 255 * stored(i, k));
+    gather_row<uint8_t>(from.base, v, count, 255);
     pack_pixels(to, v, count, swap, pixels);
   }
 }
@@ -352,7 +367,7 @@ void load_floats(const TexelFormat& from, const unsigned char* texels, const Pix
                  int count, bool swap) {
   float v[kRow][4];
   std::memcpy(v, texels, size_t(count) * sizeof v[0]);
-  for (int i = 0; i < count; ++i) gather<float>(from.base, v[i], 1);
+  gather_row<float>(from.base, v, count, 1);
   pack_pixels(to, v, count, swap, pixels);
 }
 
@@ -365,8 +380,8 @@ template <class T> void load_signed(const TexelFormat& from, const unsigned char
     std::memcpy(texel, texels + i * 8, sizeof texel);
     for (int k = 0; k < 4; ++k) v[i][k] = T(texel[k]);
     if (from.bits[3] == 0) v[i][3] = kMost;
-    gather<T>(from.base, v[i], kMost);
   }
+  gather_row<T>(from.base, v, count, kMost);
   // OSMesa: shorts are made of floats, other integers of integers.
   if (!clamps_luminance(to) && to.channel != PixelChannel::UnsignedShort)
     return pack_pixels(to, v, count, swap, pixels);
@@ -401,18 +416,23 @@ void load_texels(const TexelFormat& from, const void* texels, const PixelFormat&
     if (!swap_bytes && !from.floats &&
         ((bits == 32 && to.channel == PixelChannel::UnsignedInt) ||
          (bits == 16 && to.channel == PixelChannel::UnsignedShort))) {
-      for (int i = 0; i < n; ++i)
-        std::memcpy(target + size_t(i) * to.bytes, source + i * 4, to.bytes); // the stored integer itself
+      // The stored integers themselves.
+      if (bits == 32)
+        std::memcpy(target, source, size_t(n) * 4);
+      else
+        for (int i = 0; i < n; ++i) std::memcpy(target + 2 * i, source + 4 * i, 2);
       continue;
     }
+    uint32_t v[kRow];
     float d[kRow];
-    for (int i = 0; i < n; ++i) {
-      uint32_t v;
-      std::memcpy(&v, source + i * 4, 4);
-      d[i] = from.floats  ? std::bit_cast<float>(v)
-             : bits == 16 ? float(v) * (1.0f / 65535.0f)
-                          : float(double(v) * (1.0 / double((uint64_t(1) << bits) - 1)));
-    }
+    std::memcpy(v, source, size_t(n) * 4);
+    const double scale = 1.0 / double((uint64_t(1) << bits) - 1);
+    if (from.floats)
+      std::memcpy(d, v, size_t(n) * 4);
+    else if (bits == 16)
+      for (int i = 0; i < n; ++i) d[i] = float(int32_t(v[i])) * (1.0f / 65535.0f);
+    else
+      for (int i = 0; i < n; ++i) d[i] = float(double(v[i]) * scale);
     pack_depth(to, d, n, swap_bytes, target);
   }
 }

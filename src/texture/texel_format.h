@@ -34,9 +34,9 @@ struct TexelFormat {
     default: return 4;
     }
   }
-  /// Of Float: what is left of a color when it is stored. Halves are the next ones towards zero, or the
+  /// Of Float: what is left of colors when they are stored. Halves are the next ones towards zero, or the
   /// nearest.
-  void reduce(float* rgba, bool to_nearest) const;
+  void reduce(float (*rgba)[4], int count, bool to_nearest) const;
 };
 
 /// The storage that OSMesa chooses for an internal format; unsized formats look at the client's format and

@@ -153,18 +153,34 @@ void submit_image(Context& c, const Placement& p, PixelElement kind, const void*
   submit_pixels(c, p.image(kind, element, c.frame.arena()), p.box());
 }
 
-/// One rectangle for every value that there is: so stencil values need nothing of their own behind here.
+/// The elements for which test(value) holds are 1.
+template <class Test> const uint8_t* bits_where(Context& c, const std::vector<uint8_t>& value, Test test) {
+  auto* bit = c.frame.arena().allocate_array<uint8_t>(value.size());
+  for (size_t i = 0; i < value.size(); ++i) bit[i] = test(value[i]);
+  return bit;
+}
+
+/// One rectangle for every value that there is; or, where that is more, one of zeros and one for each bit: so
+/// stencil values need nothing of their own behind here.
 void submit_stencils(Context& c, const Placement& p, const std::vector<uint8_t>& value) {
-  if ((c.state.stencil.front.write_mask & 0xff) == 0) return;
+  const uint32_t mask = c.state.stencil.front.write_mask & 0xff;
+  if (mask == 0) return;
+  const auto submit = [&](const uint8_t* bit, int stencil, uint32_t write_mask) {
+    submit_stencil(c, p.image(PixelElement::Bit, bit, c.frame.arena()), uint8_t(stencil), p.box(),
+                   write_mask);
+  };
   bool used[256] = {};
   for (uint8_t v : value) used[v] = true;
-  for (int v = 0; v < 256; ++v) {
-    if (!used[v]) continue;
-    auto* bit = c.frame.arena().allocate_array<uint8_t>(value.size());
-    for (size_t i = 0; i < value.size(); ++i) bit[i] = value[i] == v;
-    submit_stencil(c, p.image(PixelElement::Bit, bit, c.frame.arena()), uint8_t(v), p.box(),
-                   c.state.stencil.front.write_mask);
+  constexpr int kBits = 8;
+  if (std::count(used, used + 256, true) <= 1 + kBits) {
+    for (int v = 0; v < 256; ++v)
+      if (used[v]) submit(bits_where(c, value, [=](uint8_t each) { return each == v; }), v, mask);
+    return;
   }
+  submit(bits_where(c, value, [](uint8_t) { return true; }), 0, mask);
+  for (int b = 0; b < kBits; ++b)
+    if (mask >> b & 1)
+      submit(bits_where(c, value, [=](uint8_t each) { return (each >> b & 1) != 0; }), 0xff, 1U << b);
 }
 
 void draw_colors(Context& c, const Placement& p, const ClientImage& image) {
@@ -204,12 +220,13 @@ void draw_depths(Context& c, const Placement& p, const ClientImage& image) {
 
 void draw_stencils(Context& c, const Placement& p, const ClientImage& image) {
   const PixelTransfer transfer = pixel_transfer(c);
+  const StencilTransfer stencil(transfer);
   const size_t count = size_t(p.width_in_view());
   std::vector<uint8_t> value(p.elements());
   std::vector<uint32_t> index(count);
   for (int r = 0; r < p.height_in_view(); ++r) {
     image.indexes(p.columns.first, p.rows.first + r, p.width_in_view(), index.data());
-    for (size_t i = 0; i < count; ++i) value[size_t(r) * count + i] = uint8_t(transfer.stencil(index[i]));
+    for (size_t i = 0; i < count; ++i) value[size_t(r) * count + i] = stencil(index[i]);
   }
   submit_stencils(c, p, value);
 }
@@ -224,8 +241,7 @@ void submit_depths_and_stencils(Context& c, const Placement& p, const std::vecto
     submit_copy(c, p.image(PixelElement::Depth, element, c.frame.arena()), p.box());
   }
   std::vector<uint8_t> value(stencil.size());
-  std::transform(stencil.begin(), stencil.end(), value.begin(),
-                 [&](uint8_t v) { return uint8_t(transfer.stencil(v)); });
+  std::transform(stencil.begin(), stencil.end(), value.begin(), StencilTransfer(transfer));
   submit_stencils(c, p, value);
 }
 
@@ -280,7 +296,7 @@ void copy_pixels(Context& c, const Placement& p, GLint x, GLint y, GLenum type) 
   if (type == GL_STENCIL) {
     std::vector<uint8_t> value(p.elements());
     read_stencil(c.read->surface, left, bottom, count, p.height_in_view(), value.data());
-    for (uint8_t& v : value) v = uint8_t(transfer.stencil(v));
+    std::transform(value.begin(), value.end(), value.begin(), StencilTransfer(transfer));
     return submit_stencils(c, p, value);
   }
   if (type == GL_DEPTH) {

@@ -183,11 +183,8 @@ void read_depths(const Context& c, const Target& t) {
       }
       continue;
     }
-    for (int i = 0; i < t.count; ++i) {
-      float d = depth_to_float(s.depth_format, row[size_t(i)]);
-      if (scale) d = operations.depth(d);
-      depth[size_t(i)] = d;
-    }
+    depths_to_floats(s.depth_format, row.data(), t.count, depth.data());
+    if (scale) operations.depths(depth.data(), t.count);
     pack_depth(t.format, depth.data(), t.count, t.swap, t.pixels(r));
   }
 }
@@ -196,18 +193,30 @@ void read_depths(const Context& c, const Target& t) {
 void read_depths_and_stencils(const Context& c, const Target& t) {
   const Surface& s = c.read->surface;
   const PixelTransfer operations = pixel_transfer(c);
+  const StencilTransfer stencil_transfer(operations);
+  const bool scale = operations.changes_depth();
   std::vector<uint32_t> depth(static_cast<size_t>(t.count)), stencil(depth.size());
   for (int r = t.first_row; r < t.first_row + t.rows; ++r) {
     copy_depth_stencil_row(s, t.x, surface_row(s, t.bottom + r), t.count, depth.data());
     copy_stencil_row(s, t.x, surface_row(s, t.bottom + r), t.count, stencil.data());
+    for (uint32_t& v : stencil) v = stencil_transfer(v);
     unsigned char* out = t.pixels(r);
+    if (s.depth_format == DepthFormat::Z24S8 && !scale && t.format.type == GL_UNSIGNED_INT_24_8) {
+      // Words on both sides.
+      for (size_t i = 0; i < depth.size(); ++i) {
+        uint32_t word = depth[i] << 8 | stencil[i];
+        if (t.swap) word = __builtin_bswap32(word);
+        std::memcpy(out + 4 * i, &word, 4);
+      }
+      continue;
+    }
     for (size_t i = 0; i < depth.size(); ++i, out += t.format.bytes) {
       DepthStencilPixel v;
       v.integer = s.depth_format != DepthFormat::Z32F;
       v.bits = depth[i] & 0xffffff;
       v.depth = depth_to_float(s.depth_format, depth[i]);
-      v.stencil = operations.stencil(stencil[i]);
-      if (operations.changes_depth()) {
+      v.stencil = stencil[i];
+      if (scale) {
         v.depth = operations.depth(v.depth);
         v.integer = false;
       }
@@ -218,37 +227,40 @@ void read_depths_and_stencils(const Context& c, const Target& t) {
 
 template <class T> void store(unsigned char* to, T v, bool swap) {
   std::memcpy(to, &v, sizeof v);
-  if (swap) std::reverse(to, to + sizeof v);
+  if (swap && sizeof v > 1) std::reverse(to, to + sizeof v);
 }
 
 void read_stencils(const Context& c, const Target& t) {
   const Surface& s = c.read->surface;
   const PixelTransfer operations = pixel_transfer(c);
+  const StencilTransfer stencil(operations);
   std::vector<uint32_t> row(static_cast<size_t>(t.count));
   for (int r = t.first_row; r < t.first_row + t.rows; ++r) {
     copy_stencil_row(s, t.x, surface_row(s, t.bottom + r), t.count, row.data());
+    for (uint32_t& v : row) v = stencil(v);
     unsigned char* out = t.pixels(r);
-    for (int i = 0; i < t.count; ++i, out += t.format.bytes) {
-      const uint32_t v = operations.stencil(row[size_t(i)]);
-      switch (t.format.channel) {
-      case PixelChannel::UnsignedByte: *out = uint8_t(v); break;
-      case PixelChannel::Byte: *out = uint8_t(v & 0x7f); break;
-      case PixelChannel::UnsignedShort:
-      case PixelChannel::Short: store(out, uint16_t(v), t.swap); break;
-      case PixelChannel::UnsignedInt:
-      case PixelChannel::Int: store(out, v, t.swap); break;
-      case PixelChannel::Float: store(out, float(v), t.swap); break;
-      case PixelChannel::Half: store(out, float_to_half(float(v)), t.swap); break;
-      case PixelChannel::Bitmap: {
-        const size_t bit = size_t(t.layout.bit_offset) + size_t(t.skipped) + size_t(i);
+    const auto each = [&](auto value) {
+      for (size_t i = 0; i < row.size(); ++i) store(out + i * sizeof(value(0u)), value(row[i]), t.swap);
+    };
+    switch (t.format.channel) {
+    case PixelChannel::UnsignedByte: each([](uint32_t v) { return uint8_t(v); }); break;
+    case PixelChannel::Byte: each([](uint32_t v) { return uint8_t(v & 0x7f); }); break;
+    case PixelChannel::UnsignedShort:
+    case PixelChannel::Short: each([](uint32_t v) { return uint16_t(v); }); break;
+    case PixelChannel::UnsignedInt:
+    case PixelChannel::Int: each([](uint32_t v) { return v; }); break;
+    case PixelChannel::Float: each([](uint32_t v) { return float(v); }); break;
+    case PixelChannel::Half: each([](uint32_t v) { return float_to_half(float(v)); }); break;
+    case PixelChannel::Bitmap:
+      for (size_t i = 0; i < row.size(); ++i) {
+        const size_t bit = size_t(t.layout.bit_offset) + size_t(t.skipped) + i;
         const uint8_t mask =
             c.client.pixel_store.pack.lsb_first ? uint8_t(1u << (bit & 7)) : uint8_t(0x80u >> (bit & 7));
         unsigned char& byte = t.row(r)[bit >> 3];
-        byte = v ? byte | mask : byte & uint8_t(~mask);
-        break;
+        byte = row[i] ? byte | mask : byte & uint8_t(~mask);
       }
-      default: break;
-      }
+      break;
+    default: break;
     }
   }
 }

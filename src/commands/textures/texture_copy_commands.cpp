@@ -13,6 +13,8 @@
 #include "surface/read_surface.h"
 #include "surface/render_plane.h"
 #include "surface/stored_color.h"
+#include "texture/component_values.h"
+#include "texture/drawn_values.h"
 #include "texture/pixel_formats.h"
 
 namespace softgl {

@@ -1,0 +1,390 @@
+// Rows of colors in client memory, from and to red, green, blue, alpha. Each step is one loop over up to
+// kChunk pixels which knows the form of its components, so that the compiler makes vectors of it: turn bytes
+// around, convert component by component, put components where they belong.
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+#include "texture/component_values.h"
+#include "texture/pixel_formats.h"
+#include "texture/small_floats.h"
+
+namespace softgl {
+namespace {
+
+constexpr int kChunk = 128; // pixels
+constexpr size_t kMostPixelBytes = 16;
+
+template <class T> T load(const unsigned char* p) {
+  T v;
+  std::memcpy(&v, p, sizeof v);
+  return v;
+}
+
+/// Turns the bytes of each element around (GL_UNPACK_SWAP_BYTES).
+void swap_elements(unsigned char* p, size_t bytes, int element_bytes) {
+  if (element_bytes == 2)
+    for (size_t i = 0; i < bytes; i += 2) std::swap(p[i], p[i + 1]);
+  else if (element_bytes == 4)
+    for (size_t i = 0; i < bytes; i += 4) {
+      const auto v = load<uint32_t>(p + i),
+                 turned = v >> 24 | (v >> 8 & 0xff00) | (v & 0xff00) << 8 | v << 24;
+      std::memcpy(p + i, &turned, 4);
+    }
+}
+
+template <class T> constexpr T one() { return std::numeric_limits<T>::max(); }
+template <> constexpr float one<float>() { return 1.0f; }
+
+// Where the four components of a color are in a pixel of client memory: 0 to 3, or kZero or kOne.
+constexpr int kZero = 4, kOne = 5;
+template <int components_, int r, int g, int b, int a> struct Order {
+  static constexpr int components = components_, from[4] = {r, g, b, a};
+  /// And back: of which of the four component k of a pixel is made.
+  static constexpr int source(int k) {
+    for (int i = 0; i < 4; ++i)
+      if (from[i] == k) return i;
+    return 0;
+  }
+};
+
+/// Calls f(an Order) for the order of a format's components.
+template <class F> void with_order(const PixelFormat& f, F&& call) {
+  switch (f.format) {
+  case GL_RED: return call(Order<1, 0, kZero, kZero, kOne>());
+  case GL_GREEN: return call(Order<1, kZero, 0, kZero, kOne>());
+  case GL_BLUE: return call(Order<1, kZero, kZero, 0, kOne>());
+  case GL_ALPHA: return call(Order<1, kZero, kZero, kZero, 0>());
+  case GL_LUMINANCE: return call(Order<1, 0, 0, 0, kOne>());
+  case GL_LUMINANCE_ALPHA: return call(Order<2, 0, 0, 0, 1>());
+  case GL_RG: return call(Order<2, 0, 1, kZero, kOne>());
+  case GL_RGB: return call(Order<3, 0, 1, 2, kOne>());
+  case GL_BGR: return call(Order<3, 2, 1, 0, kOne>());
+  case GL_BGRA: return call(Order<4, 2, 1, 0, 3>());
+  case GL_ABGR_EXT: return call(Order<4, 3, 2, 1, 0>());
+  default: return call(Order<4, 0, 1, 2, 3>());
+  }
+}
+
+/// The bytes of a pixel, which are in the lower bytes of `pixel`, as the word of a color.
+template <class O> uint32_t color_word(uint32_t pixel) {
+  uint32_t word = 0;
+  for (int k = 0; k < 4; ++k) {
+    const int from = O::from[k];
+    if (from == kOne) word |= 0xffu << 8 * k;
+    if (from < 4) word |= (pixel >> 8 * from & 0xff) << 8 * k;
+  }
+  return word;
+}
+template <class O> uint32_t pixel_word(uint32_t color) {
+  uint32_t word = 0;
+  for (int k = 0; k < O::components; ++k) word |= (color >> 8 * O::source(k) & 0xff) << 8 * k;
+  return word;
+}
+
+/// Pixels of bytes: color by color in one word.
+template <class O> void unpack_bytes(const unsigned char* p, int count, unsigned char* rgba) {
+  constexpr int n = O::components;
+  const auto put = [&](int i, uint32_t pixel) {
+    const uint32_t word = color_word<O>(pixel);
+    std::memcpy(rgba + 4 * size_t(i), &word, 4);
+  };
+  if constexpr (n == 3) { // a word has a byte of the next pixel, which the last one has not
+    for (int i = 0; i + 1 < count; ++i) put(i, load<uint32_t>(p + 3 * size_t(i)));
+    if (count > 0) {
+      const unsigned char* last = p + 3 * size_t(count - 1);
+      put(count - 1, uint32_t(last[0]) | uint32_t(last[1]) << 8 | uint32_t(last[2]) << 16);
+    }
+  } else {
+    using Word = std::conditional_t<n == 1, uint8_t, std::conditional_t<n == 2, uint16_t, uint32_t>>;
+    for (int i = 0; i < count; ++i) put(i, load<Word>(p + sizeof(Word) * size_t(i)));
+  }
+}
+template <class O> void pack_bytes(const unsigned char* rgba, int count, unsigned char* p) {
+  constexpr int n = O::components;
+  const auto pixel = [&](int i) { return pixel_word<O>(load<uint32_t>(rgba + 4 * size_t(i))); };
+  if constexpr (n == 3) {
+    int i = 0;
+    for (; i + 4 <= count; i += 4) { // four pixels are three words
+      const uint32_t v[4] = {pixel(i), pixel(i + 1), pixel(i + 2), pixel(i + 3)};
+      const uint32_t words[3] = {v[0] | v[1] << 24, v[1] >> 8 | v[2] << 16, v[2] >> 16 | v[3] << 8};
+      std::memcpy(p + 3 * size_t(i), words, 12);
+    }
+    for (; i < count; ++i) {
+      const uint32_t v = pixel(i);
+      std::memcpy(p + 3 * size_t(i), &v, 3);
+    }
+  } else {
+    using Word = std::conditional_t<n == 1, uint8_t, std::conditional_t<n == 2, uint16_t, uint32_t>>;
+    for (int i = 0; i < count; ++i) {
+      const auto v = Word(pixel(i));
+      std::memcpy(p + sizeof(Word) * size_t(i), &v, sizeof v);
+    }
+  }
+}
+
+/// Components of In at p in another form.
+template <class In, class Out> void convert(const unsigned char* p, size_t count, Out* out) {
+  for (size_t i = 0; i < count; ++i) out[i] = component_to<Out>(load<In>(p + i * sizeof(In)));
+}
+template <class Out, class In> void convert_back(const In* in, size_t count, unsigned char* p) {
+  for (size_t i = 0; i < count; ++i) {
+    const Out v = component_to<Out>(in[i]);
+    std::memcpy(p + i * sizeof(Out), &v, sizeof v);
+  }
+}
+
+template <class In, class Out>
+void unpack_array(const PixelFormat& f, const unsigned char* p, int count, Out (*rgba)[4]) {
+  with_order(f, [&](auto order) {
+    using O = decltype(order);
+    constexpr int n = O::components;
+    if constexpr (sizeof(In) == 1 && std::is_same_v<In, Out> && !std::is_signed_v<Out>) {
+      unpack_bytes<O>(p, count, &rgba[0][0]);
+    } else if constexpr (std::is_same_v<O, Order<4, 0, 1, 2, 3>>) {
+      convert<In>(p, size_t(count) * 4, &rgba[0][0]);
+    } else {
+      Out value[kChunk * n];
+      convert<In>(p, size_t(count) * n, value);
+      for (int i = 0; i < count; ++i)
+        for (int k = 0; k < 4; ++k) {
+          const int from = O::from[k];
+          rgba[i][k] = from == kZero ? Out(0) : from == kOne ? one<Out>() : value[i * n + from % n];
+        }
+    }
+  });
+}
+template <class Out, class In>
+void pack_array(const PixelFormat& f, const In (*rgba)[4], int count, unsigned char* p) {
+  with_order(f, [&](auto order) {
+    using O = decltype(order);
+    constexpr int n = O::components;
+    if constexpr (sizeof(In) == 1 && std::is_same_v<In, Out> && !std::is_signed_v<Out>) {
+      pack_bytes<O>(&rgba[0][0], count, p);
+    } else if constexpr (std::is_same_v<O, Order<4, 0, 1, 2, 3>>) {
+      convert_back<Out>(&rgba[0][0], size_t(count) * 4, p);
+    } else {
+      In value[kChunk * n];
+      for (int i = 0; i < count; ++i)
+        for (int k = 0; k < n; ++k) value[i * n + k] = rgba[i][O::source(k)];
+      convert_back<Out>(value, size_t(count) * n, p);
+    }
+  });
+}
+
+/// The words of packed pixels, and back.
+void load_words(const PixelFormat& f, const unsigned char* p, int count, uint32_t* word) {
+  if (f.bytes == 1)
+    for (int i = 0; i < count; ++i) word[i] = p[i];
+  else if (f.bytes == 2)
+    for (int i = 0; i < count; ++i) word[i] = load<uint16_t>(p + 2 * size_t(i));
+  else
+    std::memcpy(word, p, size_t(count) * 4);
+}
+void store_words(const PixelFormat& f, const uint32_t* word, int count, unsigned char* p) {
+  if (f.bytes == 1)
+    for (int i = 0; i < count; ++i) p[i] = uint8_t(word[i]);
+  else if (f.bytes == 2)
+    for (int i = 0; i < count; ++i) {
+      const auto v = uint16_t(word[i]);
+      std::memcpy(p + 2 * size_t(i), &v, 2);
+    }
+  else
+    std::memcpy(p, word, size_t(count) * 4);
+}
+
+/// Calls f(an Order) where the components of a packed type are whole bytes.
+template <class F> void with_order_of_bytes(const PixelFormat& f, F&& call) {
+  const bool reversed = f.shift[0] == 0; // the first component comes first in memory
+  switch (f.format) {
+  case GL_BGRA: return reversed ? call(Order<4, 2, 1, 0, 3>()) : call(Order<4, 1, 2, 3, 0>());
+  case GL_ABGR_EXT: return reversed ? call(Order<4, 3, 2, 1, 0>()) : call(Order<4, 0, 1, 2, 3>());
+  default: return reversed ? call(Order<4, 0, 1, 2, 3>()) : call(Order<4, 3, 2, 1, 0>());
+  }
+}
+
+// 8_8_8_8 are arrays of bytes to OSMesa; the smaller ones go by 8 bits, 10_10_10_2 and 16-bit results by
+// floats.
+template <class Out>
+void unpack_packed(const PixelFormat& f, const unsigned char* p, int count, Out (*rgba)[4]) {
+  if constexpr (std::is_same_v<Out, uint8_t>)
+    if (f.bits[0] == 8)
+      return with_order_of_bytes(f,
+                                 [&](auto order) { unpack_bytes<decltype(order)>(p, count, &rgba[0][0]); });
+  uint32_t word[kChunk];
+  load_words(f, p, count, word);
+  if (f.components < 4)
+    for (int i = 0; i < count; ++i) rgba[i][3] = one<Out>();
+  for (int k = 0; k < f.components; ++k) {
+    const int bits = f.bits[k], shift = f.shift[k], to = f.target[k];
+    const uint32_t mask = (1u << bits) - 1;
+    const auto put = [&](auto value) {
+      for (int i = 0; i < count; ++i) rgba[i][to] = value(word[i] >> shift & mask);
+    };
+    if constexpr (std::is_same_v<Out, float>)
+      put([=](uint32_t v) { return unorm_to_float(v, bits); });
+    else if constexpr (std::is_signed_v<Out>)
+      put([=](uint32_t v) { return component_to<Out>(unorm_to_float(v, bits)); });
+    else if (sizeof(Out) == 1 && bits <= 8)
+      put([table = kWidened[size_t(bits)].data()](uint32_t v) { return Out(table[v]); });
+    else if (sizeof(Out) == 1 || bits == 8)
+      put([=](uint32_t v) { return Out(convert_unorm(v, bits, int(sizeof(Out) * 8))); });
+    else
+      put([=](uint32_t v) { return Out(float_to_unorm(unorm_to_float(v, bits), 16)); });
+  }
+}
+template <class In> void pack_packed(const PixelFormat& f, const In (*rgba)[4], int count, unsigned char* p) {
+  if constexpr (std::is_same_v<In, uint8_t>)
+    if (f.bits[0] == 8)
+      return with_order_of_bytes(f, [&](auto order) { pack_bytes<decltype(order)>(&rgba[0][0], count, p); });
+  const bool wide = f.bits[0] > 8;
+  uint32_t word[kChunk] = {};
+  for (int k = 0; k < f.components; ++k) {
+    const int bits = f.bits[k], shift = f.shift[k], from = f.target[k];
+    const auto put = [&](auto value) {
+      for (int i = 0; i < count; ++i) word[i] |= value(rgba[i][from]) << shift;
+    };
+    const auto put_float = [&](auto as_float) {
+      if (bits == 8)
+        put([=](In in) { return pack_unorm(as_float(in), 8); });
+      else
+        put([=](In in) { return pack_unorm(as_float(in), bits); });
+    };
+    if constexpr (std::is_same_v<In, float>)
+      put_float([](float in) { return in; });
+    else if constexpr (std::is_signed_v<In>)
+      put_float([](In in) { return component_to<float>(in); });
+    else if constexpr (sizeof(In) == 1)
+      bits <= 8 ? put([table = kNarrowed[size_t(bits)].data()](In in) { return uint32_t(table[in]); })
+                : put([=](In in) { return convert_unorm(in, 8, bits); });
+    else if (wide)
+      put_float([](In in) { return unorm_to_float(in, 16); });
+    else
+      put([table = kNarrowed[size_t(bits)].data()](In in) {
+        return uint32_t(table[convert_unorm(in, 16, 8)]);
+      });
+  }
+  store_words(f, word, count, p);
+}
+
+template <class Out>
+void unpack_packed_floats(const PixelFormat& f, const unsigned char* p, int count, Out (*rgba)[4]) {
+  for (int i = 0; i < count; ++i, p += 4) {
+    const auto word = load<uint32_t>(p);
+    float v[3];
+    if (f.type == GL_UNSIGNED_INT_5_9_9_9_REV)
+      shared_exponent_to_floats(word, v);
+    else
+      v[0] = unsigned_float(word & 2047, 6), v[1] = unsigned_float(word >> 11 & 2047, 6),
+      v[2] = unsigned_float(word >> 22, 5);
+    for (int k = 0; k < 3; ++k) rgba[i][k] = component_to<Out>(v[k]);
+    rgba[i][3] = one<Out>();
+  }
+}
+template <class In>
+void pack_packed_floats(const PixelFormat& f, const In (*rgba)[4], int count, unsigned char* p) {
+  for (int i = 0; i < count; ++i, p += 4) {
+    float v[3];
+    for (int k = 0; k < 3; ++k) v[k] = component_to<float>(rgba[i][k]);
+    const uint32_t word = f.type == GL_UNSIGNED_INT_5_9_9_9_REV
+                              ? floats_to_shared_exponent(v)
+                              : to_unsigned_float(v[0], 6) | to_unsigned_float(v[1], 6) << 11 |
+                                    to_unsigned_float(v[2], 5) << 22;
+    std::memcpy(p, &word, 4);
+  }
+}
+
+/// Up to kChunk pixels.
+template <class Out>
+void unpack_chunk(const PixelFormat& f, const unsigned char* p, int count, Out (*rgba)[4]) {
+  switch (f.channel) {
+  case PixelChannel::UnsignedByte: return unpack_array<uint8_t>(f, p, count, rgba);
+  case PixelChannel::Byte: return unpack_array<int8_t>(f, p, count, rgba);
+  case PixelChannel::UnsignedShort: return unpack_array<uint16_t>(f, p, count, rgba);
+  case PixelChannel::Short: return unpack_array<int16_t>(f, p, count, rgba);
+  case PixelChannel::UnsignedInt: return unpack_array<uint32_t>(f, p, count, rgba);
+  case PixelChannel::Int: return unpack_array<int32_t>(f, p, count, rgba);
+  case PixelChannel::Float: return unpack_array<float>(f, p, count, rgba);
+  case PixelChannel::Half: return unpack_array<Half>(f, p, count, rgba);
+  case PixelChannel::PackedFloat: return unpack_packed_floats(f, p, count, rgba);
+  case PixelChannel::Packed: return unpack_packed(f, p, count, rgba);
+  case PixelChannel::Bitmap: std::memset(static_cast<void*>(rgba), 0, size_t(count) * sizeof *rgba);
+  }
+}
+template <class In> void pack_chunk(const PixelFormat& f, const In (*rgba)[4], int count, unsigned char* p) {
+  switch (f.channel) {
+  case PixelChannel::UnsignedByte: return pack_array<uint8_t>(f, rgba, count, p);
+  case PixelChannel::Byte: return pack_array<int8_t>(f, rgba, count, p);
+  case PixelChannel::UnsignedShort: return pack_array<uint16_t>(f, rgba, count, p);
+  case PixelChannel::Short: return pack_array<int16_t>(f, rgba, count, p);
+  case PixelChannel::UnsignedInt: return pack_array<uint32_t>(f, rgba, count, p);
+  case PixelChannel::Int: return pack_array<int32_t>(f, rgba, count, p);
+  case PixelChannel::Float: return pack_array<float>(f, rgba, count, p);
+  case PixelChannel::Half: return pack_array<Half>(f, rgba, count, p);
+  case PixelChannel::PackedFloat: return pack_packed_floats(f, rgba, count, p);
+  case PixelChannel::Packed: return pack_packed(f, rgba, count, p);
+  case PixelChannel::Bitmap: return;
+  }
+}
+
+template <class Out>
+void unpack(const PixelFormat& f, const void* row, int count, bool swap, Out (*rgba)[4]) {
+  const auto* p = static_cast<const unsigned char*>(row);
+  swap = swap && f.element_bytes > 1;
+  for (int done = 0; done < count; done += kChunk) {
+    const int n = std::min(kChunk, count - done);
+    const unsigned char* from = p + size_t(done) * f.bytes;
+    unsigned char swapped[kChunk * kMostPixelBytes];
+    if (swap) {
+      const size_t bytes = size_t(n) * f.bytes;
+      std::memcpy(swapped, from, bytes);
+      swap_elements(swapped, bytes, f.element_bytes);
+      from = swapped;
+    }
+    unpack_chunk(f, from, n, rgba + done);
+  }
+}
+template <class In> void pack(const PixelFormat& f, const In (*rgba)[4], int count, bool swap, void* row) {
+  auto* p = static_cast<unsigned char*>(row);
+  for (int done = 0; done < count; done += kChunk) {
+    const int n = std::min(kChunk, count - done);
+    unsigned char* to = p + size_t(done) * f.bytes;
+    pack_chunk(f, rgba + done, n, to);
+    if (swap) swap_elements(to, size_t(n) * f.bytes, f.element_bytes);
+  }
+}
+
+} // namespace
+
+void unpack_pixels(const PixelFormat& f, const void* row, int count, bool swap, uint8_t (*rgba)[4]) {
+  unpack(f, row, count, swap, rgba);
+}
+void unpack_pixels(const PixelFormat& f, const void* row, int count, bool swap, uint16_t (*rgba)[4]) {
+  unpack(f, row, count, swap, rgba);
+}
+void unpack_pixels(const PixelFormat& f, const void* row, int count, bool swap, float (*rgba)[4]) {
+  unpack(f, row, count, swap, rgba);
+}
+void unpack_pixels(const PixelFormat& f, const void* row, int count, bool swap, int8_t (*rgba)[4]) {
+  unpack(f, row, count, swap, rgba);
+}
+void unpack_pixels(const PixelFormat& f, const void* row, int count, bool swap, int16_t (*rgba)[4]) {
+  unpack(f, row, count, swap, rgba);
+}
+void pack_pixels(const PixelFormat& f, const int8_t (*rgba)[4], int count, bool swap, void* row) {
+  pack(f, rgba, count, swap, row);
+}
+void pack_pixels(const PixelFormat& f, const int16_t (*rgba)[4], int count, bool swap, void* row) {
+  pack(f, rgba, count, swap, row);
+}
+void pack_pixels(const PixelFormat& f, const uint8_t (*rgba)[4], int count, bool swap, void* row) {
+  pack(f, rgba, count, swap, row);
+}
+void pack_pixels(const PixelFormat& f, const uint16_t (*rgba)[4], int count, bool swap, void* row) {
+  pack(f, rgba, count, swap, row);
+}
+void pack_pixels(const PixelFormat& f, const float (*rgba)[4], int count, bool swap, void* row) {
+  pack(f, rgba, count, swap, row);
+}
+
+} // namespace softgl
