@@ -27,6 +27,13 @@ void convert_component(int k, const From (*from)[4], int count, To (*to)[4], F v
   for (int i = 0; i < count; ++i) to[i][k] = value(from[i][k]);
 }
 
+/// Whether component k comes with just so many bits.
+bool has_bits(const PixelFormat& from, int k, int bits) {
+  for (int i = 0; i < from.components; ++i)
+    if (from.target[i] == k) return from.channel == PixelChannel::Packed && from.bits[i] == bits;
+  return false;
+}
+
 void store_rgba8(const TexelFormat& to, uint8_t (*texel)[4], const PixelFormat& from, const void* pixels,
                  int count, bool swap, const PixelTransfer& transfer) {
   const bool transfers = transfer.changes_color();
@@ -47,7 +54,7 @@ void store_rgba8(const TexelFormat& to, uint8_t (*texel)[4], const PixelFormat& 
     unpack_pixels(from, pixels, count, swap, texel);
     for (int k = 0; k < 4 && !to.array; ++k) {
       const size_t bits = size_t(stored_bits(to, k));
-      if (bits != 8)
+      if (bits != 8 && !has_bits(from, k, int(bits)))
         convert_component(k, texel, count, texel,
                           [narrowed = kNarrowed[bits].data(), widened = kWidened[bits].data()](uint8_t x) {
                             return widened[narrowed[x]];
@@ -189,6 +196,17 @@ void TexelFormat::reduce(float (*rgba)[4], int count, bool to_nearest) const {
 void store_depth_stencil(const TexelFormat& to, uint32_t* texels, uint8_t* stencils, const PixelFormat& from,
                          const void* pixels, int count, bool swap_bytes, const PixelTransfer& transfer) {
   auto p = static_cast<const unsigned char*>(pixels);
+  const StencilTransfer stencil(transfer);
+  if (from.type == GL_UNSIGNED_INT_24_8 && !to.floats && !transfer.changes_depth()) { // words stay words
+    for (int i = 0; i < count; ++i, p += 4) {
+      uint32_t word;
+      std::memcpy(&word, p, 4);
+      if (swap_bytes) word = __builtin_bswap32(word);
+      texels[i] = word >> 8;
+      stencils[i] = stencil(word & 255);
+    }
+    return;
+  }
   for (int i = 0; i < count; ++i, p += from.bytes) {
     const DepthStencilPixel v = unpack_depth_stencil(from, p, swap_bytes);
     if (to.floats)
@@ -197,13 +215,21 @@ void store_depth_stencil(const TexelFormat& to, uint32_t* texels, uint8_t* stenc
       texels[i] = v.bits;
     else
       texels[i] = uint32_t(transfer.depth(v.depth) * 16777215.0f); // OSMesa truncates here
-    stencils[i] = uint8_t(transfer.stencil(v.stencil));
+    stencils[i] = stencil(v.stencil);
   }
 }
 
 void load_depth_stencil(const TexelFormat& from, const uint32_t* texels, const uint8_t* stencils,
                         const PixelFormat& to, void* pixels, int count, bool swap_bytes) {
   auto p = static_cast<unsigned char*>(pixels);
+  if (to.type == GL_UNSIGNED_INT_24_8 && !from.floats) {
+    for (int i = 0; i < count; ++i, p += 4) {
+      uint32_t word = texels[i] << 8 | stencils[i];
+      if (swap_bytes) word = __builtin_bswap32(word);
+      std::memcpy(p, &word, 4);
+    }
+    return;
+  }
   for (int i = 0; i < count; ++i, p += to.bytes) {
     DepthStencilPixel v;
     v.stencil = stencils[i];
