@@ -25,7 +25,8 @@ float unsigned_number(float v, int bits, int wide, bool drawn) {
 }
 
 float signed_number(float v, int bits, bool drawn) {
-  const float scaled = std::clamp(v, -1.0f, 1.0f) * float((1 << (bits - 1)) - 1);
+  const float one = float((1 << (bits - 1)) - 1);
+  const float scaled = std::clamp(v, drawn && bits == 8 ? -128.0f / one : -1.0f, 1.0f) * one;
   return drawn ? std::nearbyint(scaled) : halves_away(scaled);
 }
 
