@@ -198,7 +198,9 @@ void draw(Stage& s, const Target& t) {
       if (t.samples || srgb || r.chance(70))
         gl.DrawPixels(16, 16, GL_RGBA, GL_FLOAT, pixels.data());
       else {
-        gl.ColorMask(1, 1, 1, 1); // OSMesa copies under no mask (reference/DEVIATIONS.md)
+        // OSMesa copies under no mask and does not clamp (reference/DEVIATIONS.md).
+        gl.ColorMask(1, 1, 1, 1);
+        gl.ClampColor(GL_CLAMP_FRAGMENT_COLOR, GL_FALSE);
         gl.CopyPixels(0, 0, t.size / 2, t.size / 2, GL_COLOR);
       }
     }
@@ -213,24 +215,6 @@ struct ReadFormat {
   GLenum format, type;
   int bytes;
 };
-/// OSMesa reads the lowest signed integer as less than -1 (reference/DEVIATIONS.md).
-void clamp_at_minus_one(std::vector<uint8_t>& pixels, GLenum type) {
-  if (type == GL_FLOAT)
-    for (size_t i = 0; i + 4 <= pixels.size(); i += 4) {
-      float v;
-      std::memcpy(&v, &pixels[i], 4);
-      if (v < -1) v = -1;
-      std::memcpy(&pixels[i], &v, 4);
-    }
-  if (type == GL_HALF_FLOAT)
-    for (size_t i = 0; i + 2 <= pixels.size(); i += 2) {
-      uint16_t v;
-      std::memcpy(&v, &pixels[i], 2);
-      if (v > 0xbc00) v = 0xbc00;
-      std::memcpy(&pixels[i], &v, 2);
-    }
-}
-
 /// Reads what is bound and shows the bytes themselves in the window.
 void show_pixels(Stage& s, const Target& t, bool had_sign = false) {
   const Gl& gl = s.gl;
