@@ -138,7 +138,7 @@ struct Blending {
   FactorPair rgb, alpha;
   BlendEquation equation[2];
   bool has_alpha, alone, few; // alone: one component is kept; few: one or two
-  bool alike;            // OSMesa takes a common factor out of floats
+  bool alike;                 // OSMesa takes a common factor out of floats
 
   SOFTGL_MEMBER explicit Blending(const FragmentProgram& program) {
     const FragmentKey& key = program.key;
