@@ -40,12 +40,18 @@ template <int kBits> struct SignedArithmetic {
   using T = int64_t;
   static constexpr bool kFloat = false, kSigned = true;
   static constexpr T kOne = (1 << (kBits - 1)) - 1;
-  static T stored(float v) { return nearest_integer(minimum(maximum(v, -1.0f), 1.0f) * float(kOne)); }
+  /// Bytes become -128 where a color is less than -1 (GL_EXT_texture_snorm reads it as -1, too).
+  static T stored(float v) {
+    const float least = kBits == 8 ? -128.0f / float(kOne) : -1.0f;
+    return nearest_integer(minimum(maximum(v, least), 1.0f) * float(kOne));
+  }
   static T limited(T v) { return v < -kOne - 1 ? -kOne - 1 : v > kOne ? kOne : v; }
+  /// Products have twice as many bits, and wrap around.
+  static T doubled(T v) { return T(uint64_t(v) << (64 - 2 * kBits)) >> (64 - 2 * kBits); }
   static T wide_product(T a, T b) {
     T p = a * b;
-    p += p >> (kBits - 1);
-    return (p + (p < 0 ? -(1 << (kBits - 2)) : 1 << (kBits - 2))) >> (kBits - 1);
+    p = doubled(p + (p >> (kBits - 1)));
+    return doubled(p + (p < 0 ? -(1 << (kBits - 2)) : 1 << (kBits - 2))) >> (kBits - 1);
   }
   static T product(T a, T b) { return limited(wide_product(a, b)); }
   static T room(T alpha) { return kOne - (alpha > 0 ? alpha : 0); }
@@ -131,8 +137,8 @@ struct FactorPair {
 struct Blending {
   FactorPair rgb, alpha;
   BlendEquation equation[2];
-  bool has_alpha, alone; // alone: one component is kept
-  bool alike;            // OSMesa takes a common factor out of floats
+  bool has_alpha, alone, few; // alone: one component is kept; few: one or two
+  bool alike;                 // OSMesa takes a common factor out of floats
 
   SOFTGL_MEMBER explicit Blending(const FragmentProgram& program) {
     const FragmentKey& key = program.key;
@@ -143,7 +149,7 @@ struct Blending {
     for (int i = 0; i < 2; ++i)
       equation[i] = separate ? program.constants->blend_equation[i] : BlendEquation(key.blend_equation);
     has_alpha = e.bits[3] != 0;
-    alone = kept_components(e) == 1;
+    alone = kept_components(e) == 1, few = kept_components(e) <= 2;
     if (!has_alpha) rgb = alpha = rgb.without_alpha();
     alike = alone || (rgb.source == rgb.destination && alpha.source == alpha.destination);
   }
@@ -211,6 +217,7 @@ store_integers(const FragmentProgram& program, const float* source, Stored* targ
     for (int c = 0; c < 4; ++c) out[c] = A::logic(logic_number(unsigned(key.blend_source_rgb), s[c], d[c]));
   } else if (key.blend) {
     const Blending blending(program);
+    if (A::kSigned && !blending.has_alpha && blending.few && s[3] < -A::kOne) s[3] = -A::kOne;
     for (int c = 0; c < 4; ++c) constant[c] = A::stored(program.constants->blend_color[c]);
     for (int c = 0; c < 4; ++c) out[c] = blended_component<A>(blending, c, s, d, constant);
   }

@@ -32,11 +32,12 @@ void store_color(ColorFormat format, const float* rgba, void* color, size_t pixe
 
 } // namespace
 
-void average_samples(const Surface& s, int x, int y, int count, unsigned char* row, float (*sample)[4],
-                     float (*pixels)[4]) {
+void average_samples(const Surface& s, int x, int y, int count, bool linear, unsigned char* row,
+                     float (*sample)[4], float (*pixels)[4]) {
+  const auto to_floats = linear ? color_row_to_linear_floats : color_row_to_floats;
   for (int i = 0; i < s.samples; ++i) {
     copy_color_row(sample_surface(s, i), x, y, count, row);
-    color_row_to_floats(s, row, count, i == 0 ? pixels : sample);
+    to_floats(s, row, count, i == 0 ? pixels : sample);
     if (i == 0) continue;
     for (int pixel = 0; pixel < count; ++pixel)
       for (int k = 0; k < 4; ++k) pixels[pixel][k] += sample[pixel][k];
@@ -51,7 +52,7 @@ void resolve_samples(const Surface& from, const Surface& to, uint32_t tile) {
   unsigned char row[kTileSize * 16];
   float sample[kTileSize][4], pixels[kTileSize][4];
   for (int y = y0; y < y0 + rows; ++y) {
-    average_samples(from, x0, y, columns, row, sample, pixels);
+    average_samples(from, x0, y, columns, false, row, sample, pixels);
     for (int i = 0; i < columns; ++i)
       store_color(to.color_format, pixels[i], to.color, color_index(to, x0 + i, y));
   }

@@ -44,6 +44,12 @@ CombinerValue CombinerAlgebra::constant(float number) {
   return CombinerValue(nodes_.size() - 1);
 }
 
+CombinerValue CombinerAlgebra::handed_on(CombinerValue v) {
+  if (node(v).kind != '#') return v;
+  nodes_.push_back({'=', {-1, -1}, node(v).number, 0});
+  return CombinerValue(nodes_.size() - 1);
+}
+
 CombinerValue CombinerAlgebra::add(CombinerValue a, CombinerValue b) {
   return is(a, 0) ? b : is(b, 0) ? a : folded(operation('+', a, b));
 }
@@ -84,6 +90,11 @@ void CombinerAlgebra::remove_unused() {
   for (size_t i = order_.size(); i-- > 0;)
     if (!node(order_[i]).removed && node(order_[i]).uses == 0) remove(order_[i]);
   std::erase_if(order_, [this](CombinerValue v) { return node(v).removed; });
+}
+
+void CombinerAlgebra::reveal_constants() {
+  for (size_t i = 0, count = nodes_.size(); i < count; ++i)
+    if (nodes_[i].kind == '=') replace(CombinerValue(i), constant(nodes_[i].number));
 }
 
 void CombinerAlgebra::share_equals() {
@@ -231,6 +242,7 @@ bool CombinerAlgebra::rewrite() {
 void CombinerAlgebra::simplify(CombinerValue* results, int count) {
   results_ = results, result_count_ = count;
   for (int i = 0; i < count; ++i) ++node(results[i]).uses;
+  reveal_constants();
   for (bool progress = true; progress;) {
     remove_unused();
     share_equals();

@@ -12,6 +12,7 @@ using CombinerValue = int16_t;
 
 struct CombinerNode {
   char kind; // '+' '*' '~' (a difference) '-' (the negative) 's' (clamped) '#' (a constant) 'i' (an input)
+             // '=' (a constant that is not yet known as one)
   CombinerValue operand[2]; // -1: none
   float number;             // of a constant
   int16_t input;
@@ -28,6 +29,8 @@ public:
   CombinerValue subtract(CombinerValue a, CombinerValue b);
   CombinerValue multiply(CombinerValue a, CombinerValue b);
   CombinerValue saturate(CombinerValue a) { return folded(operation('s', a)); }
+  /// What a unit gives to the next ones. They do not see that it is constant before simplify().
+  CombinerValue handed_on(CombinerValue v);
   const CombinerNode& operator[](CombinerValue v) const { return nodes_[size_t(v)]; }
 
   /// Rewrites what leads to these values; they may become others. No differences are left.
@@ -50,6 +53,7 @@ private:
   void replace(CombinerValue from, CombinerValue to);
   void remove_unused();
   void share_equals();
+  void reveal_constants();
   CombinerValue folded(CombinerValue v);
   bool fold_constants();
   bool rewrite();

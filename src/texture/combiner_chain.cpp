@@ -36,7 +36,7 @@ public:
       const int part = k == 3;
       if (unit.scale[part] != 1) result[k] = algebra.multiply(result[k], algebra.constant(unit.scale[part]));
       if (scaled || clamps(unit.function[dot_alpha ? 0 : part])) result[k] = algebra.saturate(result[k]);
-      color[k] = result[k];
+      color[k] = algebra.handed_on(result[k]);
     }
   }
 

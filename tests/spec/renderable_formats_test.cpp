@@ -294,6 +294,49 @@ TEST_CASE("Colors become sRGB where that is switched on", "[spec][formats][srgb]
   CHECK(draw(softgl_library(), false, 0, false)[0] == 64);
 }
 
+TEST_CASE("Samples of sRGB are averaged as linear colors where that is switched on",
+          "[spec][formats][srgb][multisample][osmesa]") {
+  const auto resolved = [](const Gl& gl, bool srgb) {
+    const CurrentContext current(gl);
+    GLuint framebuffers[2] = {}, renderbuffers[2] = {};
+    gl.GenFramebuffers(2, framebuffers);
+    gl.GenRenderbuffers(2, renderbuffers);
+    for (int i = 0; i < 2; ++i) {
+      gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffers[i]);
+      gl.BindRenderbuffer(GL_RENDERBUFFER, renderbuffers[i]);
+      gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, i == 0 ? 4 : 0, GL_SRGB8_ALPHA8, 8, 8);
+      gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, renderbuffers[i]);
+    }
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffers[0]);
+    gl.Viewport(0, 0, 8, 8);
+    gl.ClearColor(0, 0, 0, 0);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+    gl.Color4f(1, 0.5f, 0.25f, 1);
+    gl.Begin(GL_TRIANGLES);
+    gl.Vertex2f(-1, -1), gl.Vertex2f(1, -0.9f), gl.Vertex2f(-0.8f, 1);
+    gl.End();
+    if (srgb) gl.Enable(GL_FRAMEBUFFER_SRGB);
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffers[1]);
+    gl.BlitFramebuffer(0, 0, 8, 8, 0, 0, 8, 8, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffers[1]);
+    std::vector<uint8_t> pixels(8 * 8 * 4);
+    gl.ReadPixels(0, 0, 8, 8, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    return pixels;
+  };
+  for (const bool srgb : {false, true}) {
+    const std::vector<uint8_t> ours = resolved(softgl_library(), srgb),
+                               theirs = resolved(osmesa_library(), srgb);
+    for (size_t i = 0; i < ours.size(); ++i) {
+      CAPTURE(srgb, i);
+      CHECK(std::abs(ours[i] - theirs[i]) <= (srgb && i % 4 < 3 ? 1 : 0)); // OSMesa's roots are approximate
+    }
+    // Of one sample in four, a linear 0.25 is 137 of 255.
+    bool quarter = false;
+    for (size_t i = 0; i < ours.size(); i += 4) quarter |= ours[i] == (srgb ? 137 : 64) && ours[i + 3] == 64;
+    CHECK(quarter);
+  }
+}
+
 TEST_CASE("A lone alpha is blended by the equation of alpha", "[spec][formats][deviation]") {
   const auto blended = [](const Gl& gl) {
     const CurrentContext current(gl);
@@ -342,6 +385,57 @@ TEST_CASE("Blending with one and zero leaves nothing of what was there", "[spec]
   };
   CHECK(blended(softgl_library()) == -8192);
   CHECK(blended(osmesa_library()) == -8193); // a mixture of the two, rounded
+}
+
+TEST_CASE("Copied pixels obey the color mask and are clamped", "[spec][formats][pixels][deviation]") {
+  const auto copied = [](const Gl& gl, bool masked, bool clamped) {
+    const CurrentContext current(gl);
+    bound_framebuffer(gl);
+    attach_texture(gl, GL_RGBA32F);
+    for (const GLenum what : {GL_CLAMP_VERTEX_COLOR, GL_CLAMP_READ_COLOR}) gl.ClampColor(what, GL_FALSE);
+    gl.ClampColor(GL_CLAMP_FRAGMENT_COLOR, GLenum(clamped));
+    gl.ClearColor(0, 0, 0, 0);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+    gl.Enable(GL_SCISSOR_TEST);
+    gl.Scissor(0, 0, 2, 2);
+    gl.ClearColor(3, 3, 3, 3);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+    gl.Disable(GL_SCISSOR_TEST);
+    if (masked) gl.ColorMask(GL_TRUE, GL_FALSE, GL_TRUE, GL_TRUE);
+    gl.WindowPos2i(4, 4);
+    gl.CopyPixels(0, 0, 1, 1, GL_COLOR);
+    std::vector<float> rgba(4);
+    gl.ReadPixels(4, 4, 1, 1, GL_RGBA, GL_FLOAT, rgba.data());
+    return rgba;
+  };
+  using Rgba = std::vector<float>;
+  CHECK(copied(softgl_library(), true, false) == Rgba{3, 0, 3, 3});
+  CHECK(copied(softgl_library(), false, true) == Rgba{1, 1, 1, 1});
+  CHECK(copied(osmesa_library(), true, true) == Rgba{3, 3, 3, 3});
+}
+
+TEST_CASE("Signed bytes less than -1 become the lowest one", "[spec][formats][osmesa]") {
+  const auto drawn = [](const Gl& gl, bool blend, float v) {
+    const CurrentContext current(gl);
+    bound_framebuffer(gl);
+    const GLuint texture = attach_texture(gl, GL_RGBA8_SNORM);
+    for (const GLenum what : {GL_CLAMP_VERTEX_COLOR, GL_CLAMP_FRAGMENT_COLOR, GL_CLAMP_READ_COLOR})
+      gl.ClampColor(what, GL_FALSE);
+    fill(gl, 0.5f, 0.25f, -1, 1);
+    if (blend) gl.Enable(GL_BLEND);
+    gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    fill(gl, v, 0, v, 0.25f);
+    std::vector<GLbyte> texels(8 * 8 * 4);
+    gl.BindTexture(GL_TEXTURE_2D, texture);
+    gl.GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_BYTE, texels.data());
+    return texels;
+  };
+  for (const bool blend : {false, true})
+    for (const float v : {-1.0f, -1.003f, -1.01f, -40.0f, -1e30f, 1e30f}) {
+      CAPTURE(blend, v);
+      CHECK(drawn(softgl_library(), blend, v) == drawn(osmesa_library(), blend, v));
+    }
+  CHECK(drawn(softgl_library(), false, -40)[0] == -128);
 }
 
 TEST_CASE("Copies of sRGB stay what they are", "[spec][formats][srgb][deviation]") {

@@ -33,6 +33,8 @@ std::vector<bool> minimize(const Gl& a, const Gl& b, const Scene& scene, uint64_
     if (only_errors) return x.errors != y.errors;
     if (x.errors.size() > first.errors.size() || y.errors.size() > second.errors.size()) return false;
     const Difference d = compare(x, y);
+    // Last bits of floats stay last bits: whatever else differs has another cause.
+    if (tolerance == 0 && difference.floats && d.max_color > difference.max_color) return false;
     return d.max_color > tolerance || (tolerance == 0 && d.floats) || x.depth != y.depth;
   };
   for (bool progress = true; progress;) {

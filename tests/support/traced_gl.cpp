@@ -67,9 +67,10 @@ bool wanted(const char* name, int number) {
   // whole.
   if (!std::strcmp(name, "NewList") || !std::strcmp(name, "EndList")) active->in_list = name[0] == 'N';
   if (active->in_list && active->in_primitive) return !active->primitive_skipped;
-  // Without these the rest would read memory that nobody owns, crash OSMesa (an EndList alone), or draw what
-  // is known to differ (smooth quads).
-  for (const char* part : {"Pointer", "Buffer", "Interleaved", "ShadeModel", "NewList", "EndList"})
+  // Without these the rest would read memory that nobody owns, crash OSMesa (an EndList alone), leave another
+  // framebuffer bound than the one that is compared, or draw what is known to differ (smooth quads).
+  for (const char* part :
+       {"Pointer", "Buffer", "Framebuffer", "Interleaved", "ShadeModel", "NewList", "EndList"})
     if (std::strstr(name, part)) return true;
   return !skip && !active->primitive_skipped;
 }

@@ -118,6 +118,11 @@ struct BlitSamples {
   unsigned to;
 };
 
+/// Colors are mixed and stored as linear ones (GL_EXT_framebuffer_sRGB, issue 17).
+bool converts_srgb(const Context& c, const Surface& from) {
+  return from.encoding.srgb && c.state.color_buffer.framebuffer_srgb;
+}
+
 void blit_resolved_colors(Context& c, const Blit& blit, const BlitSamples& samples) {
   Arena& arena = c.frame.arena();
   const auto width = size_t(blit.source_width());
@@ -126,7 +131,8 @@ void blit_resolved_colors(Context& c, const Blit& blit, const BlitSamples& sampl
   auto* pixels = arena.allocate_array<PixelFloats>(blit.source_pixels());
   for (int y = 0; y < blit.source_height(); ++y)
     average_samples(samples.from, blit.columns.source_first, blit.rows.source_first + y, int(width),
-                    row.data(), &sample[0].rgba, &pixels[size_t(y) * width].rgba);
+                    converts_srgb(c, samples.from), row.data(), &sample[0].rgba,
+                    &pixels[size_t(y) * width].rgba);
   spread_colors(c.read->texels, &pixels[0].rgba, blit.source_pixels());
   submit_copy(c, blit.image(PixelElement::Floats, pixels, arena), blit.box(), samples.to);
 }
@@ -149,7 +155,7 @@ void blit_colors(Context& c, const Blit& blit, const BlitSamples& samples) {
       spread_colors(c.read->texels, to, size_t(blit.source_width()));
     }
   };
-  const bool srgb = s.encoding.srgb && c.state.color_buffer.framebuffer_srgb;
+  const bool srgb = converts_srgb(c, s);
   // OSMesa 22.3.6: pixels that are but moved go through floats, others through bytes.
   if (s.color_format == ColorFormat::Rgba8 && !srgb && (keeps_bytes(s.encoding) || !blit.moved)) {
     auto* pixels = reinterpret_cast<uint8_t(*)[4]>(arena.allocate_array<uint32_t>(blit.source_pixels()));

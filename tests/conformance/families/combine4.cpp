@@ -1,7 +1,5 @@
 // Texture environments of GL_NV_texture_env_combine4, GL_ATI_texture_env_combine3 and
-// GL_EXT_texture_env_dot3: sums of two products, zero and one as sources, products that are added to. In
-// floats one scene of 150 (seed 48) has pixels whose last bit differs. Presumably OSMesa's compiler adds in
-// another order where a source is zero; nobody has shown it.
+// GL_EXT_texture_env_dot3: sums of two products, zero and one as sources, products that are added to.
 #include "conformance/families/common.h"
 #include "conformance/families/environments.h"
 

@@ -1,6 +1,7 @@
 #include "conformance/families/common.h"
 
 #include <cmath>
+#include <cstring>
 
 namespace softgl::test {
 
@@ -217,6 +218,23 @@ int vertices_of(GLenum mode, int n) {
   case GL_QUAD_STRIP: return 2 * n + 2;
   default: return 0;
   }
+}
+
+void clamp_at_minus_one(std::vector<uint8_t>& pixels, GLenum type) {
+  if (type == GL_FLOAT)
+    for (size_t i = 0; i + 4 <= pixels.size(); i += 4) {
+      float v;
+      std::memcpy(&v, &pixels[i], 4);
+      if (v < -1) v = -1;
+      std::memcpy(&pixels[i], &v, 4);
+    }
+  if (type == GL_HALF_FLOAT)
+    for (size_t i = 0; i + 2 <= pixels.size(); i += 2) {
+      uint16_t v;
+      std::memcpy(&v, &pixels[i], 2);
+      if (v > 0xbc00) v = 0xbc00;
+      std::memcpy(&pixels[i], &v, 2);
+    }
 }
 
 GLenum random_filled_mode(Stage& s) {

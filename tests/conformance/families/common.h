@@ -54,6 +54,10 @@ void backdrop(Stage& s);
 /// A sphere with normals as strips: curved surfaces show lighting.
 void sphere(Stage& s, int slices, int stacks, float radius, bool texture_coordinates);
 
+/// Numbers that were read from signed texels. OSMesa reads the lowest integer as less than -1
+/// (reference/DEVIATIONS.md).
+void clamp_at_minus_one(std::vector<uint8_t>& pixels, GLenum type);
+
 GLenum random_filled_mode(Stage& s);
 GLenum random_compare(Stage& s);
 

@@ -119,6 +119,12 @@ void show_what_is_read(Stage& s, int width, int height) {
                type = kTypes[r.integer(0, 6)];
   std::vector<GLubyte> pixels(size_t(width) * size_t(height) * 16 + 64);
   gl.GetTexImage(GL_TEXTURE_2D, 0, format, type, pixels.data());
+  GLint component_type = 0;
+  for (GLenum component : {GL_TEXTURE_RED_TYPE, GL_TEXTURE_ALPHA_TYPE, GL_TEXTURE_LUMINANCE_TYPE_ARB,
+                           GL_TEXTURE_INTENSITY_TYPE_ARB})
+    if (component_type != GL_SIGNED_NORMALIZED)
+      gl.GetTexLevelParameteriv(GL_TEXTURE_2D, 0, component, &component_type);
+  if (component_type == GL_SIGNED_NORMALIZED) clamp_at_minus_one(pixels, type);
   GLint sizes[4] = {};
   gl.GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_RED_SIZE, &sizes[0]);
   gl.GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_ALPHA_TYPE, &sizes[1]);

@@ -60,9 +60,8 @@ void attach_color_texture(Stage& s, Target& t, const ColorFormat& f) {
   if (t.texture_target == GL_TEXTURE_CUBE_MAP) t.height = t.width;
   gl.GenTextures(1, &t.texture);
   gl.BindTexture(t.texture_target, t.texture);
-  const GLint filter = r.pick({GL_NEAREST, GL_LINEAR}); // families of textures mix filters
-  gl.TexParameteri(t.texture_target, GL_TEXTURE_MIN_FILTER, filter);
-  gl.TexParameteri(t.texture_target, GL_TEXTURE_MAG_FILTER, filter);
+  for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl.TexParameteri(t.texture_target, filter, r.pick({GL_NEAREST, GL_LINEAR}));
   for (GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
     gl.TexParameteri(t.texture_target, axis, GL_CLAMP_TO_EDGE);
   const bool flat = t.texture_target == GL_TEXTURE_RECTANGLE;

@@ -197,8 +197,12 @@ void draw(Stage& s, const Target& t) {
       const bool srgb = t.format.internal == GL_SRGB8 || t.format.internal == GL_SRGB8_ALPHA8;
       if (t.samples || srgb || r.chance(70))
         gl.DrawPixels(16, 16, GL_RGBA, GL_FLOAT, pixels.data());
-      else
+      else {
+        // OSMesa copies under no mask and does not clamp (reference/DEVIATIONS.md).
+        gl.ColorMask(1, 1, 1, 1);
+        gl.ClampColor(GL_CLAMP_FRAGMENT_COLOR, GL_FALSE);
         gl.CopyPixels(0, 0, t.size / 2, t.size / 2, GL_COLOR);
+      }
     }
     random_merging(s, t);
   }
@@ -212,7 +216,7 @@ struct ReadFormat {
   int bytes;
 };
 /// Reads what is bound and shows the bytes themselves in the window.
-void show_pixels(Stage& s, const Target& t) {
+void show_pixels(Stage& s, const Target& t, bool had_sign = false) {
   const Gl& gl = s.gl;
   Random& r = s.random;
   const auto f = r.pick<ReadFormat>({{GL_RGBA, GL_FLOAT, 16},
@@ -234,6 +238,7 @@ void show_pixels(Stage& s, const Target& t) {
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   const int y = r.integer(0, t.size - n), x = r.integer(0, t.size - n);
   gl.ReadPixels(x, y, n, n, f.format, f.type, pixels.data());
+  if (had_sign || t.format.has_sign) clamp_at_minus_one(pixels, f.type);
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
   const int to_y = r.integer(0, std::max(0, s.height - n)), to_x = r.integer(0, std::max(0, s.width - n));
   gl.WindowPos2i(to_x, to_y);
@@ -316,7 +321,7 @@ void draw_renderable_formats(Stage& s) {
       gl.BlitFramebuffer(0, 0, w, w, 0, 0, to, w, GL_COLOR_BUFFER_BIT,
                          GLenum(r.pick({GL_NEAREST, GL_NEAREST, GL_LINEAR})));
       gl.BindFramebuffer(GL_READ_FRAMEBUFFER, other.framebuffer);
-      show_pixels(s, other);
+      show_pixels(s, other, t.format.has_sign);
       break;
     }
     default: show_pixels(s, t);
