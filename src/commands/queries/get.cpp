@@ -37,7 +37,7 @@ struct Values {
 // Colors of fragment operations are kept as given, and read back clamped unless the color buffer is of
 // floats.
 Vec4 fragment_color(const Context& c, const Vec4& color) {
-  if (!clamps(*c.draw, c.state.color_buffer.clamp_fragment_color)) return color;
+  if (!clamps_queried_colors(c)) return color;
   Vec4 clamped;
   for (int i = 0; i < 4; ++i) clamped[i] = color[i] > 0.0f ? (color[i] > 1.0f ? 1.0f : color[i]) : 0.0f;
   return clamped;

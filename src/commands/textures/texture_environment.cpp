@@ -127,7 +127,7 @@ Answer environment(Context& c, GLenum target, GLenum pname) {
     if (const float* scale = environment_scale(unit, pname)) return {{*scale}, 1, Conversion::Float};
     if (pname == GL_TEXTURE_ENV_COLOR) {
       Answer answer{{}, 4, Conversion::Normal};
-      const bool clamp = clamps(*c.draw, c.state.color_buffer.clamp_fragment_color);
+      const bool clamp = clamps_queried_colors(c);
       for (int i = 0; i < 4; ++i) {
         const float v = unit.env_color[i];
         answer.v[i] = clamp ? (v > 0.0f ? (v > 1.0f ? 1.0f : v) : 0.0f) : v;

@@ -79,11 +79,11 @@ void TexParameter(Context& c, GLenum target, GLenum pname, const GLfloat* params
   case GL_TEXTURE_BASE_LEVEL:
     if (nearest(value) < 0 || (t == kTextureRectangle && nearest(value) != 0))
       return set_error(c, GL_INVALID_VALUE);
-    p.base_level = nearest(value);
+    p.base_level = object->level_within(nearest(value), 0);
     break;
   case GL_TEXTURE_MAX_LEVEL:
     if (nearest(value) < 0) return set_error(c, GL_INVALID_VALUE);
-    p.max_level = nearest(value);
+    p.max_level = object->level_within(nearest(value), p.base_level);
     break;
   case GL_GENERATE_MIPMAP: p.generate_mipmap = value != 0; break;
   case GL_DEPTH_TEXTURE_MODE:
@@ -122,8 +122,7 @@ int get_parameter(Context& c, GLenum target, GLenum pname, float* v, bool& color
   case GL_TEXTURE_BORDER_COLOR:
     color = true;
     for (int i = 0; i < 4; ++i)
-      v[i] = clamps(*c.draw, c.state.color_buffer.clamp_fragment_color) ? unit_range(p.border_color[i])
-                                                                        : p.border_color[i];
+      v[i] = clamps_queried_colors(c) ? unit_range(p.border_color[i]) : p.border_color[i];
     return 4;
   case GL_TEXTURE_PRIORITY:
     color = true;
