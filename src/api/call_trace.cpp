@@ -237,7 +237,24 @@ void put_call(TraceText& text, const TraceCall& row, const uint64_t* arguments) 
   text.put(')');
 }
 
-/// The message of an error (GL_KHR_debug): which one, and the call. Where memory ends there is none.
+/// A parameter has the name that set_error() was given: the scalar form of "params" is "param".
+bool has_name(const TraceParameter& p, const char* name) {
+  const char* own = text_at(p.name);
+  return std::strcmp(own, name) == 0 || (std::strcmp(own, "param") == 0 && std::strcmp(name, "params") == 0);
+}
+
+/// ": cap = GL_FOG_MODE", the argument that is to blame. An error of a list that is played has none.
+void put_wrong_argument(TraceText& text, const TraceCall& row, const uint64_t* arguments, const char* name) {
+  for (int i = 0; name && i < row.parameter_count; ++i) {
+    const TraceParameter& p = kTraceParameters[row.parameter + i];
+    if (!has_name(p, name)) continue;
+    text.print(": %s = ", text_at(p.name));
+    return put_argument(text, p, arguments, i);
+  }
+}
+
+/// The message of an error (GL_KHR_debug): which one, the call, and the argument that is to blame. Where
+/// memory ends there is none.
 void report_error(GLenum error, auto&& put) noexcept try {
   Context& c = *current_context;
   if (error == GL_NO_ERROR || !c.client.debug_output) return;
@@ -272,7 +289,10 @@ void end_traced_call(TracedCall call, const uint64_t* arguments, uint64_t result
   const TraceCall& row = kTraceCalls[int(call)];
   const char* name = text_at(row.name);
   const GLenum error = end_call(name, error_before);
-  report_error(error, [&](TraceText& text) { put_call(text, row, arguments); });
+  report_error(error, [&](TraceText& text) {
+    put_call(text, row, arguments);
+    put_wrong_argument(text, row, arguments, current_context->debug.wrong_argument);
+  });
   if (!tracing) return;
   TraceText text;
   const char* between = " = ";

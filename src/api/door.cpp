@@ -34,12 +34,14 @@ void ignore_call(Context& c) { may_execute_keeping_run(c); }
 
 void bad_scalar_parameter(Context& c) {
   if (c.guard & kCompilingList)
-    return compile_error(c, c.builder.mode != kNoPrimitive ? GL_INVALID_OPERATION : GL_INVALID_ENUM);
-  set_error(c, c.guard & kInsideBeginEnd ? GL_INVALID_OPERATION : GL_INVALID_ENUM);
+    return compile_error(c, c.builder.mode != kNoPrimitive ? Refusal{GL_INVALID_OPERATION}
+                                                           : Refusal{GL_INVALID_ENUM, "pname"});
+  if (c.guard & kInsideBeginEnd) return set_error(c, GL_INVALID_OPERATION);
+  set_error(c, GL_INVALID_ENUM, "pname");
 }
 
 void bad_texture_unit(Context& c) {
-  if (!(c.guard & kNoContext)) set_error(c, GL_INVALID_ENUM);
+  if (!(c.guard & kNoContext)) set_error(c, GL_INVALID_ENUM, "target");
 }
 
 void out_of_memory() noexcept {

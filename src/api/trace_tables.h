@@ -37,6 +37,7 @@ enum class TraceLength : uint8_t {
 };
 
 struct TraceParameter {
+  uint16_t name;  // in kTraceText
   TraceType type; // of the value, or of the values that it points to
   uint8_t group;  // of the values' names: kNoNames, kAnyName, kNamesOfParameter or another
   TraceLength length;

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "base/refusal.h"
 #include "context/array_cache.h"
 #include "context/attribute_stack.h"
 #include "context/debug_output.h"
@@ -71,9 +72,13 @@ template <auto kGroup> auto& edit(Context& c) {
   return c.state.*kGroup;
 }
 
-/// Records `code` unless an earlier error waits to be read (2.5).
-inline void set_error(Context& c, GLenum code) {
-  if (c.error == GL_NO_ERROR) c.error = code;
+/// Records `code` unless an earlier error waits to be read (2.5). GL_INVALID_ENUM and GL_INVALID_VALUE name
+/// the argument that is wrong, as gl.xml names it: "param" is "params", too.
+inline void set_error(Context& c, GLenum code, const char* argument = nullptr) {
+  if (c.error != GL_NO_ERROR) return;
+  c.error = code;
+  c.debug.wrong_argument = argument;
 }
+inline void set_error(Context& c, const Refusal& refusal) { set_error(c, refusal.error, refusal.argument); }
 
 } // namespace softgl

@@ -56,6 +56,7 @@ struct DebugOutput {
   std::vector<DebugMessage> log; // the oldest first
   DebugFilter filter;            // of the group that is always there
   std::vector<DebugGroup> groups;
+  const char* wrong_argument = nullptr; // of the call that raised the error that waits; null for none
 
   ~DebugOutput() { watch(false); }
   DebugFilter& active_filter() { return groups.empty() ? filter : groups.back().filter; }

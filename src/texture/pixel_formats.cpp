@@ -66,7 +66,8 @@ bool plain_type(GLenum type) {
 
 } // namespace
 
-GLenum check_pixel_format(GLenum format, GLenum type) {
+Refusal check_pixel_format(GLenum format, GLenum type) {
+  constexpr Refusal kFine, kWrongType{GL_INVALID_ENUM, "type"}, kMismatch{GL_INVALID_OPERATION};
   int components;
   switch (format) {
   case GL_COLOR_INDEX:
@@ -84,28 +85,27 @@ GLenum check_pixel_format(GLenum format, GLenum type) {
   case GL_RGBA:
   case GL_BGRA:
   case GL_ABGR_EXT: components = 4; break;
-  case GL_DEPTH_STENCIL: return depth_stencil_type(type) ? GL_NO_ERROR : GL_INVALID_ENUM;
-  default: return GL_INVALID_ENUM;
+  case GL_DEPTH_STENCIL: return depth_stencil_type(type) ? kFine : kWrongType;
+  default: return {GL_INVALID_ENUM, "format"};
   }
-  if (depth_stencil_type(type)) return GL_INVALID_OPERATION;
-  if (type == GL_BITMAP)
-    return format == GL_COLOR_INDEX || format == GL_STENCIL_INDEX ? GL_NO_ERROR : GL_INVALID_ENUM;
-  if (plain_type(type)) return GL_NO_ERROR;
-  if (type == GL_UNSIGNED_INT_10F_11F_11F_REV) return format == GL_RGB ? GL_NO_ERROR : GL_INVALID_OPERATION;
-  if (type == GL_UNSIGNED_INT_5_9_9_9_REV) return format == GL_RGB ? GL_NO_ERROR : GL_INVALID_ENUM;
+  if (depth_stencil_type(type)) return kMismatch;
+  if (type == GL_BITMAP) return format == GL_COLOR_INDEX || format == GL_STENCIL_INDEX ? kFine : kWrongType;
+  if (plain_type(type)) return kFine;
+  if (type == GL_UNSIGNED_INT_10F_11F_11F_REV) return format == GL_RGB ? kFine : kMismatch;
+  if (type == GL_UNSIGNED_INT_5_9_9_9_REV) return format == GL_RGB ? kFine : kWrongType;
   const int packed = packed_components(type);
-  if (packed == 0) return GL_INVALID_ENUM;
-  if (packed != components || format == GL_BGR) return GL_INVALID_OPERATION;
+  if (packed == 0) return kWrongType;
+  if (packed != components || format == GL_BGR) return kMismatch;
   if (format == GL_ABGR_EXT) { // OSMesa: with components of one size only
     switch (type) {
     case GL_UNSIGNED_SHORT_4_4_4_4:
     case GL_UNSIGNED_SHORT_4_4_4_4_REV:
     case GL_UNSIGNED_INT_8_8_8_8:
     case GL_UNSIGNED_INT_8_8_8_8_REV: break;
-    default: return GL_INVALID_OPERATION;
+    default: return kMismatch;
     }
   }
-  return GL_NO_ERROR;
+  return kFine;
 }
 
 PixelFormat describe_pixel_format(GLenum format, GLenum type) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "base/gl_types.h"
+#include "base/refusal.h"
 
 namespace softgl {
 
@@ -37,10 +38,10 @@ struct PixelFormat {
   GLenum format, type;
 };
 
-/// GL_NO_ERROR, GL_INVALID_ENUM for an unknown format or type, GL_INVALID_OPERATION for a packed type that
+/// GL_INVALID_ENUM for an unknown format or type, GL_INVALID_OPERATION for a packed type that
 /// does not fit the format (tables 3.5, 3.6, 3.8).
-GLenum check_pixel_format(GLenum format, GLenum type);
-/// Only after check_pixel_format() gave GL_NO_ERROR.
+Refusal check_pixel_format(GLenum format, GLenum type);
+/// Only after check_pixel_format() found nothing.
 PixelFormat describe_pixel_format(GLenum format, GLenum type);
 
 /// Where the pixels of a client image lie (3.6.4). `row_bytes` are read or written in each row.

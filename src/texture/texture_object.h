@@ -122,12 +122,12 @@ struct TextureObject {
   std::atomic<bool> drawn_to = false; // some planes of its images may be newer than the texels
 
   /// GL_TEXTURE_BASE_LEVEL and GL_TEXTURE_MAX_LEVEL, kept within the levels of an immutable texture.
-  int base_level() const {
-    return immutable_levels ? std::min(parameters.base_level, immutable_levels - 1) : parameters.base_level;
-  }
-  int max_level() const {
-    return immutable_levels ? std::clamp(parameters.max_level, base_level(), immutable_levels - 1)
-                            : parameters.max_level;
+  int base_level() const { return level_within(parameters.base_level, 0); }
+  int max_level() const { return level_within(parameters.max_level, base_level()); }
+  /// `level`, of an immutable texture clamped to [least, its last level].
+  int level_within(int level, int least) const {
+    return immutable_levels ? std::clamp(level, std::min(least, immutable_levels - 1), immutable_levels - 1)
+                            : level;
   }
   /// The image for a change: a copy of its own if somebody else holds it.
   TextureImage& writable(int face, int level);

@@ -232,7 +232,8 @@ Arguments choose_arguments(const AnyCommand& command, Choices& choices) {
       a.pointer = OutputMemory::bytes();
     } else if (p.type == TraceType::Pointer && p.length == TraceLength::Value) {
       a.pointer = array_of(i); // control points
-      fill_array({TraceType::Float, kNoNames, p.length, 0, false}, kNoNames, '.', choices, array_of(i));
+      fill_array({p.name, TraceType::Float, kNoNames, p.length, 0, false}, kNoNames, '.', choices,
+                 array_of(i));
     } else if (p.length != TraceLength::Value) {
       a.pointer = array_of(i);
       fill_array(p, group, letter, choices, array_of(i));

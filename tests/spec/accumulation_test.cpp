@@ -52,8 +52,8 @@ struct Window {
 
 } // namespace
 
-TEST_CASE("glAccum refuses what the specification says, and changes nothing",
-          "[spec][errors][accumulation]") {
+REFUSAL_TEST_CASE("glAccum refuses what the specification says, and changes nothing",
+                  "[spec][errors][accumulation]") {
   const Gl& gl = softgl_library();
   SECTION("with an accumulation buffer") {
     const Window window(gl);

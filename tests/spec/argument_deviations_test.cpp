@@ -31,7 +31,7 @@ GLfloat real(const Gl& gl, GLenum name) {
 
 } // namespace
 
-TEST_CASE("Names of later versions are refused", "[spec][errors]") {
+REFUSAL_TEST_CASE("Names of later versions are refused", "[spec][errors]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   static const BadCall calls[] = {
@@ -46,7 +46,8 @@ TEST_CASE("Names of later versions are refused", "[spec][errors]") {
   expect_refused(gl, calls);
 }
 
-TEST_CASE("Bad arguments in a list raise the error that they raise elsewhere", "[spec][errors][lists]") {
+REFUSAL_TEST_CASE("Bad arguments in a list raise the error that they raise elsewhere",
+                  "[spec][errors][lists]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   static const BadCall calls[] = {

@@ -193,7 +193,7 @@ TEST_CASE("The array pointers of EXT_vertex_array are those of GL 1.1 with a cou
   // clang-format on
 }
 
-TEST_CASE("Compressed images of formats that are not there are refused", "[spec][errors][textures]") {
+REFUSAL_TEST_CASE("Compressed images of formats that are not there are refused", "[spec][errors][textures]") {
   // clang-format off
   static const GLubyte bytes[64] = {};
   static const BadCall calls[] = {

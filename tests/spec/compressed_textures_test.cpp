@@ -32,7 +32,8 @@ std::vector<GLubyte> texels(const Gl& gl, int level, int width, int height) {
 
 } // namespace
 
-TEST_CASE("Compressed images are refused as OSMesa refuses them", "[spec][errors][textures][compressed]") {
+REFUSAL_TEST_CASE("Compressed images are refused as OSMesa refuses them",
+                  "[spec][errors][textures][compressed]") {
   // clang-format off
   static const BadCall calls[] = {
       BAD(INVALID_VALUE, CompressedTexImage2D(GL_TEXTURE_2D, 0, kRgb1, 16, 16, 0, 127, kBytes)),

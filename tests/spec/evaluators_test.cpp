@@ -56,7 +56,8 @@ void define_sheet(const Gl& gl) {
 
 } // namespace
 
-TEST_CASE("evaluator commands refuse what 5.1 forbids, and change nothing", "[spec][errors][evaluators]") {
+REFUSAL_TEST_CASE("evaluator commands refuse what 5.1 forbids, and change nothing",
+                  "[spec][errors][evaluators]") {
   static const BadCall calls[] = {
       BAD(INVALID_ENUM, Map1f(GL_MAP2_VERTEX_3, 0, 1, 3, 2, kLine)),
       BAD(INVALID_ENUM, Map1f(GL_MAP1_VERTEX_4 + 1, 0, 1, 4, 1, kLine)),

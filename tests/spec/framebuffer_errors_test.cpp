@@ -35,8 +35,8 @@ void make_objects(const Gl& gl) {
 
 } // namespace
 
-TEST_CASE("framebuffer objects and renderbuffers refuse what is wrong in one argument",
-          "[spec][errors]") { // 4.4.1, 4.4.2
+REFUSAL_TEST_CASE("framebuffer objects and renderbuffers refuse what is wrong in one argument",
+                  "[spec][errors]") { // 4.4.1, 4.4.2
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   make_objects(gl);
@@ -76,7 +76,7 @@ TEST_CASE("framebuffer objects and renderbuffers refuse what is wrong in one arg
   expect_refused(gl, without);
 }
 
-TEST_CASE("attachments refuse what is wrong in one argument", "[spec][errors]") { // 4.4.2, 6.1.3
+REFUSAL_TEST_CASE("attachments refuse what is wrong in one argument", "[spec][errors]") { // 4.4.2, 6.1.3
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   make_objects(gl);
@@ -135,7 +135,7 @@ TEST_CASE("attachments refuse what is wrong in one argument", "[spec][errors]") 
   expect_refused(gl, window);
 }
 
-TEST_CASE("blits refuse what is wrong in one argument", "[spec][errors]") { // 4.3.3
+REFUSAL_TEST_CASE("blits refuse what is wrong in one argument", "[spec][errors]") { // 4.3.3
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   make_objects(gl);
@@ -149,7 +149,7 @@ TEST_CASE("blits refuse what is wrong in one argument", "[spec][errors]") { // 4
   expect_refused(gl, calls);
 }
 
-TEST_CASE("what is not complete is neither drawn to nor read", "[spec][errors]") { // 4.4.4.3
+REFUSAL_TEST_CASE("what is not complete is neither drawn to nor read", "[spec][errors]") { // 4.4.4.3
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   make_objects(gl);

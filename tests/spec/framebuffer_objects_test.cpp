@@ -272,7 +272,7 @@ const BadCall bad_calls[] = {
 
 } // namespace
 
-TEST_CASE("Wrong arguments of framebuffer objects change nothing", "[spec][framebuffers]") {
+REFUSAL_TEST_CASE("Wrong arguments of framebuffer objects change nothing", "[spec][framebuffers]") {
   const Gl& gl = softgl_library();
   const CurrentContext current{gl};
   make_framebuffer(gl);
@@ -308,7 +308,7 @@ TEST_CASE("Wrong arguments of framebuffer objects change nothing", "[spec][frame
   expect_refused(gl, unbound, [] {});
 }
 
-TEST_CASE("An incomplete framebuffer object is neither drawn to nor read", "[spec][framebuffers]") {
+REFUSAL_TEST_CASE("An incomplete framebuffer object is neither drawn to nor read", "[spec][framebuffers]") {
   const Gl& gl = softgl_library();
   const CurrentContext current{gl};
   clear(gl, 0, 1, 0, 1);

@@ -164,8 +164,9 @@ const BadCall bad_calls[] = {
 
 } // namespace
 
-TEST_CASE("a refused argument of an object's command gives the specification's error and changes nothing",
-          "[spec][errors]") {
+REFUSAL_TEST_CASE(
+    "a refused argument of an object's command gives the specification's error and changes nothing",
+    "[spec][errors]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   const StateSnapshot before = take_snapshot(gl, false);
@@ -175,7 +176,8 @@ TEST_CASE("a refused argument of an object's command gives the specification's e
   });
 }
 
-TEST_CASE("a refused change of a buffer or of a texture image leaves its contents", "[spec][errors]") {
+REFUSAL_TEST_CASE("a refused change of a buffer or of a texture image leaves its contents",
+                  "[spec][errors]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   const GLubyte data[16] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16};

@@ -39,8 +39,8 @@ void quarter(const Gl& gl) { gl.Rectf(-1, -1, 0, 0); }
 
 } // namespace
 
-TEST_CASE("refused commands of queries give the specification's errors and change nothing",
-          "[spec][errors][queries]") {
+REFUSAL_TEST_CASE("refused commands of queries give the specification's errors and change nothing",
+                  "[spec][errors][queries]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   gl.GenQueries(3, names);

@@ -113,8 +113,8 @@ TEST_CASE("pixel maps come from buffers and go to buffers", "[spec][pixels][buff
   }
 }
 
-TEST_CASE("a pixel command refuses a buffer that is mapped or does not hold its pixels",
-          "[spec][errors][buffers]") {
+REFUSAL_TEST_CASE("a pixel command refuses a buffer that is mapped or does not hold its pixels",
+                  "[spec][errors][buffers]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   Random r(1);

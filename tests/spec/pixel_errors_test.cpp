@@ -37,8 +37,8 @@ private:
 
 } // namespace
 
-TEST_CASE("pixel storage, transfer and maps refuse what is wrong in one argument",
-          "[spec][errors]") { // 3.6.1 to 3.6.3
+REFUSAL_TEST_CASE("pixel storage, transfer and maps refuse what is wrong in one argument",
+                  "[spec][errors]") { // 3.6.1 to 3.6.3
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   static const BadCall calls[] = {
@@ -73,8 +73,8 @@ TEST_CASE("pixel storage, transfer and maps refuse what is wrong in one argument
   expect_refused(gl, calls);
 }
 
-TEST_CASE("drawing, copying and reading pixels refuse what is wrong in one argument",
-          "[spec][errors]") { // 3.6.4, 3.7, 4.3
+REFUSAL_TEST_CASE("drawing, copying and reading pixels refuse what is wrong in one argument",
+                  "[spec][errors]") { // 3.6.4, 3.7, 4.3
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   static const BadCall calls[] = {
@@ -112,7 +112,8 @@ TEST_CASE("drawing, copying and reading pixels refuse what is wrong in one argum
   expect_refused(gl, calls);
 }
 
-TEST_CASE("pixels of buffers that the window does not have are refused", "[spec][errors]") { // 4.3.1, 4.3.2
+REFUSAL_TEST_CASE("pixels of buffers that the window does not have are refused",
+                  "[spec][errors]") { // 4.3.1, 4.3.2
   const Gl& gl = softgl_library();
   BareContext context(gl);
   static const BadCall calls[] = {
@@ -131,7 +132,8 @@ TEST_CASE("pixels of buffers that the window does not have are refused", "[spec]
   expect_refused(gl, calls);
 }
 
-TEST_CASE("pixels of a buffer object lie inside of it", "[spec][errors]") { // GL_ARB_pixel_buffer_object
+REFUSAL_TEST_CASE("pixels of a buffer object lie inside of it",
+                  "[spec][errors]") { // GL_ARB_pixel_buffer_object
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
@@ -159,7 +161,8 @@ TEST_CASE("pixels of a buffer object lie inside of it", "[spec][errors]") { // G
   expect_refused(gl, pack, [] {});
 }
 
-TEST_CASE("occlusion queries refuse what is wrong in one argument", "[spec][errors]") { // 4.1.7, 6.1.12
+REFUSAL_TEST_CASE("occlusion queries refuse what is wrong in one argument",
+                  "[spec][errors]") { // 4.1.7, 6.1.12
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   gl.BeginQuery(GL_SAMPLES_PASSED, 3);
@@ -191,7 +194,7 @@ TEST_CASE("occlusion queries refuse what is wrong in one argument", "[spec][erro
   expect_refused(gl, counting);
 }
 
-TEST_CASE("queries of state refuse names that they do not know", "[spec][errors]") { // 6.1
+REFUSAL_TEST_CASE("queries of state refuse names that they do not know", "[spec][errors]") { // 6.1
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   static const BadCall calls[] = {

@@ -212,6 +212,57 @@ TEST_CASE("Floats are drawn as they are, unless clamping is asked for", "[spec][
   CHECK(gl.GetError() == GL_NO_ERROR);
 }
 
+TEST_CASE("Colors that are asked for are clamped by what is bound", "[spec][formats][clamp]") { // 6.1.2
+  for (const Gl* gl : {&softgl_library(), &osmesa_library()}) {
+    INFO(gl->name);
+    const CurrentContext current(*gl);
+    const GLfloat color[4] = {7, -2, -0.25f, 0.75f};
+    gl->TexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, color);
+    gl->Fogfv(GL_FOG_COLOR, color);
+    gl->AlphaFunc(GL_ALWAYS, color[0]);
+    gl->BlendColor(color[0], color[1], color[2], color[3]);
+    gl->ClearColor(color[0], color[1], color[2], color[3]);
+    const auto reads = [&] {
+      std::vector<float> v(24);
+      gl->GetTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, &v[0]);
+      gl->GetTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, &v[4]);
+      gl->GetFloatv(GL_FOG_COLOR, &v[8]);
+      gl->GetFloatv(GL_BLEND_COLOR, &v[12]);
+      gl->GetFloatv(GL_COLOR_CLEAR_VALUE, &v[16]);
+      gl->GetFloatv(GL_ALPHA_TEST_REF, &v[20]);
+      return v;
+    };
+    const auto expected = [](std::vector<float> four, float reference) {
+      std::vector<float> v;
+      for (int i = 0; i < 5; ++i) v.insert(v.end(), four.begin(), four.end());
+      v.insert(v.end(), {reference, 0, 0, 0});
+      return v;
+    };
+    const auto given = expected({7, -2, -0.25f, 0.75f}, 7), clamped = expected({1, 0, 0, 0.75f}, 1);
+    gl->TexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, color);
+    CHECK(reads() == clamped);
+    bound_framebuffer(*gl);
+    attach_texture(*gl, GL_RGBA16F);
+    gl->TexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, color);
+    CHECK(reads() == given); // nothing has been drawn yet
+    gl->ClampColor(GL_CLAMP_FRAGMENT_COLOR, GL_TRUE);
+    CHECK(reads() == clamped);
+    gl->ClampColor(GL_CLAMP_FRAGMENT_COLOR, GL_FALSE);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
+    CHECK(reads() == given);
+    // So is the color of the raster position, by its own switch.
+    bound_framebuffer(*gl);
+    attach_texture(*gl, GL_RGBA16F);
+    gl->ClampColor(GL_CLAMP_VERTEX_COLOR, GL_FIXED_ONLY);
+    gl->Color4fv(color);
+    gl->RasterPos2f(0, 0);
+    std::vector<float> raster(4);
+    gl->GetFloatv(GL_CURRENT_RASTER_COLOR, raster.data());
+    CHECK(raster == std::vector<float>(color, color + 4));
+    CHECK(gl->GetError() == GL_NO_ERROR);
+  }
+}
+
 TEST_CASE("Clamping has three switches", "[spec][formats][clamp][errors]") {
   const Gl& gl = softgl_library();
   const CurrentContext current(gl);

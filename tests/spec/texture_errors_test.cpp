@@ -28,7 +28,7 @@ void make_images(const Gl& gl) {
 
 } // namespace
 
-TEST_CASE("images of textures refuse what is wrong in one argument", "[spec][errors]") { // 3.8.1
+REFUSAL_TEST_CASE("images of textures refuse what is wrong in one argument", "[spec][errors]") { // 3.8.1
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   make_images(gl);
@@ -80,7 +80,7 @@ TEST_CASE("images of textures refuse what is wrong in one argument", "[spec][err
   expect_refused(gl, calls);
 }
 
-TEST_CASE("parts of images refuse what is wrong in one argument", "[spec][errors]") { // 3.8.2
+REFUSAL_TEST_CASE("parts of images refuse what is wrong in one argument", "[spec][errors]") { // 3.8.2
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   make_images(gl);
@@ -124,7 +124,7 @@ TEST_CASE("parts of images refuse what is wrong in one argument", "[spec][errors
   expect_refused(gl, calls);
 }
 
-TEST_CASE("copies into textures refuse what is wrong in one argument", "[spec][errors]") { // 3.8.2
+REFUSAL_TEST_CASE("copies into textures refuse what is wrong in one argument", "[spec][errors]") { // 3.8.2
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   make_images(gl);
@@ -164,7 +164,7 @@ TEST_CASE("copies into textures refuse what is wrong in one argument", "[spec][e
   expect_refused(gl, calls);
 }
 
-TEST_CASE("compressed images refuse what is wrong in one argument", "[spec][errors]") { // 3.8.3, S3TC
+REFUSAL_TEST_CASE("compressed images refuse what is wrong in one argument", "[spec][errors]") { // 3.8.3, S3TC
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   make_images(gl);
@@ -207,8 +207,8 @@ TEST_CASE("compressed images refuse what is wrong in one argument", "[spec][erro
   expect_refused(gl, calls);
 }
 
-TEST_CASE("objects and parameters of textures refuse what is wrong in one argument",
-          "[spec][errors]") { // 3.8.4, 3.8.12
+REFUSAL_TEST_CASE("objects and parameters of textures refuse what is wrong in one argument",
+                  "[spec][errors]") { // 3.8.4, 3.8.12
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   make_images(gl);
@@ -239,7 +239,8 @@ TEST_CASE("objects and parameters of textures refuse what is wrong in one argume
   expect_refused(gl, calls);
 }
 
-TEST_CASE("queries of textures refuse what is wrong in one argument", "[spec][errors]") { // 6.1.3, 6.1.4
+REFUSAL_TEST_CASE("queries of textures refuse what is wrong in one argument",
+                  "[spec][errors]") { // 6.1.3, 6.1.4
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   make_images(gl);

@@ -62,7 +62,8 @@ TEST_CASE("all levels get their sizes and the format at once", "[spec][texture_s
   CHECK(gl.GetError() == GL_NO_ERROR);
 }
 
-TEST_CASE("an immutable texture takes texels and parameters, but no images", "[spec][texture_storage]") {
+REFUSAL_TEST_CASE("an immutable texture takes texels and parameters, but no images",
+                  "[spec][texture_storage]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   bind_new(gl, GL_TEXTURE_2D);
@@ -90,6 +91,33 @@ TEST_CASE("an immutable texture takes texels and parameters, but no images", "[s
   CHECK(level_value(gl, GL_TEXTURE_2D, 2, GL_TEXTURE_WIDTH) == 0); // no level behind the last one
 }
 
+TEST_CASE("the levels of an immutable texture are clamped when they are set", "[spec][texture_storage]") {
+  for (const Gl* gl : {&softgl_library(), &osmesa_library()}) {
+    INFO(gl->name);
+    CurrentContext context(*gl);
+    const auto set = [&](GLenum pname, GLint level) { gl->TexParameteri(GL_TEXTURE_2D, pname, level); };
+    const auto levels = [&] {
+      GLint base = -1, max = -1;
+      gl->GetTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, &base);
+      gl->GetTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, &max);
+      return std::vector<GLint>{base, max};
+    };
+    bind_new(*gl, GL_TEXTURE_2D);
+    set(GL_TEXTURE_BASE_LEVEL, 7);
+    gl->TexStorage2D(GL_TEXTURE_2D, 3, GL_RGBA8, 64, 64);
+    CHECK(levels() == std::vector<GLint>{7, 1000}); // what was set before stays
+    set(GL_TEXTURE_BASE_LEVEL, 9);
+    set(GL_TEXTURE_MAX_LEVEL, 4);
+    CHECK(levels() == std::vector<GLint>{2, 2});
+    set(GL_TEXTURE_MAX_LEVEL, 1); // not below the base level
+    CHECK(levels() == std::vector<GLint>{2, 2});
+    set(GL_TEXTURE_BASE_LEVEL, 0);
+    set(GL_TEXTURE_MAX_LEVEL, 1);
+    CHECK(levels() == std::vector<GLint>{0, 1});
+    CHECK(gl->GetError() == GL_NO_ERROR);
+  }
+}
+
 TEST_CASE("levels beyond those of an immutable texture are not asked for", "[spec][texture_storage]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
@@ -106,7 +134,7 @@ TEST_CASE("levels beyond those of an immutable texture are not asked for", "[spe
   CHECK(std::vector<int>(rgba, rgba + 4) == std::vector<int>{255, 0, 0, 255});
 }
 
-TEST_CASE("TexStorage refuses what its text refuses", "[spec][texture_storage]") {
+REFUSAL_TEST_CASE("TexStorage refuses what its text refuses", "[spec][texture_storage]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   // clang-format off

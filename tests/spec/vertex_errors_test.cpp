@@ -21,7 +21,7 @@ const void* const index_arrays[2] = {bytes, bytes};
 
 } // namespace
 
-TEST_CASE("texture coordinates have eight units", "[spec][errors]") { // 2.5, 2.7
+REFUSAL_TEST_CASE("texture coordinates have eight units", "[spec][errors]") { // 2.5, 2.7
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   static const BadCall calls[] = {
@@ -49,7 +49,8 @@ TEST_CASE("texture coordinates have eight units", "[spec][errors]") { // 2.5, 2.
   expect_refused(gl, calls);
 }
 
-TEST_CASE("array draws refuse what is wrong in one argument", "[spec][errors]") { // 2.8 and its extensions
+REFUSAL_TEST_CASE("array draws refuse what is wrong in one argument",
+                  "[spec][errors]") { // 2.8 and its extensions
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   static const BadCall calls[] = {
@@ -88,8 +89,8 @@ TEST_CASE("array draws refuse what is wrong in one argument", "[spec][errors]") 
   expect_refused(gl, calls);
 }
 
-TEST_CASE("vertex array objects refuse names that nobody made",
-          "[spec][errors]") { // GL_ARB_vertex_array_object
+REFUSAL_TEST_CASE("vertex array objects refuse names that nobody made",
+                  "[spec][errors]") { // GL_ARB_vertex_array_object
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   static const BadCall calls[] = {
@@ -117,7 +118,8 @@ TEST_CASE("vertex array objects refuse names that nobody made",
   expect_refused(gl, deleted);
 }
 
-TEST_CASE("buffer objects refuse what is wrong in one argument", "[spec][errors]") { // 2.9 and its extensions
+REFUSAL_TEST_CASE("buffer objects refuse what is wrong in one argument",
+                  "[spec][errors]") { // 2.9 and its extensions
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   gl.BindBuffer(GL_ARRAY_BUFFER, 1);
@@ -167,8 +169,8 @@ TEST_CASE("buffer objects refuse what is wrong in one argument", "[spec][errors]
   expect_refused(gl, calls);
 }
 
-TEST_CASE("a mapped buffer is nobody else's",
-          "[spec][errors]") { // 2.9, GL_ARB_map_buffer_range, GL_ARB_copy_buffer
+REFUSAL_TEST_CASE("a mapped buffer is nobody else's",
+                  "[spec][errors]") { // 2.9, GL_ARB_map_buffer_range, GL_ARB_copy_buffer
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   gl.BindBuffer(GL_ARRAY_BUFFER, 1);
@@ -208,7 +210,7 @@ TEST_CASE("a mapped buffer is nobody else's",
   expect_refused(gl, flushes);
 }
 
-TEST_CASE("stacks of matrices, attributes and names end", "[spec][errors]") { // 2.11.2, 5.2, 6.1.14
+REFUSAL_TEST_CASE("stacks of matrices, attributes and names end", "[spec][errors]") { // 2.11.2, 5.2, 6.1.14
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   const auto fill = [&](GLenum most, void (*push)(const Gl& gl), int there) {
@@ -244,7 +246,8 @@ TEST_CASE("stacks of matrices, attributes and names end", "[spec][errors]") { //
   expect_refused(gl, full);
 }
 
-TEST_CASE("selection and feedback refuse what is wrong in one argument", "[spec][errors]") { // 5.2, 5.3
+REFUSAL_TEST_CASE("selection and feedback refuse what is wrong in one argument",
+                  "[spec][errors]") { // 5.2, 5.3
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   static const BadCall calls[] = {
@@ -266,7 +269,7 @@ TEST_CASE("selection and feedback refuse what is wrong in one argument", "[spec]
   expect_refused(gl, feeding);
 }
 
-TEST_CASE("evaluators refuse what is wrong in one argument", "[spec][errors]") { // 5.1, 6.1.3
+REFUSAL_TEST_CASE("evaluators refuse what is wrong in one argument", "[spec][errors]") { // 5.1, 6.1.3
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   static const BadCall calls[] = {
@@ -310,8 +313,8 @@ TEST_CASE("evaluators refuse what is wrong in one argument", "[spec][errors]") {
   expect_refused(gl, in_unit_1);
 }
 
-TEST_CASE("lists refuse to begin in a list, and what is wrong comes when they are played",
-          "[spec][errors]") { // 5.4
+REFUSAL_TEST_CASE("lists refuse to begin in a list, and what is wrong comes when they are played",
+                  "[spec][errors]") { // 5.4
   const Gl& gl = softgl_library();
   CurrentContext context(gl);
   gl.NewList(1, GL_COMPILE);

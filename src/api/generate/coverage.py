@@ -2,7 +2,8 @@
 """Writes reference/COVERAGE.md: which tests touch which command and which value of state.
 
     coverage.py            writes the document if it changed
-    coverage.py --check    writes nothing; exit code 1 if it is not fresh, or if a command has no test
+    coverage.py --check    writes nothing; exit code 1 if it is not fresh, if a command has no test, or if error_rows.tsv lacks
+                           an error that every such command has
 """
 import argparse
 import os
@@ -181,6 +182,26 @@ def document():
     return text, untested
 
 
+# What GL 1.5, 2.5, refuses of every command: the type of a parameter, and the error.
+REFUSED = {"GLenum": "INVALID_ENUM", "GLsizei": "INVALID_VALUE", "GLsizeiptr": "INVALID_VALUE", "GLbitfield": "INVALID_VALUE"}
+
+
+def unlisted_errors():
+    """Enums, sizes and masks of commands whose errors tests/spec/error_rows.tsv does not list."""
+    lines = open(os.path.join(TOP, "tests", "spec", "error_rows.tsv")).read().split("\n")
+    words = [line.split() for line in lines if line and not line.startswith("#")]
+    listed = {(command, error, argument) for command, error, argument, *_ in words}
+    _, commands, _, _ = generate.read_registry(REGISTRY)
+    faults = []
+    for row in generate.read_overlay(commands):
+        for p in commands[row.doors[0]].parameters:
+            error = REFUSED.get(p.base())
+            if error and not p.pointer and row.built != "no" and not any(
+                    (row.name, e, a) in listed for e in (error, "none") for a in (p.name, p.name + "s")):
+                faults.append(f"error_rows.tsv: no GL_{error} of {p.name} of gl{row.name}")
+    return faults
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true")
@@ -189,7 +210,7 @@ def main():
     fresh = os.path.exists(DOCUMENT) and open(DOCUMENT).read() == text
     if not fresh and not options.check:
         open(DOCUMENT, "w").write(text)
-    faults = [f"no test touches {name}" for name in untested]
+    faults = [f"no test touches {name}" for name in untested] + unlisted_errors()
     if options.check and not fresh:
         faults.append("reference/COVERAGE.md is stale: run src/api/generate/coverage.py")
     if faults:

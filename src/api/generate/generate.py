@@ -186,7 +186,7 @@ def convert_arguments(row, door, command):
         if last.pointer and last.base() == "GLfloat":
             return "", leading + [last.name]
         helper = "vector_parameters" if last.pointer else "scalar_parameter"
-        refuse = "set_error(c, GL_INVALID_ENUM)" if row.where == "in" else "bad_scalar_parameter(c)"
+        refuse = 'set_error(c, GL_INVALID_ENUM, "pname")' if row.where == "in" else "bad_scalar_parameter(c)"
         check = "" if last.pointer else f"  if (!values.valid) [[unlikely]] return {refuse};\n"
         return f"  const Parameters values = {helper}(kCountOf_{table}, pname, {last.name});\n" + check, \
             leading + ["values.v"]

@@ -118,6 +118,11 @@ def gl_parameter(row, command, index, names):
     return parameter("Pointer", 0)
 
 
+def named(row, name, names):
+    """A row of the table with the name of its parameter."""
+    return f"{{{names.offset(name)}, {row[1:]}"
+
+
 def result_type(text, group, names):
     text = text.replace("const ", "").strip()
     if text == "void":
@@ -146,6 +151,7 @@ def own_function(prototype, names):
             parameters.append(parameter("String" if kind == "char" else "Pointer", 0))
         else:
             parameters.append(parameter(TYPES[kind], names_of))
+        parameters[-1] = named(parameters[-1], argument, names)
     return name, parameters, result_type(returns, "", names)
 
 
@@ -177,7 +183,8 @@ def tables(root, doors, banner):
     names = Names(root, rows)
     calls = []
     for export, row, command in doors:
-        parameters = [gl_parameter(row, command, i, names) for i in range(len(command.parameters))]
+        parameters = [named(gl_parameter(row, command, i, names), p.name, names)
+                      for i, p in enumerate(command.parameters)]
         calls.append(("gl" + export, parameters, result_type(command.returns, command.group, names)))
     calls += [own_function(fields[0], names) for kind, *fields in rows if kind == "function"]
 

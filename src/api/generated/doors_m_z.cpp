@@ -135,7 +135,7 @@ SOFTGL_EXPORT void APIENTRY glMaterialf(GLenum face, GLenum pname, GLfloat param
   Context& c = *current_context;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = scalar_parameter(kCountOf_material, pname, param);
-  if (!values.valid) [[unlikely]] return set_error(c, GL_INVALID_ENUM);
+  if (!values.valid) [[unlikely]] return set_error(c, GL_INVALID_ENUM, "pname");
   if ((c.guard & (kCompilingList | kInsideBeginEnd)) == kCompilingList) [[unlikely]] return compile_Material(c, face, pname, values.v);
   gl::Material(c, face, pname, values.v);
 } catch (...) {
@@ -156,7 +156,7 @@ SOFTGL_EXPORT void APIENTRY glMateriali(GLenum face, GLenum pname, GLint param) 
   Context& c = *current_context;
   if (c.guard & kNoContext) [[unlikely]] return;
   const Parameters values = scalar_parameter(kCountOf_material, pname, param);
-  if (!values.valid) [[unlikely]] return set_error(c, GL_INVALID_ENUM);
+  if (!values.valid) [[unlikely]] return set_error(c, GL_INVALID_ENUM, "pname");
   if ((c.guard & (kCompilingList | kInsideBeginEnd)) == kCompilingList) [[unlikely]] return compile_Material(c, face, pname, values.v);
   gl::Material(c, face, pname, values.v);
 } catch (...) {

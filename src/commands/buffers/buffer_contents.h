@@ -14,11 +14,11 @@ struct BoundBuffer {
   std::shared_ptr<BufferObject>& object; // null: nothing
   GLuint& name;
 };
-/// What is bound to `target`; none, and GL_INVALID_ENUM, when it is no target.
-std::optional<BoundBuffer> bound_buffer(Context& c, GLenum target);
+/// What is bound to `target`; none, and GL_INVALID_ENUM of `argument`, when it is no target.
+std::optional<BoundBuffer> bound_buffer(Context& c, GLenum target, const char* argument = "target");
 /// The object bound to `target`; null without one (GL_INVALID_OPERATION), or for a bad target
 /// (GL_INVALID_ENUM).
-BufferObject* buffer_of(Context& c, GLenum target);
+BufferObject* buffer_of(Context& c, GLenum target, const char* argument = "target");
 
 /// The buffer is mapped no more.
 void unmap(BufferObject& buffer);

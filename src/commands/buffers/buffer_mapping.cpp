@@ -27,20 +27,25 @@ void* map(Context& c, BufferObject& buffer, size_t offset, size_t size, GLbitfie
   return buffer.storage->bytes + offset;
 }
 
+/// The argument that leaves `bytes` bytes; null if none does.
+const char* wrong_range(size_t bytes, GLintptr offset, GLsizeiptr size) {
+  return size_t(offset) > bytes ? "offset" : size_t(size) > bytes - size_t(offset) ? "length" : nullptr;
+}
+
 /// The error of a mapping (GL_ARB_map_buffer_range, 2.9), in OSMesa's order.
-GLenum check_range(const BufferObject& buffer, GLintptr offset, GLsizeiptr size, GLbitfield flags) {
-  if (offset < 0 || size < 0) return GL_INVALID_VALUE;
+Refusal check_range(const BufferObject& buffer, GLintptr offset, GLsizeiptr size, GLbitfield flags) {
+  if (const char* wrong = first_wrong({{"offset", offset < 0}, {"length", size < 0}}))
+    return {GL_INVALID_VALUE, wrong};
   // Nothing can be mapped without an address (GL 4.5, 6.3: the error of a range of 0 bytes).
-  if (size == 0) return GL_INVALID_OPERATION;
-  if (flags & ~kMapBits) return GL_INVALID_VALUE;
-  if (!(flags & (GL_MAP_READ_BIT | GL_MAP_WRITE_BIT))) return GL_INVALID_OPERATION;
+  if (size == 0) return {GL_INVALID_OPERATION};
+  if (flags & ~kMapBits) return {GL_INVALID_VALUE, "access"};
+  if (!(flags & (GL_MAP_READ_BIT | GL_MAP_WRITE_BIT))) return {GL_INVALID_OPERATION};
   constexpr GLbitfield kNotForReading =
       GL_MAP_INVALIDATE_RANGE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT | GL_MAP_UNSYNCHRONIZED_BIT;
-  if ((flags & GL_MAP_READ_BIT) && (flags & kNotForReading)) return GL_INVALID_OPERATION;
-  if ((flags & GL_MAP_FLUSH_EXPLICIT_BIT) && !(flags & GL_MAP_WRITE_BIT)) return GL_INVALID_OPERATION;
-  const bool inside = size_t(offset) <= buffer.size() && size_t(size) <= buffer.size() - size_t(offset);
-  if (!inside) return GL_INVALID_VALUE;
-  return buffer.mapped ? GL_INVALID_OPERATION : GL_NO_ERROR;
+  if ((flags & GL_MAP_READ_BIT) && (flags & kNotForReading)) return {GL_INVALID_OPERATION};
+  if ((flags & GL_MAP_FLUSH_EXPLICIT_BIT) && !(flags & GL_MAP_WRITE_BIT)) return {GL_INVALID_OPERATION};
+  if (const char* wrong = wrong_range(buffer.size(), offset, size)) return {GL_INVALID_VALUE, wrong};
+  return {buffer.mapped ? GLenum(GL_INVALID_OPERATION) : GLenum(GL_NO_ERROR)};
 }
 
 GLint as_integer(size_t v) { return GLint(std::min(v, size_t(0x7fffffff))); }
@@ -56,7 +61,7 @@ void unmap(BufferObject& buffer) {
 void* gl::MapBuffer(Context& c, GLenum target, GLenum access) {
   if (!bound_buffer(c, target)) return nullptr;
   if (access != GL_READ_ONLY && access != GL_WRITE_ONLY && access != GL_READ_WRITE) {
-    set_error(c, GL_INVALID_ENUM);
+    set_error(c, GL_INVALID_ENUM, "access");
     return nullptr;
   }
   BufferObject* buffer = buffer_of(c, target);
@@ -74,8 +79,8 @@ void* gl::MapBuffer(Context& c, GLenum target, GLenum access) {
 void* gl::MapBufferRange(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, GLbitfield access) {
   BufferObject* buffer = buffer_of(c, target);
   if (!buffer) return nullptr;
-  if (const GLenum error = check_range(*buffer, offset, size, access); error != GL_NO_ERROR) {
-    set_error(c, error);
+  if (const Refusal refusal = check_range(*buffer, offset, size, access)) {
+    set_error(c, refusal);
     return nullptr;
   }
   return map(c, *buffer, size_t(offset), size_t(size), access);
@@ -84,11 +89,12 @@ void* gl::MapBufferRange(Context& c, GLenum target, GLintptr offset, GLsizeiptr 
 void gl::FlushMappedBufferRange(Context& c, GLenum target, GLintptr offset, GLsizeiptr size) {
   BufferObject* buffer = buffer_of(c, target);
   if (!buffer) return;
-  if (offset < 0 || size < 0) return set_error(c, GL_INVALID_VALUE);
+  if (const char* wrong = first_wrong({{"offset", offset < 0}, {"length", size < 0}}))
+    return set_error(c, GL_INVALID_VALUE, wrong);
   if (!buffer->mapped || !(buffer->access_flags & GL_MAP_FLUSH_EXPLICIT_BIT))
     return set_error(c, GL_INVALID_OPERATION);
-  if (size_t(offset) > buffer->map_size || size_t(size) > buffer->map_size - size_t(offset))
-    return set_error(c, GL_INVALID_VALUE);
+  if (const char* wrong = wrong_range(buffer->map_size, offset, size))
+    return set_error(c, GL_INVALID_VALUE, wrong);
   note_contents(c, *buffer);
 }
 
@@ -109,7 +115,7 @@ void gl::GetBufferParameteriv(Context& c, GLenum target, GLenum pname, GLint* pa
   if (pname != GL_BUFFER_SIZE && pname != GL_BUFFER_USAGE && pname != GL_BUFFER_ACCESS &&
       pname != GL_BUFFER_MAPPED && pname != GL_BUFFER_ACCESS_FLAGS && pname != GL_BUFFER_MAP_OFFSET &&
       pname != GL_BUFFER_MAP_LENGTH)
-    return set_error(c, GL_INVALID_ENUM);
+    return set_error(c, GL_INVALID_ENUM, "pname");
   const BufferObject* buffer = buffer_of(c, target);
   if (!buffer || !params) return;
   switch (pname) {
@@ -125,7 +131,7 @@ void gl::GetBufferParameteriv(Context& c, GLenum target, GLenum pname, GLint* pa
 
 void gl::GetBufferPointerv(Context& c, GLenum target, GLenum pname, void** params) {
   if (!bound_buffer(c, target)) return;
-  if (pname != GL_BUFFER_MAP_POINTER) return set_error(c, GL_INVALID_ENUM);
+  if (pname != GL_BUFFER_MAP_POINTER) return set_error(c, GL_INVALID_ENUM, "pname");
   const BufferObject* buffer = buffer_of(c, target);
   if (buffer && params) *params = buffer->mapped ? buffer->storage->bytes + buffer->map_offset : nullptr;
 }

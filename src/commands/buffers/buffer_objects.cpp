@@ -28,10 +28,13 @@ bool is_usage(GLenum usage) {
   }
 }
 
-bool in_range(Context& c, const BufferObject& buffer, GLintptr offset, GLsizeiptr size) {
-  if (offset < 0 || size < 0 || size_t(offset) > buffer.size() ||
-      size_t(size) > buffer.size() - size_t(offset)) {
-    set_error(c, GL_INVALID_VALUE);
+bool in_range(Context& c, const BufferObject& buffer, GLintptr offset, GLsizeiptr size,
+              const char* offset_argument = "offset") {
+  const bool outside = offset < 0 || size_t(offset) > buffer.size();
+  if (const char* wrong =
+          first_wrong({{offset_argument, outside},
+                       {"size", size < 0 || (!outside && size_t(size) > buffer.size() - size_t(offset))}})) {
+    set_error(c, GL_INVALID_VALUE, wrong);
     return false;
   }
   if (buffer.mapped) {
@@ -49,7 +52,7 @@ constexpr GLsizeiptr kMaxBufferBytes = GLsizeiptr(1) << 40;
 
 } // namespace
 
-std::optional<BoundBuffer> bound_buffer(Context& c, GLenum target) {
+std::optional<BoundBuffer> bound_buffer(Context& c, GLenum target, const char* argument) {
   VertexArrayState& arrays = c.client.vertex_array;
   PixelStoreState& pixels = c.client.pixel_store;
   const auto of = [](BufferBinding& binding) { return BoundBuffer{binding.object, binding.name}; };
@@ -60,12 +63,12 @@ std::optional<BoundBuffer> bound_buffer(Context& c, GLenum target) {
   case GL_PIXEL_UNPACK_BUFFER: return of(pixels.unpack_buffer);
   case GL_COPY_READ_BUFFER: return of(c.client.copy_read);
   case GL_COPY_WRITE_BUFFER: return of(c.client.copy_write);
-  default: set_error(c, GL_INVALID_ENUM); return std::nullopt;
+  default: set_error(c, GL_INVALID_ENUM, argument); return std::nullopt;
   }
 }
 
-BufferObject* buffer_of(Context& c, GLenum target) {
-  const std::optional<BoundBuffer> bound = bound_buffer(c, target);
+BufferObject* buffer_of(Context& c, GLenum target, const char* argument) {
+  const std::optional<BoundBuffer> bound = bound_buffer(c, target, argument);
   if (!bound) return nullptr;
   if (!bound->object) set_error(c, GL_INVALID_OPERATION);
   return bound->object.get();
@@ -95,12 +98,12 @@ void gl::BindBuffer(Context& c, GLenum target, GLuint name) {
 }
 
 void gl::GenBuffers(Context& c, GLsizei n, GLuint* names) {
-  if (n < 0) return set_error(c, GL_INVALID_VALUE);
+  if (n < 0) return set_error(c, GL_INVALID_VALUE, "n");
   if (names && !c.shared->buffers.reserve(n, names)) set_error(c, GL_OUT_OF_MEMORY);
 }
 
 void gl::DeleteBuffers(Context& c, GLsizei n, const GLuint* names) {
-  if (n < 0) return set_error(c, GL_INVALID_VALUE);
+  if (n < 0) return set_error(c, GL_INVALID_VALUE, "n");
   if (!names) return;
   VertexArrayState& arrays = c.client.vertex_array;
   for (GLsizei i = 0; i < n; ++i) {
@@ -133,8 +136,8 @@ GLboolean gl::IsBuffer(Context& c, GLuint name) { return c.shared->buffers.find(
 void gl::BufferData(Context& c, GLenum target, GLsizeiptr size, const void* data, GLenum usage) {
   const std::optional<BoundBuffer> bound = bound_buffer(c, target);
   if (!bound) return;
-  if (size < 0) return set_error(c, GL_INVALID_VALUE);
-  if (!is_usage(usage)) return set_error(c, GL_INVALID_ENUM);
+  if (size < 0) return set_error(c, GL_INVALID_VALUE, "size");
+  if (!is_usage(usage)) return set_error(c, GL_INVALID_ENUM, "usage");
   if (!bound->object) return set_error(c, GL_INVALID_OPERATION);
   if (size > kMaxBufferBytes) return set_error(c, GL_OUT_OF_MEMORY);
   BufferObject& buffer = *bound->object;
@@ -165,13 +168,15 @@ void gl::GetBufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr
 
 void gl::CopyBufferSubData(Context& c, GLenum read_target, GLenum write_target, GLintptr read_offset,
                            GLintptr write_offset, GLsizeiptr size) {
-  BufferObject* const from = buffer_of(c, read_target);
+  BufferObject* const from = buffer_of(c, read_target, "readTarget");
   if (!from) return;
-  BufferObject* const to = buffer_of(c, write_target);
+  BufferObject* const to = buffer_of(c, write_target, "writeTarget");
   if (!to) return;
   if (from->mapped || to->mapped) return set_error(c, GL_INVALID_OPERATION);
-  if (!in_range(c, *from, read_offset, size) || !in_range(c, *to, write_offset, size)) return;
-  if (from == to && overlap(read_offset, write_offset, size)) return set_error(c, GL_INVALID_VALUE);
+  if (!in_range(c, *from, read_offset, size, "readOffset") ||
+      !in_range(c, *to, write_offset, size, "writeOffset"))
+    return;
+  if (from == to && overlap(read_offset, write_offset, size)) return set_error(c, GL_INVALID_VALUE, "size");
   if (!size) return;
   make_writable(c, *to);
   std::memcpy(to->storage->bytes + write_offset, from->storage->bytes + read_offset, size_t(size));

@@ -23,11 +23,12 @@ namespace gl {
 
 void DebugMessageControl(Context& c, GLenum source, GLenum type, GLenum severity, GLsizei count,
                          const GLuint* ids, GLboolean enabled) {
-  if (count < 0) return set_error(c, GL_INVALID_VALUE);
-  if ((source != GL_DONT_CARE && !is_debug_source(source)) ||
-      (type != GL_DONT_CARE && !is_debug_type(type)) ||
-      (severity != GL_DONT_CARE && !is_debug_severity(severity)))
-    return set_error(c, GL_INVALID_ENUM);
+  if (count < 0) return set_error(c, GL_INVALID_VALUE, "count");
+  if (const char* wrong =
+          first_wrong({{"source", source != GL_DONT_CARE && !is_debug_source(source)},
+                       {"type", type != GL_DONT_CARE && !is_debug_type(type)},
+                       {"severity", severity != GL_DONT_CARE && !is_debug_severity(severity)}}))
+    return set_error(c, GL_INVALID_ENUM, wrong);
   if (count == 0) return c.debug.active_filter().set(source, type, severity, enabled);
   if (source == GL_DONT_CARE || type == GL_DONT_CARE || severity != GL_DONT_CARE)
     return set_error(c, GL_INVALID_OPERATION);
@@ -36,11 +37,14 @@ void DebugMessageControl(Context& c, GLenum source, GLenum type, GLenum severity
 
 void DebugMessageInsert(Context& c, GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length,
                         const GLchar* buf) {
-  if (!is_of_the_program(source) || !is_debug_type(type) || !is_debug_severity(severity))
-    return set_error(c, GL_INVALID_ENUM);
+  if (const char* wrong = first_wrong({{"source", !is_of_the_program(source)},
+                                       {"type", !is_debug_type(type)},
+                                       {"severity", !is_debug_severity(severity)}}))
+    return set_error(c, GL_INVALID_ENUM, wrong);
   if (!buf) return;
   const size_t size = length_of(length, buf);
-  if (size >= size_t(kMaxDebugMessageLength)) return set_error(c, GL_INVALID_VALUE);
+  if (size >= size_t(kMaxDebugMessageLength))
+    return set_error(c, GL_INVALID_VALUE, length < 0 ? "buf" : "length");
   send_debug_message(c, {source, type, id, severity, std::string(buf, size)});
 }
 
@@ -51,7 +55,7 @@ void DebugMessageCallback(Context& c, GLDEBUGPROC callback, const void* userPara
 
 GLuint GetDebugMessageLog(Context& c, GLuint count, GLsizei bufSize, GLenum* sources, GLenum* types,
                           GLuint* ids, GLenum* severities, GLsizei* lengths, GLchar* messageLog) {
-  if (bufSize < 0 && messageLog) return set_error(c, GL_INVALID_VALUE), 0;
+  if (bufSize < 0 && messageLog) return set_error(c, GL_INVALID_VALUE, "bufSize"), 0;
   std::vector<DebugMessage>& log = c.debug.log;
   size_t n = 0, room = messageLog ? size_t(bufSize) : 0;
   for (; n < count && n < log.size(); ++n) {
@@ -73,10 +77,11 @@ GLuint GetDebugMessageLog(Context& c, GLuint count, GLsizei bufSize, GLenum* sou
 }
 
 void PushDebugGroup(Context& c, GLenum source, GLuint id, GLsizei length, const GLchar* message) {
-  if (!is_of_the_program(source)) return set_error(c, GL_INVALID_ENUM);
+  if (!is_of_the_program(source)) return set_error(c, GL_INVALID_ENUM, "source");
   if (!message) return;
   const size_t size = length_of(length, message);
-  if (size >= size_t(kMaxDebugMessageLength)) return set_error(c, GL_INVALID_VALUE);
+  if (size >= size_t(kMaxDebugMessageLength))
+    return set_error(c, GL_INVALID_VALUE, length < 0 ? "message" : "length");
   std::vector<DebugGroup>& groups = c.debug.groups;
   if (groups.size() + 1 >= size_t(kMaxDebugGroupDepth)) return set_error(c, GL_STACK_OVERFLOW);
   DebugMessage begun{source, GL_DEBUG_TYPE_PUSH_GROUP, id, GL_DEBUG_SEVERITY_NOTIFICATION,

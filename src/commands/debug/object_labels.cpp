@@ -32,9 +32,9 @@ std::shared_ptr<std::string> find_label(Context& c, GLenum identifier, GLuint na
   case GL_PROGRAM_PIPELINE:
   case GL_TRANSFORM_FEEDBACK:
   case GL_SAMPLER: break; // there are none
-  default: return set_error(c, GL_INVALID_ENUM), nullptr;
+  default: return set_error(c, GL_INVALID_ENUM, "identifier"), nullptr;
   }
-  if (!label) set_error(c, GL_INVALID_VALUE);
+  if (!label) set_error(c, GL_INVALID_VALUE, "name");
   return label;
 }
 
@@ -47,13 +47,13 @@ void ObjectLabel(Context& c, GLenum identifier, GLuint name, GLsizei length, con
   if (!to) return;
   if (!label) return to->clear();
   const size_t size = length < 0 ? strnlen(label, size_t(kMaxLabelLength)) : size_t(length);
-  if (size >= size_t(kMaxLabelLength)) return set_error(c, GL_INVALID_VALUE);
+  if (size >= size_t(kMaxLabelLength)) return set_error(c, GL_INVALID_VALUE, length < 0 ? "label" : "length");
   to->assign(label, size);
 }
 
 void GetObjectLabel(Context& c, GLenum identifier, GLuint name, GLsizei bufSize, GLsizei* length,
                     GLchar* label) {
-  if (bufSize < 0) return set_error(c, GL_INVALID_VALUE);
+  if (bufSize < 0) return set_error(c, GL_INVALID_VALUE, "bufSize");
   const auto from = find_label(c, identifier, name);
   if (!from) return;
   size_t size = from->size();
@@ -67,9 +67,11 @@ void GetObjectLabel(Context& c, GLenum identifier, GLuint name, GLsizei bufSize,
   if (length) *length = GLsizei(size);
 }
 
-void ObjectPtrLabel(Context& c, const void*, GLsizei, const GLchar*) { set_error(c, GL_INVALID_VALUE); }
-void GetObjectPtrLabel(Context& c, const void*, GLsizei, GLsizei*, GLchar*) {
-  set_error(c, GL_INVALID_VALUE);
+void ObjectPtrLabel(Context& c, const void*, GLsizei, const GLchar*) {
+  set_error(c, GL_INVALID_VALUE, "ptr");
+}
+void GetObjectPtrLabel(Context& c, const void*, GLsizei bufSize, GLsizei*, GLchar*) {
+  set_error(c, GL_INVALID_VALUE, bufSize < 0 ? "bufSize" : "ptr");
 }
 
 } // namespace gl

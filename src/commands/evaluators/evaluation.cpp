@@ -157,7 +157,7 @@ void EvalPoint2(Context& c, GLint i, GLint j) {
 }
 
 void EvalMesh1(Context& c, GLenum mode, GLint i1, GLint i2) {
-  if (mode != GL_POINT && mode != GL_LINE) return set_error(c, GL_INVALID_ENUM);
+  if (mode != GL_POINT && mode != GL_LINE) return set_error(c, GL_INVALID_ENUM, "mode");
   if (vertex_map(c.state.evaluator.map1_enabled) < 0) return;
   Begin(c, mode == GL_POINT ? GL_POINTS : GL_LINE_STRIP);
   for_each_value(c.state.evaluator.grid1, i1, i2, [&](float u, float) { EvalCoord1(c, u); });
@@ -165,7 +165,7 @@ void EvalMesh1(Context& c, GLenum mode, GLint i1, GLint i2) {
 }
 
 void EvalMesh2(Context& c, GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-  if (mode != GL_POINT && mode != GL_LINE && mode != GL_FILL) return set_error(c, GL_INVALID_ENUM);
+  if (mode != GL_POINT && mode != GL_LINE && mode != GL_FILL) return set_error(c, GL_INVALID_ENUM, "mode");
   if (vertex_map(c.state.evaluator.map2_enabled) < 0) return;
   const GridDirection &in_u = c.state.evaluator.grid2[0], &in_v = c.state.evaluator.grid2[1];
   switch (mode) {

@@ -17,10 +17,19 @@ template <class T> struct GivenDirection {
   GLint stride, order;
 };
 
-/// The last of a domain as a float may be the first.
-template <class T> bool is_valid(const GivenDirection<T>& d, int components) {
-  return d.first != d.last && float(d.first) != float(d.last) && d.stride >= components && d.order >= 1 &&
-         d.order <= kMaxEvaluatorOrder;
+/// What the arguments of a direction are called.
+struct DirectionNames {
+  const char *last, *stride, *order;
+};
+constexpr DirectionNames kNamesOfMap1 = {"u2", "stride", "order"},
+                         kNamesOfMap2[2] = {{"u2", "ustride", "uorder"}, {"v2", "vstride", "vorder"}};
+
+/// The argument that is wrong; null if none is. The last of a domain as a float may be the first.
+template <class T>
+const char* wrong_argument(const GivenDirection<T>& d, int components, const DirectionNames& names) {
+  return first_wrong({{names.last, d.first == d.last || float(d.first) == float(d.last)},
+                      {names.stride, d.stride < components},
+                      {names.order, d.order < 1 || d.order > kMaxEvaluatorOrder}});
 }
 
 template <class T> EvaluatorDomain domain_of(const GivenDirection<T>& d) {
@@ -31,8 +40,12 @@ template <class T> EvaluatorDomain domain_of(const GivenDirection<T>& d) {
 template <class T> void set_map(Context& c, int dimensions, GLenum target, const GivenDirection<T>& u,
                                 const GivenDirection<T>& v, const T* from) {
   const int components = map_components(target, dimensions);
-  if (!components) return set_error(c, GL_INVALID_ENUM);
-  if (!is_valid(u, components) || !is_valid(v, components)) return set_error(c, GL_INVALID_VALUE);
+  if (!components) return set_error(c, GL_INVALID_ENUM, "target");
+  const DirectionNames& names_of_u = dimensions == 1 ? kNamesOfMap1 : kNamesOfMap2[0];
+  if (const char* wrong = wrong_argument(u, components, names_of_u))
+    return set_error(c, GL_INVALID_VALUE, wrong);
+  if (const char* wrong = wrong_argument(v, components, kNamesOfMap2[1]))
+    return set_error(c, GL_INVALID_VALUE, wrong);
   if (c.state.texture.active_unit != 0) return set_error(c, GL_INVALID_OPERATION);
   std::unique_ptr<float[]> points(new float[size_t(u.order) * size_t(v.order) * size_t(components)]);
   float* to = points.get();
@@ -60,7 +73,7 @@ template <class T> T converted(float value) {
 template <class T> void get_map(Context& c, GLenum target, GLenum query, T* out) {
   const int dimensions = map_components(target, 1) ? 1 : 2;
   const int components = map_components(target, dimensions);
-  if (!components) return set_error(c, GL_INVALID_ENUM);
+  if (!components) return set_error(c, GL_INVALID_ENUM, "target");
   const int index = int(target - first_map_target(dimensions));
   const EvaluatorMap& map = c.evaluator_maps.map[dimensions - 1][index];
   const EvaluatorDomain* const direction[2] = {&map.u, &map.v};
@@ -80,7 +93,7 @@ template <class T> void get_map(Context& c, GLenum target, GLenum query, T* out)
       out[2 * d + 1] = converted<T>(direction[d]->last);
     }
     return;
-  default: set_error(c, GL_INVALID_ENUM);
+  default: set_error(c, GL_INVALID_ENUM, "query");
   }
 }
 
@@ -110,11 +123,12 @@ void GetMapdv(Context& c, GLenum target, GLenum query, GLdouble* v) { get_map(c,
 void GetMapiv(Context& c, GLenum target, GLenum query, GLint* v) { get_map(c, target, query, v); }
 
 void MapGrid1(Context& c, GLint n, GLfloat u1, GLfloat u2) {
-  if (n < 1) return set_error(c, GL_INVALID_VALUE);
+  if (n < 1) return set_error(c, GL_INVALID_VALUE, "un");
   c.state.evaluator.grid1 = {n, u1, u2};
 }
 void MapGrid2(Context& c, GLint un, GLfloat u1, GLfloat u2, GLint vn, GLfloat v1, GLfloat v2) {
-  if (un < 1 || vn < 1) return set_error(c, GL_INVALID_VALUE);
+  if (const char* wrong = first_wrong({{"un", un < 1}, {"vn", vn < 1}}))
+    return set_error(c, GL_INVALID_VALUE, wrong);
   c.state.evaluator.grid2[0] = {un, u1, u2};
   c.state.evaluator.grid2[1] = {vn, v1, v2};
 }

@@ -61,7 +61,7 @@ namespace gl {
 
 void Accum(Context& c, GLenum op, GLfloat value) {
   Accumulation accumulation{};
-  if (!find_operation(op, accumulation.operation)) return set_error(c, GL_INVALID_ENUM);
+  if (!find_operation(op, accumulation.operation)) return set_error(c, GL_INVALID_ENUM, "op");
   Framebuffer& f = c.framebuffer;
   if (!draw_target_complete(c)) return set_error(c, GL_INVALID_FRAMEBUFFER_OPERATION);
   if (f.accumulation_bits == 0 || c.bindings.draw || c.bindings.read) // only the window has one

@@ -32,7 +32,7 @@ namespace gl {
 void Clear(Context& c, GLbitfield mask) {
   if (mask &
       ~GLbitfield(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT))
-    return set_error(c, GL_INVALID_VALUE);
+    return set_error(c, GL_INVALID_VALUE, "mask");
   if (!prepare_draw_target(c)) return set_error(c, GL_INVALID_FRAMEBUFFER_OPERATION);
   if (c.state.render_mode.mode != GL_RENDER) return;
   const RenderTarget& target = *c.draw;

@@ -100,12 +100,12 @@ BufferName classify_buffer(GLenum buffer) {
   }
 }
 
-/// The draw or read buffer of a framebuffer object (GL_ARB_framebuffer_object, 4.2.1, 4.3.2): GL_NO_ERROR, or
-/// why it cannot be that.
-GLenum check_attachment(GLenum buffer) {
-  if (buffer == GL_NONE || buffer - GL_COLOR_ATTACHMENT0 < GLenum(kMaxColorAttachments)) return GL_NO_ERROR;
+/// The draw or read buffer of a framebuffer object (GL_ARB_framebuffer_object, 4.2.1, 4.3.2): why it cannot
+/// be that.
+Refusal check_attachment(GLenum buffer, const char* argument) {
+  if (buffer == GL_NONE || buffer - GL_COLOR_ATTACHMENT0 < GLenum(kMaxColorAttachments)) return {};
   const bool known = buffer == GL_FRONT_AND_BACK || classify_buffer(buffer) != BufferName::Unknown;
-  return known ? GL_INVALID_OPERATION : GL_INVALID_ENUM;
+  return known ? Refusal{GL_INVALID_OPERATION} : Refusal{GL_INVALID_ENUM, argument};
 }
 
 } // namespace
@@ -116,11 +116,11 @@ void Fog(Context& c, GLenum pname, const GLfloat* params) {
   switch (pname) {
   case GL_FOG_MODE:
     if (v != float(GL_LINEAR) && v != float(GL_EXP) && v != float(GL_EXP2))
-      return set_error(c, GL_INVALID_ENUM);
+      return set_error(c, GL_INVALID_ENUM, "params");
     fog.mode = GLenum(v);
     break;
   case GL_FOG_DENSITY:
-    if (v < 0.0f) return set_error(c, GL_INVALID_VALUE);
+    if (v < 0.0f) return set_error(c, GL_INVALID_VALUE, "params");
     fog.density = v;
     break;
   case GL_FOG_START: fog.start = v; break;
@@ -128,20 +128,22 @@ void Fog(Context& c, GLenum pname, const GLfloat* params) {
   case GL_FOG_INDEX: fog.index = v; break;
   case GL_FOG_COLOR: fog.color = {params[0], params[1], params[2], params[3]}; break;
   case GL_FOG_COORDINATE_SOURCE:
-    if (v != float(GL_FOG_COORDINATE) && v != float(GL_FRAGMENT_DEPTH)) return set_error(c, GL_INVALID_ENUM);
+    if (v != float(GL_FOG_COORDINATE) && v != float(GL_FRAGMENT_DEPTH))
+      return set_error(c, GL_INVALID_ENUM, "params");
     fog.coordinate_source = GLenum(v);
     break;
   case GL_FOG_DISTANCE_MODE_NV:
     if (v != float(GL_EYE_RADIAL_NV) && v != float(GL_EYE_PLANE) && v != float(GL_EYE_PLANE_ABSOLUTE_NV))
-      return set_error(c, GL_INVALID_ENUM);
+      return set_error(c, GL_INVALID_ENUM, "params");
     fog.distance_mode = GLenum(v);
     break;
-  default: return set_error(c, GL_INVALID_ENUM);
+  default: return set_error(c, GL_INVALID_ENUM, "pname");
   }
 }
 
 void Scissor(Context& c, GLint x, GLint y, GLsizei width, GLsizei height) {
-  if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
+  if (const char* wrong = first_wrong({{"width", width < 0}, {"height", height < 0}}))
+    return set_error(c, GL_INVALID_VALUE, wrong);
   ScissorState& scissor = edit<&State::scissor>(c);
   scissor.x = x, scissor.y = y, scissor.width = width, scissor.height = height;
 }
@@ -153,67 +155,77 @@ void SampleCoverage(Context& c, GLfloat value, GLboolean invert) {
 }
 
 void ClampColor(Context& c, GLenum target, GLenum clamp) {
-  if (clamp != GL_TRUE && clamp != GL_FALSE && clamp != GL_FIXED_ONLY) return set_error(c, GL_INVALID_ENUM);
+  if (clamp != GL_TRUE && clamp != GL_FALSE && clamp != GL_FIXED_ONLY)
+    return set_error(c, GL_INVALID_ENUM, "clamp");
   switch (target) {
   case GL_CLAMP_VERTEX_COLOR: edit<&State::lighting>(c).clamp_vertex_color = clamp; return;
   case GL_CLAMP_FRAGMENT_COLOR: edit<&State::color_buffer>(c).clamp_fragment_color = clamp; return;
   case GL_CLAMP_READ_COLOR: edit<&State::color_buffer>(c).clamp_read_color = clamp; return;
-  default: set_error(c, GL_INVALID_ENUM);
+  default: set_error(c, GL_INVALID_ENUM, "target");
   }
 }
 
 void AlphaFunc(Context& c, GLenum func, GLfloat ref) {
-  if (!is_comparison(func)) return set_error(c, GL_INVALID_ENUM);
+  if (!is_comparison(func)) return set_error(c, GL_INVALID_ENUM, "func");
   ColorBufferState& color = edit<&State::color_buffer>(c);
   color.alpha_function = func;
   color.alpha_reference = ref;
 }
 
 void StencilFunc(Context& c, GLenum func, GLint ref, GLuint mask) {
-  if (!is_comparison(func)) return set_error(c, GL_INVALID_ENUM);
+  if (!is_comparison(func)) return set_error(c, GL_INVALID_ENUM, "func");
   for_active_faces(c, [&](StencilFace& face) { set_function(face, func, ref, mask); });
 }
 
 void StencilFuncSeparate(Context& c, GLenum face, GLenum func, GLint ref, GLuint mask) {
-  if (!is_face(face) || !is_comparison(func)) return set_error(c, GL_INVALID_ENUM);
+  if (const char* wrong = first_wrong({{"face", !is_face(face)}, {"func", !is_comparison(func)}}))
+    return set_error(c, GL_INVALID_ENUM, wrong);
   for_faces(c, face, [&](StencilFace& f) { set_function(f, func, ref, mask); });
 }
 
 void StencilFuncSeparateATI(Context& c, GLenum frontfunc, GLenum backfunc, GLint ref, GLuint mask) {
-  if (!is_comparison(frontfunc) || !is_comparison(backfunc)) return set_error(c, GL_INVALID_ENUM);
+  if (const char* wrong =
+          first_wrong({{"frontfunc", !is_comparison(frontfunc)}, {"backfunc", !is_comparison(backfunc)}}))
+    return set_error(c, GL_INVALID_ENUM, wrong);
   StencilState& stencil = edit<&State::stencil>(c);
   set_function(stencil.front, frontfunc, ref, mask);
   set_function(stencil.back, backfunc, ref, mask);
 }
 
 void StencilOp(Context& c, GLenum fail, GLenum zfail, GLenum zpass) {
-  if (!is_stencil_operation(fail) || !is_stencil_operation(zfail) || !is_stencil_operation(zpass))
-    return set_error(c, GL_INVALID_ENUM);
+  if (const char* wrong = first_wrong({{"fail", !is_stencil_operation(fail)},
+                                       {"zfail", !is_stencil_operation(zfail)},
+                                       {"zpass", !is_stencil_operation(zpass)}}))
+    return set_error(c, GL_INVALID_ENUM, wrong);
   for_active_faces(c, [&](StencilFace& face) { set_operations(face, fail, zfail, zpass); });
 }
 
 void StencilOpSeparate(Context& c, GLenum face, GLenum sfail, GLenum dpfail, GLenum dppass) {
-  if (!is_face(face) || !is_stencil_operation(sfail) || !is_stencil_operation(dpfail) ||
-      !is_stencil_operation(dppass))
-    return set_error(c, GL_INVALID_ENUM);
+  if (const char* wrong = first_wrong({{"face", !is_face(face)},
+                                       {"sfail", !is_stencil_operation(sfail)},
+                                       {"dpfail", !is_stencil_operation(dpfail)},
+                                       {"dppass", !is_stencil_operation(dppass)}}))
+    return set_error(c, GL_INVALID_ENUM, wrong);
   for_faces(c, face, [&](StencilFace& f) { set_operations(f, sfail, dpfail, dppass); });
 }
 
 void ActiveStencilFaceEXT(Context& c, GLenum face) {
-  if (face != GL_FRONT && face != GL_BACK) return set_error(c, GL_INVALID_ENUM);
+  if (face != GL_FRONT && face != GL_BACK) return set_error(c, GL_INVALID_ENUM, "face");
   edit<&State::stencil>(c).active_face = face;
 }
 
 void DepthFunc(Context& c, GLenum func) {
-  if (!is_comparison(func)) return set_error(c, GL_INVALID_ENUM);
+  if (!is_comparison(func)) return set_error(c, GL_INVALID_ENUM, "func");
   edit<&State::depth>(c).function = func;
 }
 
 void BlendFuncSeparate(Context& c, GLenum source_rgb, GLenum destination_rgb, GLenum source_alpha,
                        GLenum destination_alpha) {
-  if (!is_blend_factor(source_rgb, true) || !is_blend_factor(source_alpha, true) ||
-      !is_blend_factor(destination_rgb, false) || !is_blend_factor(destination_alpha, false))
-    return set_error(c, GL_INVALID_ENUM);
+  if (const char* wrong = first_wrong({{"sfactorRGB", !is_blend_factor(source_rgb, true)},
+                                       {"dfactorRGB", !is_blend_factor(destination_rgb, false)},
+                                       {"sfactorAlpha", !is_blend_factor(source_alpha, true)},
+                                       {"dfactorAlpha", !is_blend_factor(destination_alpha, false)}}))
+    return set_error(c, GL_INVALID_ENUM, wrong);
   ColorBufferState& color = edit<&State::color_buffer>(c);
   color.blend_source_rgb = source_rgb;
   color.blend_source_alpha = source_alpha;
@@ -221,29 +233,37 @@ void BlendFuncSeparate(Context& c, GLenum source_rgb, GLenum destination_rgb, GL
   color.blend_destination_alpha = destination_alpha;
 }
 void BlendFunc(Context& c, GLenum source, GLenum destination) {
+  if (const char* wrong = first_wrong(
+          {{"sfactor", !is_blend_factor(source, true)}, {"dfactor", !is_blend_factor(destination, false)}}))
+    return set_error(c, GL_INVALID_ENUM, wrong);
   BlendFuncSeparate(c, source, destination, source, destination);
 }
 
 void BlendEquationSeparate(Context& c, GLenum mode_rgb, GLenum mode_alpha) {
-  if (!is_blend_equation(mode_rgb) || !is_blend_equation(mode_alpha)) return set_error(c, GL_INVALID_ENUM);
+  if (const char* wrong = first_wrong(
+          {{"modeRGB", !is_blend_equation(mode_rgb)}, {"modeAlpha", !is_blend_equation(mode_alpha)}}))
+    return set_error(c, GL_INVALID_ENUM, wrong);
   ColorBufferState& color = edit<&State::color_buffer>(c);
   color.blend_equation = mode_rgb;
   color.blend_equation_alpha = mode_alpha;
 }
-void BlendEquation(Context& c, GLenum mode) { BlendEquationSeparate(c, mode, mode); }
+void BlendEquation(Context& c, GLenum mode) {
+  if (!is_blend_equation(mode)) return set_error(c, GL_INVALID_ENUM, "mode");
+  BlendEquationSeparate(c, mode, mode);
+}
 
 void BlendColor(Context& c, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
   edit<&State::color_buffer>(c).blend_color = {red, green, blue, alpha};
 }
 
 void LogicOp(Context& c, GLenum opcode) {
-  if (opcode < GL_CLEAR || opcode > GL_SET) return set_error(c, GL_INVALID_ENUM);
+  if (opcode < GL_CLEAR || opcode > GL_SET) return set_error(c, GL_INVALID_ENUM, "opcode");
   edit<&State::color_buffer>(c).logic_op_mode = opcode;
 }
 
 void DrawBuffer(Context& c, GLenum buffer) {
   if (c.bindings.draw) {
-    if (const GLenum error = check_attachment(buffer)) return set_error(c, error);
+    if (const Refusal refusal = check_attachment(buffer, "buf")) return set_error(c, refusal);
     if (c.bindings.draw->draw_buffer == buffer) return;
     draw_what_waits(c);
     c.bindings.draw->draw_buffer = buffer;
@@ -251,7 +271,7 @@ void DrawBuffer(Context& c, GLenum buffer) {
   }
   if (buffer != GL_NONE && buffer != GL_FRONT_AND_BACK) {
     const BufferName name = classify_buffer(buffer);
-    if (name == BufferName::Unknown) return set_error(c, GL_INVALID_ENUM);
+    if (name == BufferName::Unknown) return set_error(c, GL_INVALID_ENUM, "buf");
     if (name == BufferName::Absent) return set_error(c, GL_INVALID_OPERATION);
   }
   edit<&State::color_buffer>(c).draw_buffer = buffer;
@@ -259,13 +279,13 @@ void DrawBuffer(Context& c, GLenum buffer) {
 
 void ReadBuffer(Context& c, GLenum buffer) {
   if (c.bindings.read) {
-    if (const GLenum error = check_attachment(buffer)) return set_error(c, error);
+    if (const Refusal refusal = check_attachment(buffer, "src")) return set_error(c, refusal);
     draw_what_waits(c); // the draw framebuffer may be the same object, and then its completeness changes
     c.bindings.read->read_buffer = buffer;
     return framebuffers_changed(c);
   }
   const BufferName name = classify_buffer(buffer);
-  if (name == BufferName::Unknown) return set_error(c, GL_INVALID_ENUM);
+  if (name == BufferName::Unknown) return set_error(c, GL_INVALID_ENUM, "src");
   if (name == BufferName::Absent) return set_error(c, GL_INVALID_OPERATION);
   c.state.pixel_mode.read_buffer = buffer;
 }
@@ -280,7 +300,7 @@ void StencilMask(Context& c, GLuint mask) {
   for_active_faces(c, [&](StencilFace& face) { face.write_mask = mask; });
 }
 void StencilMaskSeparate(Context& c, GLenum face, GLuint mask) {
-  if (!is_face(face)) return set_error(c, GL_INVALID_ENUM);
+  if (!is_face(face)) return set_error(c, GL_INVALID_ENUM, "face");
   for_faces(c, face, [&](StencilFace& f) { f.write_mask = mask; });
 }
 

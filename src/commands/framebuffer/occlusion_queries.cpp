@@ -15,7 +15,8 @@ constexpr GLint kCounterBits = 64;
 template <class T> void get_query_object(Context& c, GLuint id, GLenum pname, T* params) {
   const std::shared_ptr<QueryObject> query = c.queries.objects.find(id);
   if (!query || id == c.queries.active) return set_error(c, GL_INVALID_OPERATION);
-  if (pname != GL_QUERY_RESULT && pname != GL_QUERY_RESULT_AVAILABLE) return set_error(c, GL_INVALID_ENUM);
+  if (pname != GL_QUERY_RESULT && pname != GL_QUERY_RESULT_AVAILABLE)
+    return set_error(c, GL_INVALID_ENUM, "pname");
   // Whoever asks whether the result is there may wait for it by asking again: so it is made now.
   if (query->samples.use_count() > 1) flush_rendering(c);
   if (pname == GL_QUERY_RESULT_AVAILABLE)
@@ -29,13 +30,13 @@ template <class T> void get_query_object(Context& c, GLuint id, GLenum pname, T*
 namespace gl {
 
 void GenQueries(Context& c, GLsizei n, GLuint* ids) {
-  if (n < 0) return set_error(c, GL_INVALID_VALUE);
+  if (n < 0) return set_error(c, GL_INVALID_VALUE, "n");
   if (c.queries.active) return set_error(c, GL_INVALID_OPERATION);
   if (!c.queries.objects.reserve(n, ids)) set_error(c, GL_OUT_OF_MEMORY);
 }
 
 void DeleteQueries(Context& c, GLsizei n, const GLuint* ids) {
-  if (n < 0) return set_error(c, GL_INVALID_VALUE);
+  if (n < 0) return set_error(c, GL_INVALID_VALUE, "n");
   if (c.queries.active) return set_error(c, GL_INVALID_OPERATION);
   for (GLsizei i = 0; i < n; ++i) c.queries.objects.erase(ids[i]);
 }
@@ -43,7 +44,7 @@ void DeleteQueries(Context& c, GLsizei n, const GLuint* ids) {
 GLboolean IsQuery(Context& c, GLuint id) { return c.queries.objects.find(id) ? GL_TRUE : GL_FALSE; }
 
 void BeginQuery(Context& c, GLenum target, GLuint id) {
-  if (target != GL_SAMPLES_PASSED) return set_error(c, GL_INVALID_ENUM);
+  if (target != GL_SAMPLES_PASSED) return set_error(c, GL_INVALID_ENUM, "target");
   if (id == 0 || c.queries.active) return set_error(c, GL_INVALID_OPERATION);
   // A counter of its own: draws that wait may still count into that of the last time.
   auto samples = std::make_shared<uint64_t>(0);
@@ -54,18 +55,18 @@ void BeginQuery(Context& c, GLenum target, GLuint id) {
 }
 
 void EndQuery(Context& c, GLenum target) {
-  if (target != GL_SAMPLES_PASSED) return set_error(c, GL_INVALID_ENUM);
+  if (target != GL_SAMPLES_PASSED) return set_error(c, GL_INVALID_ENUM, "target");
   if (!c.queries.active) return set_error(c, GL_INVALID_OPERATION);
   c.queries.active = 0;
   c.queries.samples.reset();
 }
 
 void GetQueryiv(Context& c, GLenum target, GLenum pname, GLint* params) {
-  if (target != GL_SAMPLES_PASSED) return set_error(c, GL_INVALID_ENUM);
+  if (target != GL_SAMPLES_PASSED) return set_error(c, GL_INVALID_ENUM, "target");
   switch (pname) {
   case GL_CURRENT_QUERY: *params = GLint(c.queries.active); return;
   case GL_QUERY_COUNTER_BITS: *params = kCounterBits; return;
-  default: set_error(c, GL_INVALID_ENUM);
+  default: set_error(c, GL_INVALID_ENUM, "pname");
   }
 }
 

@@ -13,7 +13,7 @@ namespace {
 /// The object bound to a target; false, and an error, for no target.
 bool bound_object(Context& c, GLenum target, FramebufferObject*& object) {
   if (target != GL_FRAMEBUFFER && target != GL_DRAW_FRAMEBUFFER && target != GL_READ_FRAMEBUFFER)
-    return set_error(c, GL_INVALID_ENUM), false;
+    return set_error(c, GL_INVALID_ENUM, "target"), false;
   object = (target == GL_READ_FRAMEBUFFER ? c.bindings.read : c.bindings.draw).get();
   return true;
 }
@@ -45,23 +45,23 @@ Points points_to_attach(Context& c, GLenum target, GLenum attachment) {
   if (!bound_object(c, target, object)) return {};
   if (!object) return set_error(c, GL_INVALID_OPERATION), Points{};
   const Points points = points_of(*object, attachment);
-  if (!points.valid()) set_error(c, GL_INVALID_ENUM);
+  if (!points.valid()) set_error(c, GL_INVALID_ENUM, "attachment");
   return points;
 }
 
-/// `dimensions`: of glFramebufferTexture1D to 3D.
+/// `dimensions`: of glFramebufferTexture1D to 3D. `layer_argument`: what the command calls the layer.
 void attach_texture(Context& c, GLenum target, GLenum attachment, int dimensions, GLenum textarget,
-                    GLuint name, GLint level, GLint layer) {
+                    GLuint name, GLint level, GLint layer = 0, const char* layer_argument = nullptr) {
   const Points points = points_to_attach(c, target, attachment);
   if (!points.valid()) return;
   if (name == 0) return attach(c, points, {});
   const ImageTarget image = image_target(textarget, dimensions);
-  if (!any_image_target(textarget).valid()) return set_error(c, GL_INVALID_ENUM);
+  if (!any_image_target(textarget).valid()) return set_error(c, GL_INVALID_ENUM, "textarget");
   const auto texture = c.shared->textures.find(name);
   if (!texture || !image.valid() || image.proxy || texture->target != image.target)
     return set_error(c, GL_INVALID_OPERATION);
-  if (level < 0 || level >= max_texture_levels(image.target) || layer < 0 || layer >= kMax3DTextureSize)
-    return set_error(c, GL_INVALID_VALUE);
+  if (level < 0 || level >= max_texture_levels(image.target)) return set_error(c, GL_INVALID_VALUE, "level");
+  if (layer < 0 || layer >= kMax3DTextureSize) return set_error(c, GL_INVALID_VALUE, layer_argument);
   attach(c, points, {nullptr, texture, image.face, level, layer});
 }
 
@@ -117,7 +117,7 @@ void get_window_parameter(Context& c, GLenum attachment, GLenum pname, GLint* pa
     exists = f.stencil_bits > 0;
     format.stencil_bits = uint8_t(f.stencil_bits);
     break;
-  default: return set_error(c, GL_INVALID_ENUM);
+  default: return set_error(c, GL_INVALID_ENUM, "attachment");
   }
   if (pname == GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE)
     *params = exists ? GL_FRAMEBUFFER_DEFAULT : GL_NONE;
@@ -134,7 +134,7 @@ void get_window_parameter(Context& c, GLenum attachment, GLenum pname, GLint* pa
   else if (pname == GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING)
     *params = GL_LINEAR;
   else
-    set_error(c, GL_INVALID_ENUM);
+    set_error(c, GL_INVALID_ENUM, "pname");
 }
 
 void get_texture_parameter(Context& c, const Attachment& a, GLenum pname, GLint* params) {
@@ -144,7 +144,7 @@ void get_texture_parameter(Context& c, const Attachment& a, GLenum pname, GLint*
     *params = a.texture->target == kTextureCube ? GLint(GL_TEXTURE_CUBE_MAP_POSITIVE_X) + a.face : 0;
     return;
   case GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LAYER: *params = a.layer; return;
-  default: set_error(c, GL_INVALID_ENUM);
+  default: set_error(c, GL_INVALID_ENUM, "pname");
   }
 }
 
@@ -157,7 +157,7 @@ void FramebufferRenderbuffer(Context& c, GLenum target, GLenum attachment, GLenu
   const Points points = points_to_attach(c, target, attachment);
   if (!points.valid()) return;
   if (renderbuffer == 0) return attach(c, points, {});
-  if (renderbuffertarget != GL_RENDERBUFFER) return set_error(c, GL_INVALID_ENUM);
+  if (renderbuffertarget != GL_RENDERBUFFER) return set_error(c, GL_INVALID_ENUM, "renderbuffertarget");
   const auto object = c.shared->renderbuffers.find(renderbuffer);
   if (!object) return set_error(c, GL_INVALID_OPERATION);
   attach(c, points, {object, nullptr});
@@ -165,19 +165,19 @@ void FramebufferRenderbuffer(Context& c, GLenum target, GLenum attachment, GLenu
 
 void FramebufferTexture1D(Context& c, GLenum target, GLenum attachment, GLenum textarget, GLuint texture,
                           GLint level) {
-  attach_texture(c, target, attachment, 1, textarget, texture, level, 0);
+  attach_texture(c, target, attachment, 1, textarget, texture, level);
 }
 void FramebufferTexture2D(Context& c, GLenum target, GLenum attachment, GLenum textarget, GLuint texture,
                           GLint level) {
-  attach_texture(c, target, attachment, 2, textarget, texture, level, 0);
+  attach_texture(c, target, attachment, 2, textarget, texture, level);
 }
 void FramebufferTexture3D(Context& c, GLenum target, GLenum attachment, GLenum textarget, GLuint texture,
                           GLint level, GLint zoffset) {
-  attach_texture(c, target, attachment, 3, textarget, texture, level, zoffset);
+  attach_texture(c, target, attachment, 3, textarget, texture, level, zoffset, "zoffset");
 }
 void FramebufferTextureLayer(Context& c, GLenum target, GLenum attachment, GLuint texture, GLint level,
                              GLint layer) {
-  attach_texture(c, target, attachment, 3, GL_TEXTURE_3D, texture, level, layer);
+  attach_texture(c, target, attachment, 3, GL_TEXTURE_3D, texture, level, layer, "layer");
 }
 
 void GetFramebufferAttachmentParameteriv(Context& c, GLenum target, GLenum attachment, GLenum pname,
@@ -186,7 +186,7 @@ void GetFramebufferAttachmentParameteriv(Context& c, GLenum target, GLenum attac
   if (!bound_object(c, target, object)) return;
   if (!object) return get_window_parameter(c, attachment, pname, params);
   const Points points = points_of(*object, attachment);
-  if (!points.valid()) return set_error(c, GL_INVALID_ENUM);
+  if (!points.valid()) return set_error(c, GL_INVALID_ENUM, "attachment");
   const Attachment& a = *points.point[0];
   if (points.point[1] && !a.same_image(*points.point[1])) return set_error(c, GL_INVALID_OPERATION);
   if (pname == GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) {
@@ -209,7 +209,7 @@ void GetFramebufferAttachmentParameteriv(Context& c, GLenum target, GLenum attac
   } else if (a.texture) {
     get_texture_parameter(c, a, pname, params);
   } else {
-    set_error(c, GL_INVALID_ENUM);
+    set_error(c, GL_INVALID_ENUM, "pname");
   }
 }
 

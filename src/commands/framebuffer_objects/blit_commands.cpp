@@ -212,8 +212,8 @@ void blit_stencils(Context& c, const Blit& blit, const BlitSamples& samples) {
 void gl::BlitFramebuffer(Context& c, GLint srcX0, GLint srcY0, GLint srcX1, GLint srcY1, GLint dstX0,
                          GLint dstY0, GLint dstX1, GLint dstY1, GLbitfield mask, GLenum filter) {
   if (mask & ~GLbitfield(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT))
-    return set_error(c, GL_INVALID_VALUE);
-  if (filter != GL_NEAREST && filter != GL_LINEAR) return set_error(c, GL_INVALID_ENUM);
+    return set_error(c, GL_INVALID_VALUE, "mask");
+  if (filter != GL_NEAREST && filter != GL_LINEAR) return set_error(c, GL_INVALID_ENUM, "filter");
   if ((mask & (GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT)) && filter != GL_NEAREST)
     return set_error(c, GL_INVALID_OPERATION);
   if (!flush_for_reading(c) || !prepare_draw_target(c)) return set_error(c, GL_INVALID_FRAMEBUFFER_OPERATION);

@@ -29,7 +29,7 @@ void bind(Context& c, const Object& object, bool draw, bool read) {
 void bind(Context& c, GLenum target, GLuint name, bool any_name) {
   const bool draw = target == GL_FRAMEBUFFER || target == GL_DRAW_FRAMEBUFFER,
              read = target == GL_FRAMEBUFFER || target == GL_READ_FRAMEBUFFER;
-  if (!draw && !read) return set_error(c, GL_INVALID_ENUM);
+  if (!draw && !read) return set_error(c, GL_INVALID_ENUM, "target");
   if (name == 0) return bind(c, Object(), draw, read);
   if (!any_name && !c.framebuffer_objects.used(name)) return set_error(c, GL_INVALID_OPERATION);
   bind(c,
@@ -40,12 +40,12 @@ void bind(Context& c, GLenum target, GLuint name, bool any_name) {
 } // namespace
 
 void GenFramebuffers(Context& c, GLsizei n, GLuint* framebuffers) {
-  if (n < 0) return set_error(c, GL_INVALID_VALUE);
+  if (n < 0) return set_error(c, GL_INVALID_VALUE, "n");
   if (!c.framebuffer_objects.reserve(n, framebuffers)) set_error(c, GL_OUT_OF_MEMORY);
 }
 
 void DeleteFramebuffers(Context& c, GLsizei n, const GLuint* framebuffers) {
-  if (n < 0) return set_error(c, GL_INVALID_VALUE);
+  if (n < 0) return set_error(c, GL_INVALID_VALUE, "n");
   for (GLsizei i = 0; i < n; ++i) {
     if (framebuffers[i] == 0) continue;
     if (const Object object = c.framebuffer_objects.find(framebuffers[i]))
@@ -64,7 +64,7 @@ void BindFramebufferEXT(Context& c, GLenum target, GLuint framebuffer) { bind(c,
 
 GLenum CheckFramebufferStatus(Context& c, GLenum target) {
   if (target != GL_FRAMEBUFFER && target != GL_DRAW_FRAMEBUFFER && target != GL_READ_FRAMEBUFFER)
-    return set_error(c, GL_INVALID_ENUM), 0;
+    return set_error(c, GL_INVALID_ENUM, "target"), 0;
   const Object& object = target == GL_READ_FRAMEBUFFER ? c.bindings.read : c.bindings.draw;
   return object ? object->status() : GLenum(GL_FRAMEBUFFER_COMPLETE);
 }

@@ -9,12 +9,12 @@
 namespace softgl::gl {
 
 void GenRenderbuffers(Context& c, GLsizei n, GLuint* renderbuffers) {
-  if (n < 0) return set_error(c, GL_INVALID_VALUE);
+  if (n < 0) return set_error(c, GL_INVALID_VALUE, "n");
   if (!c.shared->renderbuffers.reserve(n, renderbuffers)) set_error(c, GL_OUT_OF_MEMORY);
 }
 
 void DeleteRenderbuffers(Context& c, GLsizei n, const GLuint* renderbuffers) {
-  if (n < 0) return set_error(c, GL_INVALID_VALUE);
+  if (n < 0) return set_error(c, GL_INVALID_VALUE, "n");
   for (GLsizei i = 0; i < n; ++i) {
     if (renderbuffers[i] == 0) continue;
     const auto object = c.shared->renderbuffers.find(renderbuffers[i]);
@@ -34,7 +34,7 @@ GLboolean IsRenderbuffer(Context& c, GLuint renderbuffer) {
 namespace {
 
 void bind(Context& c, GLenum target, GLuint name, bool any_name) {
-  if (target != GL_RENDERBUFFER) return set_error(c, GL_INVALID_ENUM);
+  if (target != GL_RENDERBUFFER) return set_error(c, GL_INVALID_ENUM, "target");
   if (name == 0) {
     c.bindings.renderbuffer = nullptr;
     return;
@@ -56,12 +56,14 @@ void BindRenderbufferEXT(Context& c, GLenum target, GLuint renderbuffer) {
 
 void RenderbufferStorageMultisample(Context& c, GLenum target, GLsizei samples, GLenum internalformat,
                                     GLsizei width, GLsizei height) {
-  if (target != GL_RENDERBUFFER) return set_error(c, GL_INVALID_ENUM);
+  if (target != GL_RENDERBUFFER) return set_error(c, GL_INVALID_ENUM, "target");
   const RenderFormat format = renderbuffer_format(internalformat);
-  if (format.kind == RenderFormat::Kind::None) return set_error(c, GL_INVALID_ENUM);
-  if (width < 0 || height < 0 || width > kMaxRenderbufferSize || height > kMaxRenderbufferSize ||
-      samples < 0 || samples > kSamples)
-    return set_error(c, GL_INVALID_VALUE);
+  if (format.kind == RenderFormat::Kind::None) return set_error(c, GL_INVALID_ENUM, "internalformat");
+  const auto legal = [](GLsizei size) { return size >= 0 && size <= kMaxRenderbufferSize; };
+  if (const char* wrong = first_wrong({{"width", !legal(width)},
+                                       {"height", !legal(height)},
+                                       {"samples", samples < 0 || samples > kSamples}}))
+    return set_error(c, GL_INVALID_VALUE, wrong);
   const auto renderbuffer = c.bindings.renderbuffer;
   if (!renderbuffer) return set_error(c, GL_INVALID_OPERATION);
   const int stored = samples == 0 ? 1 : kSamples; // at least as many as are asked for
@@ -83,7 +85,7 @@ void RenderbufferStorage(Context& c, GLenum target, GLenum internalformat, GLsiz
 }
 
 void GetRenderbufferParameteriv(Context& c, GLenum target, GLenum pname, GLint* params) {
-  if (target != GL_RENDERBUFFER) return set_error(c, GL_INVALID_ENUM);
+  if (target != GL_RENDERBUFFER) return set_error(c, GL_INVALID_ENUM, "target");
   const Renderbuffer* r = c.bindings.renderbuffer.get();
   if (!r) return set_error(c, GL_INVALID_OPERATION);
   switch (pname) {
@@ -97,7 +99,7 @@ void GetRenderbufferParameteriv(Context& c, GLenum target, GLenum pname, GLint* 
   case GL_RENDERBUFFER_ALPHA_SIZE: *params = r->format.bits[3]; return;
   case GL_RENDERBUFFER_DEPTH_SIZE: *params = r->format.depth_bits; return;
   case GL_RENDERBUFFER_STENCIL_SIZE: *params = r->format.stencil_bits; return;
-  default: set_error(c, GL_INVALID_ENUM);
+  default: set_error(c, GL_INVALID_ENUM, "pname");
   }
 }
 

@@ -46,8 +46,13 @@ namespace {
 softgl::Light* find_light(Context& c, GLenum light) {
   const GLenum i = light - GL_LIGHT0;
   if (i < GLenum(kMaxLights)) return &c.state.lighting.light[i];
-  set_error(c, GL_INVALID_ENUM);
+  set_error(c, GL_INVALID_ENUM, "light");
   return nullptr;
+}
+
+/// The argument that leaves no material to set or to get.
+const char* wrong_material_argument(GLenum face) {
+  return face == GL_FRONT || face == GL_BACK || face == GL_FRONT_AND_BACK ? "pname" : "face";
 }
 
 Vec4 vector4(const float* v) { return {v[0], v[1], v[2], v[3]}; }
@@ -100,22 +105,22 @@ void Light(Context& c, GLenum name, GLenum pname, const float* params) {
     break;
   }
   case GL_SPOT_EXPONENT:
-    if (v < 0.0f || v > 128.0f) return set_error(c, GL_INVALID_VALUE);
+    if (v < 0.0f || v > 128.0f) return set_error(c, GL_INVALID_VALUE, "params");
     light->spot_exponent = v;
     break;
   case GL_SPOT_CUTOFF:
-    if ((v < 0.0f || v > 90.0f) && v != 180.0f) return set_error(c, GL_INVALID_VALUE);
+    if ((v < 0.0f || v > 90.0f) && v != 180.0f) return set_error(c, GL_INVALID_VALUE, "params");
     light->spot_cutoff = v;
     break;
   case GL_CONSTANT_ATTENUATION:
   case GL_LINEAR_ATTENUATION:
   case GL_QUADRATIC_ATTENUATION:
-    if (v < 0.0f) return set_error(c, GL_INVALID_VALUE);
+    if (v < 0.0f) return set_error(c, GL_INVALID_VALUE, "params");
     (pname == GL_CONSTANT_ATTENUATION ? light->constant_attenuation
      : pname == GL_LINEAR_ATTENUATION ? light->linear_attenuation
                                       : light->quadratic_attenuation) = v;
     break;
-  default: return set_error(c, GL_INVALID_ENUM);
+  default: return set_error(c, GL_INVALID_ENUM, "pname");
   }
   c.dirty |= kDirtyLights;
 }
@@ -124,7 +129,7 @@ void GetLightfv(Context& c, GLenum name, GLenum pname, float* params) {
   const softgl::Light* light = find_light(c, name);
   if (!light) return;
   const LightParameter p = light_parameter(*light, pname);
-  if (p.count == 0) return set_error(c, GL_INVALID_ENUM);
+  if (p.count == 0) return set_error(c, GL_INVALID_ENUM, "pname");
   for (int i = 0; i < p.count; ++i) params[i] = p.values[i];
 }
 
@@ -132,7 +137,7 @@ void GetLightiv(Context& c, GLenum name, GLenum pname, GLint* params) {
   const softgl::Light* light = find_light(c, name);
   if (!light) return;
   const LightParameter p = light_parameter(*light, pname);
-  if (p.count == 0) return set_error(c, GL_INVALID_ENUM);
+  if (p.count == 0) return set_error(c, GL_INVALID_ENUM, "pname");
   for (int i = 0; i < p.count; ++i) params[i] = to_integer(p.values[i], p.conversion);
 }
 
@@ -144,21 +149,21 @@ void LightModel(Context& c, GLenum pname, const float* params) {
   case GL_LIGHT_MODEL_TWO_SIDE: lighting.two_side = params[0] != 0.0f; break;
   case GL_LIGHT_MODEL_COLOR_CONTROL:
     if (params[0] != float(GL_SINGLE_COLOR) && params[0] != float(GL_SEPARATE_SPECULAR_COLOR))
-      return set_error(c, GL_INVALID_ENUM);
+      return set_error(c, GL_INVALID_ENUM, "params");
     lighting.color_control = GLenum(params[0]);
     break;
   case GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL:
     if (params[0] != float(GL_HALF_VECTOR_SOFTGL) && params[0] != float(GL_REFLECTION_VECTOR_SOFTGL))
-      return set_error(c, GL_INVALID_ENUM);
+      return set_error(c, GL_INVALID_ENUM, "params");
     lighting.specular_vector = GLenum(params[0]);
     break;
   case GL_LIGHT_MODEL_TERMS_SOFTGL:
     if (!(params[0] >= 0.0f && params[0] <= float(GL_ALL_TERM_BITS_SOFTGL)) ||
         params[0] != float(uint32_t(params[0])))
-      return set_error(c, GL_INVALID_VALUE);
+      return set_error(c, GL_INVALID_VALUE, "params");
     lighting.terms = uint32_t(params[0]);
     break;
-  default: return set_error(c, GL_INVALID_ENUM);
+  default: return set_error(c, GL_INVALID_ENUM, "pname");
   }
   c.dirty |= kDirtyLighting;
 }
@@ -166,17 +171,17 @@ void LightModel(Context& c, GLenum pname, const float* params) {
 void Material(Context& c, GLenum face, GLenum pname, const float* params) {
   if (pname == GL_COLOR_INDEXES) {
     if (face != GL_FRONT && face != GL_BACK && face != GL_FRONT_AND_BACK)
-      return set_error(c, GL_INVALID_ENUM);
+      return set_error(c, GL_INVALID_ENUM, "face");
     const Vec3 indexes(params[0], params[1], params[2]);
     if (face != GL_BACK) c.state.lighting.material_indexes[0] = indexes;
     if (face != GL_FRONT) c.state.lighting.material_indexes[1] = indexes;
     return;
   }
   const uint32_t slots = material_slots(face, pname);
-  if (slots == 0) return set_error(c, GL_INVALID_ENUM);
+  if (slots == 0) return set_error(c, GL_INVALID_ENUM, wrong_material_argument(face));
   Vec4 value(params[0], 0, 0, 1);
   if (pname == GL_SHININESS) {
-    if (params[0] < 0.0f || params[0] > 128.0f) return set_error(c, GL_INVALID_VALUE);
+    if (params[0] < 0.0f || params[0] > 128.0f) return set_error(c, GL_INVALID_VALUE, "params");
   } else {
     value = vector4(params);
   }
@@ -198,7 +203,7 @@ int queried_material_slot(Context& c, GLenum face, GLenum pname) {
   const uint32_t slots =
       face == GL_FRONT_AND_BACK || pname == GL_AMBIENT_AND_DIFFUSE ? 0 : material_slots(face, pname);
   if (slots == 0) {
-    set_error(c, GL_INVALID_ENUM);
+    set_error(c, GL_INVALID_ENUM, face == GL_FRONT_AND_BACK ? "face" : wrong_material_argument(face));
     return -1;
   }
   track_color_material(c);
@@ -207,7 +212,7 @@ int queried_material_slot(Context& c, GLenum face, GLenum pname) {
 const Vec3* queried_material_indexes(Context& c, GLenum face) {
   if (face == GL_FRONT) return &c.state.lighting.material_indexes[0];
   if (face == GL_BACK) return &c.state.lighting.material_indexes[1];
-  set_error(c, GL_INVALID_ENUM);
+  set_error(c, GL_INVALID_ENUM, "face");
   return nullptr;
 }
 
@@ -239,7 +244,8 @@ void GetMaterialiv(Context& c, GLenum face, GLenum pname, GLint* params) {
 }
 
 void ColorMaterial(Context& c, GLenum face, GLenum mode) {
-  if (mode == GL_SHININESS || material_slots(face, mode) == 0) return set_error(c, GL_INVALID_ENUM);
+  if (material_slots(face, GL_AMBIENT) == 0) return set_error(c, GL_INVALID_ENUM, "face");
+  if (mode == GL_SHININESS || material_slots(face, mode) == 0) return set_error(c, GL_INVALID_ENUM, "mode");
   track_color_material(c); // what was followed so far keeps its last value
   c.state.lighting.color_material_face = face;
   c.state.lighting.color_material_parameter = mode;
@@ -248,14 +254,15 @@ void ColorMaterial(Context& c, GLenum face, GLenum mode) {
 }
 
 void ShadeModel(Context& c, GLenum mode) {
-  if (mode != GL_FLAT && mode != GL_SMOOTH && mode != GL_PHONG_WIN) return set_error(c, GL_INVALID_ENUM);
+  if (mode != GL_FLAT && mode != GL_SMOOTH && mode != GL_PHONG_WIN)
+    return set_error(c, GL_INVALID_ENUM, "mode");
   c.state.lighting.shade_model = mode;
   c.dirty |= kDirtyLighting;
 }
 
 void ProvokingVertex(Context& c, GLenum mode) {
   if (mode != GL_FIRST_VERTEX_CONVENTION && mode != GL_LAST_VERTEX_CONVENTION)
-    return set_error(c, GL_INVALID_ENUM);
+    return set_error(c, GL_INVALID_ENUM, "mode");
   c.state.lighting.provoking_vertex = mode; // each draw asks for it (submit())
 }
 

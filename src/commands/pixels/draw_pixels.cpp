@@ -333,8 +333,9 @@ bool has_buffer(const RenderTarget& target, GLenum format) {
 namespace gl {
 
 void DrawPixels(Context& c, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels) {
-  if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
-  if (const GLenum error = check_pixel_format(format, type)) return set_error(c, error);
+  if (const char* wrong = first_wrong({{"width", width < 0}, {"height", height < 0}}))
+    return set_error(c, GL_INVALID_VALUE, wrong);
+  if (const Refusal refusal = check_pixel_format(format, type)) return set_error(c, refusal);
   if (!ready_to_draw(c)) return;
   if (!has_buffer(*c.draw, format)) return set_error(c, GL_INVALID_OPERATION);
   if (!c.state.raster_position.valid) return;
@@ -355,10 +356,11 @@ void DrawPixels(Context& c, GLsizei width, GLsizei height, GLenum format, GLenum
 }
 
 void CopyPixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type) {
-  if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
+  if (const char* wrong = first_wrong({{"width", width < 0}, {"height", height < 0}}))
+    return set_error(c, GL_INVALID_VALUE, wrong);
   if (type != GL_COLOR && type != GL_DEPTH && type != GL_STENCIL && type != GL_DEPTH_STENCIL &&
       !becomes_color(type))
-    return set_error(c, GL_INVALID_ENUM);
+    return set_error(c, GL_INVALID_ENUM, "type");
   if (c.bindings.draw || c.bindings.read) {
     if (!ready_to_draw(c)) return;
     if (!flush_for_reading(c)) return set_error(c, GL_INVALID_FRAMEBUFFER_OPERATION);
@@ -376,7 +378,8 @@ void CopyPixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLe
 
 void Bitmap(Context& c, GLsizei width, GLsizei height, GLfloat xorig, GLfloat yorig, GLfloat xmove,
             GLfloat ymove, const GLubyte* bitmap) {
-  if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
+  if (const char* wrong = first_wrong({{"width", width < 0}, {"height", height < 0}}))
+    return set_error(c, GL_INVALID_VALUE, wrong);
   if (!ready_to_draw(c)) return;
   RasterPosition& position = c.state.raster_position;
   if (!position.valid) return;

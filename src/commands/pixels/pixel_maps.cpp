@@ -23,8 +23,8 @@ bool takes_indexes(GLenum map) { return map <= GL_PIXEL_MAP_I_TO_A; }
 template <class T, class Value>
 void set_map(Context& c, GLenum map, GLsizei size, const T* values, Value value) {
   if (size < 1 || size > kMaxMapSize || (is_map(map) && takes_indexes(map) && (size & (size - 1)) != 0))
-    return set_error(c, GL_INVALID_VALUE);
-  if (!is_map(map)) return set_error(c, GL_INVALID_ENUM);
+    return set_error(c, GL_INVALID_VALUE, "mapsize");
+  if (!is_map(map)) return set_error(c, GL_INVALID_ENUM, "map");
   const void* memory = values;
   if (!find_unpack_memory(c, memory, array_span(size_t(size), sizeof(T))) || !memory) return;
   values = static_cast<const T*>(memory);
@@ -40,7 +40,7 @@ void set_map(Context& c, GLenum map, GLsizei size, const T* values, Value value)
 
 /// `value(v)` is what the client gets where the map holds v.
 template <class T, class Value> void get_map(Context& c, GLenum map, T* values, Value value) {
-  if (!is_map(map)) return set_error(c, GL_INVALID_ENUM);
+  if (!is_map(map)) return set_error(c, GL_INVALID_ENUM, "map");
   const GLenum i = map - GL_PIXEL_MAP_I_TO_I;
   const GLsizei size = c.state.pixel_maps.size[i];
   void* memory = values;

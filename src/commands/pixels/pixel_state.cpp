@@ -24,7 +24,7 @@ void PixelTransfer(Context& c, GLenum pname, GLfloat param) {
   case GL_BLUE_BIAS: pixel.bias.b = param; break;
   case GL_ALPHA_BIAS: pixel.bias.a = param; break;
   case GL_DEPTH_BIAS: pixel.depth_bias = param; break;
-  default: return set_error(c, GL_INVALID_ENUM);
+  default: return set_error(c, GL_INVALID_ENUM, "pname");
   }
 }
 
@@ -34,7 +34,8 @@ void PixelZoom(Context& c, GLfloat x, GLfloat y) {
 }
 
 void Hint(Context& c, GLenum target, GLenum mode) {
-  if (mode != GL_NICEST && mode != GL_FASTEST && mode != GL_DONT_CARE) return set_error(c, GL_INVALID_ENUM);
+  if (mode != GL_NICEST && mode != GL_FASTEST && mode != GL_DONT_CARE)
+    return set_error(c, GL_INVALID_ENUM, "mode");
   HintState& hint = c.state.hint;
   switch (target) {
   case GL_PERSPECTIVE_CORRECTION_HINT: hint.perspective_correction = mode; break;
@@ -45,7 +46,7 @@ void Hint(Context& c, GLenum target, GLenum mode) {
   case GL_GENERATE_MIPMAP_HINT: hint.generate_mipmap = mode; break;
   case GL_PHONG_HINT_WIN: hint.phong = mode; break;
   case GL_TEXTURE_COMPRESSION_HINT: hint.texture_compression = mode; break;
-  default: return set_error(c, GL_INVALID_ENUM);
+  default: return set_error(c, GL_INVALID_ENUM, "target");
   }
 }
 

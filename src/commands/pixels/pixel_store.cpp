@@ -16,7 +16,7 @@ void PixelStore(Context& c, GLenum pname, GLint param) {
   case GL_UNPACK_LSB_FIRST: unpack.lsb_first = param != 0; return;
   case GL_PACK_ALIGNMENT:
   case GL_UNPACK_ALIGNMENT:
-    if (param != 1 && param != 2 && param != 4 && param != 8) return set_error(c, GL_INVALID_VALUE);
+    if (param != 1 && param != 2 && param != 4 && param != 8) return set_error(c, GL_INVALID_VALUE, "param");
     (pname == GL_PACK_ALIGNMENT ? pack : unpack).alignment = param;
     return;
   case GL_PACK_ROW_LENGTH: size = &pack.row_length; break;
@@ -29,9 +29,9 @@ void PixelStore(Context& c, GLenum pname, GLint param) {
   case GL_UNPACK_SKIP_PIXELS: size = &unpack.skip_pixels; break;
   case GL_UNPACK_IMAGE_HEIGHT: size = &unpack.image_height; break;
   case GL_UNPACK_SKIP_IMAGES: size = &unpack.skip_images; break;
-  default: return set_error(c, GL_INVALID_ENUM);
+  default: return set_error(c, GL_INVALID_ENUM, "pname");
   }
-  if (param < 0) return set_error(c, GL_INVALID_VALUE);
+  if (param < 0) return set_error(c, GL_INVALID_VALUE, "param");
   *size = param;
 }
 

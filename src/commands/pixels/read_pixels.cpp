@@ -265,19 +265,28 @@ void read_stencils(const Context& c, const Target& t) {
   }
 }
 
+Refusal check_size(GLsizei width, GLsizei height) {
+  const char* wrong = first_wrong({{"width", width < 0}, {"height", height < 0}});
+  return wrong ? Refusal{GL_INVALID_VALUE, wrong} : Refusal{};
+}
+
+/// Whether what is read lacks the buffer of a format, which is wrong also with a type that does not fit, as
+/// in OSMesa.
+bool lacks_buffer(const RenderTarget& read, GLenum format) {
+  return format == GL_COLOR_INDEX || // there are no color index buffers
+         (format == GL_DEPTH_COMPONENT && read.depth_bits == 0) ||
+         (format == GL_STENCIL_INDEX && read.stencil_bits == 0);
+}
+
 /// The error that the arguments call for (4.3.2).
-GLenum check(const Context& c, GLsizei width, GLsizei height, GLenum format, GLenum type) {
-  if (width < 0 || height < 0) return GL_INVALID_VALUE;
-  if (c.read->surface.samples > 1) return GL_INVALID_OPERATION;
-  // A buffer that is missing comes before a type that does not fit, as in OSMesa.
-  if (format == GL_COLOR_INDEX) return GL_INVALID_OPERATION; // there are no color index buffers
-  if (format == GL_DEPTH_COMPONENT && c.read->depth_bits == 0) return GL_INVALID_OPERATION;
-  if (format == GL_STENCIL_INDEX && c.read->stencil_bits == 0) return GL_INVALID_OPERATION;
-  if (const GLenum error = check_pixel_format(format, type)) return error;
+Refusal check(const Context& c, GLsizei width, GLsizei height, GLenum format, GLenum type) {
+  if (const Refusal refusal = check_size(width, height)) return refusal;
+  if (c.read->surface.samples > 1 || lacks_buffer(*c.read, format)) return {GL_INVALID_OPERATION};
+  if (const Refusal refusal = check_pixel_format(format, type)) return refusal;
   if (format == GL_DEPTH_STENCIL && (c.read->depth_bits == 0 || c.read->stencil_bits == 0))
-    return GL_INVALID_OPERATION;
+    return {GL_INVALID_OPERATION};
   const bool color = format != GL_DEPTH_COMPONENT && format != GL_STENCIL_INDEX && format != GL_DEPTH_STENCIL;
-  return color && !reads_color(c) ? GL_INVALID_OPERATION : GL_NO_ERROR;
+  return color && !reads_color(c) ? Refusal{GL_INVALID_OPERATION} : Refusal{};
 }
 
 } // namespace
@@ -285,11 +294,11 @@ GLenum check(const Context& c, GLsizei width, GLsizei height, GLenum format, GLe
 void gl::ReadPixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type,
                     void* pixels) {
   if (c.bindings.read && !flush_for_reading(c)) {
-    const GLenum error =
-        width < 0 || height < 0 ? GLenum(GL_INVALID_VALUE) : check_pixel_format(format, type);
-    return set_error(c, error ? error : GLenum(GL_INVALID_FRAMEBUFFER_OPERATION));
+    Refusal refusal = check_size(width, height);
+    if (!refusal) refusal = check_pixel_format(format, type);
+    return set_error(c, refusal ? refusal : Refusal{GL_INVALID_FRAMEBUFFER_OPERATION});
   }
-  if (const GLenum error = check(c, width, height, format, type)) return set_error(c, error);
+  if (const Refusal refusal = check(c, width, height, format, type)) return set_error(c, refusal);
   if (width == 0 || height == 0) return;
   const PixelFormat pixel = describe_pixel_format(format, type);
   const ImageLayout layout = layout_image(c.client.pixel_store.pack, 2, width, height, pixel);

@@ -34,10 +34,8 @@ struct Values {
   template <class... T> void put_all(const T&... x) { (put(x), ...); }
 };
 
-// Colors of fragment operations are kept as given, and read back clamped unless the color buffer is of
-// floats.
 Vec4 fragment_color(const Context& c, const Vec4& color) {
-  if (!clamps(*c.draw, c.state.color_buffer.clamp_fragment_color)) return color;
+  if (!clamps_queried_colors(c)) return color;
   Vec4 clamped;
   for (int i = 0; i < 4; ++i) clamped[i] = color[i] > 0.0f ? (color[i] > 1.0f ? 1.0f : color[i]) : 0.0f;
   return clamped;
@@ -141,7 +139,7 @@ bool read(Context& c, GLenum pname, Values& out) {
     out.put(*enabled);
     return true;
   }
-  set_error(c, GL_INVALID_ENUM);
+  set_error(c, GL_INVALID_ENUM, "pname");
   return false;
 }
 

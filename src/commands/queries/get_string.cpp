@@ -76,8 +76,8 @@ int extension_count() { return int(extension_names().size()); }
 namespace gl {
 
 const GLubyte* GetStringi(Context& c, GLenum name, GLuint index) {
-  if (name != GL_EXTENSIONS) return set_error(c, GL_INVALID_ENUM), nullptr;
-  if (index >= GLuint(extension_count())) return set_error(c, GL_INVALID_VALUE), nullptr;
+  if (name != GL_EXTENSIONS) return set_error(c, GL_INVALID_ENUM, "name"), nullptr;
+  if (index >= GLuint(extension_count())) return set_error(c, GL_INVALID_VALUE, "index"), nullptr;
   return reinterpret_cast<const GLubyte*>(extension_names()[index].c_str());
 }
 
@@ -91,7 +91,7 @@ const GLubyte* GetString(Context& c, GLenum name) {
   }
   case GL_VERSION: return reinterpret_cast<const GLubyte*>("1.5 softgl " SOFTGL_VERSION_TEXT);
   case GL_EXTENSIONS: return reinterpret_cast<const GLubyte*>(kExtensions);
-  default: set_error(c, GL_INVALID_ENUM); return nullptr;
+  default: set_error(c, GL_INVALID_ENUM, "name"); return nullptr;
   }
 }
 

@@ -27,7 +27,8 @@ namespace gl {
 
 GLint RenderMode(Context& c, GLenum mode) {
   RenderModeState& m = c.state.render_mode;
-  if (mode != GL_RENDER && mode != GL_SELECT && mode != GL_FEEDBACK) return set_error(c, GL_INVALID_ENUM), 0;
+  if (mode != GL_RENDER && mode != GL_SELECT && mode != GL_FEEDBACK)
+    return set_error(c, GL_INVALID_ENUM, "mode"), 0;
   // A mode whose buffer was never given cannot be entered.
   if ((mode == GL_SELECT && !m.selection_buffer) || (mode == GL_FEEDBACK && !m.feedback_buffer))
     return set_error(c, GL_INVALID_OPERATION), 0;
@@ -39,7 +40,7 @@ GLint RenderMode(Context& c, GLenum mode) {
 
 void SelectBuffer(Context& c, GLsizei size, GLuint* buffer) {
   RenderModeState& m = c.state.render_mode;
-  if (size < 0) return set_error(c, GL_INVALID_VALUE);
+  if (size < 0) return set_error(c, GL_INVALID_VALUE, "size");
   if (m.mode == GL_SELECT) return set_error(c, GL_INVALID_OPERATION);
   m.selection_buffer = buffer;
   m.selection_size = size;
@@ -50,10 +51,11 @@ void SelectBuffer(Context& c, GLsizei size, GLuint* buffer) {
 void FeedbackBuffer(Context& c, GLsizei size, GLenum type, GLfloat* buffer) {
   RenderModeState& m = c.state.render_mode;
   if (m.mode == GL_FEEDBACK) return set_error(c, GL_INVALID_OPERATION);
-  if (size < 0 || (!buffer && size > 0)) return set_error(c, GL_INVALID_VALUE);
+  if (const char* wrong = first_wrong({{"size", size < 0}, {"buffer", !buffer && size > 0}}))
+    return set_error(c, GL_INVALID_VALUE, wrong);
   if (type != GL_2D && type != GL_3D && type != GL_3D_COLOR && type != GL_3D_COLOR_TEXTURE &&
       type != GL_4D_COLOR_TEXTURE)
-    return set_error(c, GL_INVALID_ENUM);
+    return set_error(c, GL_INVALID_ENUM, "type");
   m.feedback_buffer = buffer;
   m.feedback_size = size;
   m.feedback_type = type;

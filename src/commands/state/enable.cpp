@@ -65,9 +65,10 @@ bool is_server_switch(GLenum token) {
   return token == GL_PRIMITIVE_RESTART || token == GL_DEBUG_OUTPUT || token == GL_DEBUG_OUTPUT_SYNCHRONOUS;
 }
 
-void set_client_switch(Context& c, GLenum token, bool value, bool refused) {
+/// `argument`: what the command calls the token.
+void set_client_switch(Context& c, GLenum token, bool value, bool refused, const char* argument) {
   bool* const enabled = refused ? nullptr : find_client_switch(c.client, token);
-  if (!enabled) return set_error(c, GL_INVALID_ENUM);
+  if (!enabled) return set_error(c, GL_INVALID_ENUM, argument);
   *enabled = value;
   if (token == GL_DEBUG_OUTPUT) return c.debug.watch(value);
   c.dirty |= kDirtyArrays;
@@ -76,7 +77,7 @@ void set_client_switch(Context& c, GLenum token, bool value, bool refused) {
 void set_capability(Context& c, GLenum token, bool value) {
   const Capability* capability = find_capability(token);
   if (!capability) // EXT_vertex_array switches the arrays here
-    return set_client_switch(c, token, value, token == GL_PRIMITIVE_RESTART_NV);
+    return set_client_switch(c, token, value, token == GL_PRIMITIVE_RESTART_NV, "cap");
   const int unit = c.state.texture.active_unit;
   if (capability->get(c.state, unit) == value) return;
   if (token == GL_COLOR_MATERIAL && !value) track_color_material(c); // keeps the last color
@@ -94,15 +95,15 @@ GLboolean IsEnabled(Context& c, GLenum cap) {
   if (const Capability* capability = find_capability(cap))
     return capability->get(c.state, c.state.texture.active_unit);
   if (const bool* enabled = find_client_switch(c.client, cap)) return *enabled;
-  set_error(c, GL_INVALID_ENUM);
+  set_error(c, GL_INVALID_ENUM, "cap");
   return GL_FALSE;
 }
 
 void EnableClientState(Context& c, GLenum array) {
-  set_client_switch(c, array, true, is_server_switch(array));
+  set_client_switch(c, array, true, is_server_switch(array), "array");
 }
 void DisableClientState(Context& c, GLenum array) {
-  set_client_switch(c, array, false, is_server_switch(array));
+  set_client_switch(c, array, false, is_server_switch(array), "array");
 }
 
 } // namespace gl

@@ -8,7 +8,7 @@
 namespace softgl::gl {
 
 void PointSize(Context& c, GLfloat size) {
-  if (size <= 0.0f) return set_error(c, GL_INVALID_VALUE);
+  if (size <= 0.0f) return set_error(c, GL_INVALID_VALUE, "size");
   edit<&State::point>(c).size = size;
 }
 
@@ -22,19 +22,19 @@ void PointParameter(Context& c, GLenum pname, const GLfloat* params) {
   case GL_POINT_DISTANCE_ATTENUATION: point.distance_attenuation = {params[0], params[1], params[2]}; break;
   case GL_POINT_SPRITE_COORD_ORIGIN:
     if (params[0] != float(GL_LOWER_LEFT) && params[0] != float(GL_UPPER_LEFT))
-      return set_error(c, GL_INVALID_VALUE);
+      return set_error(c, GL_INVALID_VALUE, "params");
     point.sprite_origin = GLenum(params[0]);
     break;
-  default: return set_error(c, GL_INVALID_ENUM);
+  default: return set_error(c, GL_INVALID_ENUM, "pname");
   }
   if (size) {
-    if (params[0] < 0.0f) return set_error(c, GL_INVALID_VALUE);
+    if (params[0] < 0.0f) return set_error(c, GL_INVALID_VALUE, "params");
     *size = params[0];
   }
 }
 
 void LineWidth(Context& c, GLfloat width) {
-  if (width <= 0.0f) return set_error(c, GL_INVALID_VALUE);
+  if (width <= 0.0f) return set_error(c, GL_INVALID_VALUE, "width");
   edit<&State::line>(c).width = width;
 }
 
@@ -45,18 +45,20 @@ void LineStipple(Context& c, GLint factor, GLushort pattern) {
 }
 
 void CullFace(Context& c, GLenum mode) {
-  if (mode != GL_FRONT && mode != GL_BACK && mode != GL_FRONT_AND_BACK) return set_error(c, GL_INVALID_ENUM);
+  if (mode != GL_FRONT && mode != GL_BACK && mode != GL_FRONT_AND_BACK)
+    return set_error(c, GL_INVALID_ENUM, "mode");
   edit<&State::polygon>(c).cull_face = mode;
 }
 
 void FrontFace(Context& c, GLenum mode) {
-  if (mode != GL_CW && mode != GL_CCW) return set_error(c, GL_INVALID_ENUM);
+  if (mode != GL_CW && mode != GL_CCW) return set_error(c, GL_INVALID_ENUM, "mode");
   edit<&State::polygon>(c).front_face = mode;
 }
 
 void PolygonMode(Context& c, GLenum face, GLenum mode) {
-  if (mode != GL_POINT && mode != GL_LINE && mode != GL_FILL) return set_error(c, GL_INVALID_ENUM);
-  if (face != GL_FRONT && face != GL_BACK && face != GL_FRONT_AND_BACK) return set_error(c, GL_INVALID_ENUM);
+  if (mode != GL_POINT && mode != GL_LINE && mode != GL_FILL) return set_error(c, GL_INVALID_ENUM, "mode");
+  if (face != GL_FRONT && face != GL_BACK && face != GL_FRONT_AND_BACK)
+    return set_error(c, GL_INVALID_ENUM, "face");
   PolygonState& polygon = edit<&State::polygon>(c);
   if (face != GL_BACK) polygon.mode[0] = mode;
   if (face != GL_FRONT) polygon.mode[1] = mode;

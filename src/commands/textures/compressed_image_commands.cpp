@@ -28,21 +28,24 @@ void specify_compressed(Context& c, GLenum target, GLint level, GLenum internal_
                         GLsizei height, GLint border, GLsizei image_size, const void* data) {
   const ImageTarget t = image_target(target, 2);
   const TexelFormat* format = compressed_format(internal_format);
-  if (!t.valid() || !format || !takes_target(*format, t.target)) return set_error(c, GL_INVALID_ENUM);
-  if (level < 0 || level >= max_texture_levels(t.target) || width < 0 || height < 0 || image_size < 0)
-    return set_error(c, GL_INVALID_VALUE);
+  if (!t.valid()) return set_error(c, GL_INVALID_ENUM, "target");
+  if (!format || !takes_target(*format, t.target)) return set_error(c, GL_INVALID_ENUM, "internalformat");
+  if (const Refusal refusal = check_level(t, level)) return set_error(c, refusal);
+  if (const Refusal refusal = check_signs(width, height, 1)) return set_error(c, refusal);
+  if (image_size < 0) return set_error(c, GL_INVALID_VALUE, "imageSize");
   if (border != 0) return set_error(c, GL_INVALID_OPERATION);
-  if (uint64_t(image_size) != compressed_bytes(*format, width, height)) return set_error(c, GL_INVALID_VALUE);
+  if (uint64_t(image_size) != compressed_bytes(*format, width, height))
+    return set_error(c, GL_INVALID_VALUE, "imageSize");
   const auto object = target_object(c, t);
   if (object->immutable_levels) return set_error(c, GL_INVALID_OPERATION);
-  const GLenum size_error = check_image_size(t, level, width, height, 1, 0);
-  const bool fits = size_error == GL_NO_ERROR && image_bytes(*format, width, height, 1) <= kMaxImageBytes;
+  const Refusal wrong_size = check_image_size(t, level, width, height, 1, 0);
+  const bool fits = !wrong_size && image_bytes(*format, width, height, 1) <= kMaxImageBytes;
   if (t.proxy) {
     object->image[0][level] = nullptr;
     if (fits) object->image[0][level] = describe_image(*format, GLint(internal_format), width, height, 1, 0);
     return;
   }
-  if (size_error != GL_NO_ERROR) return set_error(c, size_error);
+  if (wrong_size) return set_error(c, wrong_size);
   if (!fits) return set_error(c, GL_OUT_OF_MEMORY);
   if (!find_unpack_memory(c, data, array_span(size_t(image_size), 1))) return;
   auto image = make_image(*format, GLint(internal_format), width, height, 1);
@@ -56,17 +59,19 @@ void specify_compressed(Context& c, GLenum target, GLint level, GLenum internal_
 void change_compressed(Context& c, GLenum target, GLint level, GLint x, GLint y, GLsizei width,
                        GLsizei height, GLenum format, GLsizei image_size, const void* data) {
   const ImageTarget t = image_target(target, 2);
-  if (!t.valid() || t.proxy || t.target == kTextureRectangle) return set_error(c, GL_INVALID_ENUM);
-  if (granted_format(GLint(format)) != GLint(format)) return set_error(c, GL_INVALID_ENUM); // a generic one
-  if (level < 0 || level >= max_texture_levels(t.target) || width < 0 || height < 0 || image_size < 0)
-    return set_error(c, GL_INVALID_VALUE);
+  if (!t.valid() || t.proxy || t.target == kTextureRectangle) return set_error(c, GL_INVALID_ENUM, "target");
+  if (granted_format(GLint(format)) != GLint(format))
+    return set_error(c, GL_INVALID_ENUM, "format"); // a generic one
+  if (const Refusal refusal = check_level(t, level)) return set_error(c, refusal);
+  if (const Refusal refusal = check_signs(width, height, 1)) return set_error(c, refusal);
+  if (image_size < 0) return set_error(c, GL_INVALID_VALUE, "imageSize");
   const auto object = target_object(c, t);
   const TextureImage* image = object->image[t.face][level].get();
   if (!image || image->format->block == BlockFormat::None || GLint(format) != image->internal_format)
     return set_error(c, GL_INVALID_OPERATION);
-  if (uint64_t(image_size) != compressed_bytes(*image->format, width, height) ||
-      !box_inside(*image, x, y, 0, width, height, 1))
-    return set_error(c, GL_INVALID_VALUE);
+  if (uint64_t(image_size) != compressed_bytes(*image->format, width, height))
+    return set_error(c, GL_INVALID_VALUE, "imageSize");
+  if (const Refusal refusal = check_box(*image, x, y, 0, width, height, 1)) return set_error(c, refusal);
   if (!whole_blocks(*image, x, y, width, height)) return set_error(c, GL_INVALID_OPERATION);
   if (width == 0 || height == 0) return;
   if (!find_unpack_memory(c, data, array_span(size_t(image_size), 1)) || !data) return;
@@ -87,18 +92,18 @@ namespace gl {
 
 // No compressed format has one dimension or three.
 void CompressedTexImage1D(Context& c, GLenum, GLint, GLenum, GLsizei, GLint, GLsizei, const void*) {
-  set_error(c, GL_INVALID_ENUM);
+  set_error(c, GL_INVALID_ENUM, "internalformat");
 }
 void CompressedTexImage3D(Context& c, GLenum, GLint, GLenum, GLsizei, GLsizei, GLsizei, GLint, GLsizei,
                           const void*) {
-  set_error(c, GL_INVALID_ENUM);
+  set_error(c, GL_INVALID_ENUM, "internalformat");
 }
 void CompressedTexSubImage1D(Context& c, GLenum, GLint, GLint, GLsizei, GLenum, GLsizei, const void*) {
-  set_error(c, GL_INVALID_ENUM);
+  set_error(c, GL_INVALID_ENUM, "format");
 }
 void CompressedTexSubImage3D(Context& c, GLenum, GLint, GLint, GLint, GLint, GLsizei, GLsizei, GLsizei,
                              GLenum, GLsizei, const void*) {
-  set_error(c, GL_INVALID_ENUM);
+  set_error(c, GL_INVALID_ENUM, "format");
 }
 
 void CompressedTexImage2D(Context& c, GLenum target, GLint level, GLenum internalformat, GLsizei width,
@@ -113,8 +118,8 @@ void CompressedTexSubImage2D(Context& c, GLenum target, GLint level, GLint xoffs
 
 void GetCompressedTexImage(Context& c, GLenum target, GLint level, void* pixels) {
   const ImageTarget t = any_image_target(target);
-  if (!t.valid() || t.proxy) return set_error(c, GL_INVALID_ENUM);
-  if (level < 0 || level >= max_texture_levels(t.target)) return set_error(c, GL_INVALID_VALUE);
+  if (!t.valid() || t.proxy) return set_error(c, GL_INVALID_ENUM, "target");
+  if (level < 0 || level >= max_texture_levels(t.target)) return set_error(c, GL_INVALID_VALUE, "level");
   const auto object = target_object(c, t);
   const TextureImage* image = object->image[t.face][level].get();
   if (!image || image->format->block == BlockFormat::None) return set_error(c, GL_INVALID_OPERATION);

@@ -32,7 +32,7 @@ bool has_stencil(const TextureObject& object) {
 
 void gl::GenerateMipmap(Context& c, GLenum target) {
   const TextureTarget t = binding_target(target);
-  if (t == kTextureTargets || t == kTextureRectangle) return set_error(c, GL_INVALID_ENUM);
+  if (t == kTextureTargets || t == kTextureRectangle) return set_error(c, GL_INVALID_ENUM, "target");
   const auto object = target_object(c, {t, 0, false});
   if (t == kTextureCube && !is_cube_complete(*object)) return set_error(c, GL_INVALID_OPERATION);
   // The mean of stencil values is none: GL_EXT_packed_depth_stencil leaves it open (issue 12), OpenGL 3.0 and

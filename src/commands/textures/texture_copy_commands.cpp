@@ -131,25 +131,25 @@ void copy_rectangle(Context& c, int x, int y, int width, int height, TextureImag
 void copy_image(Context& c, int dimensions, GLenum target, GLint level, GLenum internal_format, GLint x,
                 GLint y, GLsizei width, GLsizei height, GLint border) {
   const ImageTarget t = image_target(target, dimensions);
-  if (!t.valid() || t.proxy) return set_error(c, GL_INVALID_ENUM);
-  if (level < 0 || level >= max_texture_levels(t.target) || border < 0 || border > 1 || width < 0 ||
-      height < 0)
-    return set_error(c, GL_INVALID_VALUE);
+  if (!t.valid() || t.proxy) return set_error(c, GL_INVALID_ENUM, "target");
+  if (const Refusal refusal = check_level(t, level)) return set_error(c, refusal);
+  if (const Refusal refusal = check_border(border)) return set_error(c, refusal);
+  if (const Refusal refusal = check_signs(width, height, 1)) return set_error(c, refusal);
   if (!flush_for_reading(c)) return set_error(c, GL_INVALID_FRAMEBUFFER_OPERATION);
   if (c.read->surface.samples > 1) return set_error(c, GL_INVALID_OPERATION);
   // The numbers 1 to 4 are no formats here (3.8.2).
   const TexelFormat* chosen =
       internal_format <= 4 ? nullptr : choose_texel_format(GLint(internal_format), 0, 0, false);
-  if (!chosen) return set_error(c, GL_INVALID_ENUM);
+  if (!chosen) return set_error(c, GL_INVALID_ENUM, "internalformat");
   const auto object = target_object(c, t);
   if (object->immutable_levels) return set_error(c, GL_INVALID_OPERATION);
   const TexelFormat* texel =
       &level_format(*object, t.face, level, granted_format(GLint(internal_format)), *chosen);
   if (lacks_buffer(c, *texel)) return set_error(c, GL_INVALID_OPERATION);
-  if (!takes_target(*texel, t.target)) return set_error(c, GL_INVALID_ENUM);
+  if (!takes_target(*texel, t.target)) return set_error(c, GL_INVALID_ENUM, "internalformat");
   if (border != 0 && texel->block != BlockFormat::None) return set_error(c, GL_INVALID_OPERATION);
-  if (GLenum error = check_image_size(t, level, width, height, 1, border); error != GL_NO_ERROR)
-    return set_error(c, error);
+  if (const Refusal refusal = check_image_size(t, level, width, height, 1, border))
+    return set_error(c, refusal);
   if (image_bytes(*texel, width, height, 1) > kMaxImageBytes) return set_error(c, GL_OUT_OF_MEMORY);
   auto image = make_image(*texel, granted_format(GLint(internal_format)), width - 2 * border,
                           dimensions > 1 ? height - 2 * border : 1, 1);
@@ -164,16 +164,17 @@ void copy_image(Context& c, int dimensions, GLenum target, GLint level, GLenum i
 void copy_sub_image(Context& c, int dimensions, GLenum target, GLint level, GLint to_x, GLint to_y,
                     GLint to_z, GLint x, GLint y, GLsizei width, GLsizei height) {
   const ImageTarget t = image_target(target, dimensions);
-  if (!t.valid() || t.proxy) return set_error(c, GL_INVALID_ENUM);
-  if (level < 0 || level >= max_texture_levels(t.target) || width < 0 || height < 0)
-    return set_error(c, GL_INVALID_VALUE);
+  if (!t.valid() || t.proxy) return set_error(c, GL_INVALID_ENUM, "target");
+  if (const Refusal refusal = check_level(t, level)) return set_error(c, refusal);
+  if (const Refusal refusal = check_signs(width, height, 1)) return set_error(c, refusal);
   // A frame that still samples the image is done then, so no copy has to be made of it.
   if (!flush_for_reading(c)) return set_error(c, GL_INVALID_FRAMEBUFFER_OPERATION);
   if (c.read->surface.samples > 1) return set_error(c, GL_INVALID_OPERATION);
   const auto object = target_object(c, t);
   const TextureImage* image = object->image[t.face][level].get();
   if (!image) return set_error(c, GL_INVALID_OPERATION);
-  if (!box_inside(*image, to_x, to_y, to_z, width, height, 1)) return set_error(c, GL_INVALID_VALUE);
+  if (const Refusal refusal = check_box(*image, to_x, to_y, to_z, width, height, 1))
+    return set_error(c, refusal);
   if (lacks_buffer(c, *image->format) || !whole_blocks(*image, to_x, to_y, width, height))
     return set_error(c, GL_INVALID_OPERATION);
   // Texels that would come from outside the window are undefined (3.8.2); as in OSMesa they stay what they

@@ -101,17 +101,25 @@ void set_environment(Context& c, GLenum pname, const float* params) {
   if (GLenum* member = environment_enum(unit, pname)) {
     GLenum value = to_enum(params[0]);
     if (pname == GL_TEXTURE_ENV_MODE && value == GL_REPLACE_EXT) value = GL_REPLACE;
-    if (!is_legal(pname, value)) return set_error(c, GL_INVALID_ENUM);
+    if (!is_legal(pname, value)) return set_error(c, GL_INVALID_ENUM, "params");
     *member = value;
   } else if (float* scale = environment_scale(unit, pname)) {
-    if (params[0] != 1.0f && params[0] != 2.0f && params[0] != 4.0f) return set_error(c, GL_INVALID_VALUE);
+    if (params[0] != 1.0f && params[0] != 2.0f && params[0] != 4.0f)
+      return set_error(c, GL_INVALID_VALUE, "params");
     *scale = params[0];
   } else if (pname == GL_TEXTURE_ENV_COLOR) {
     unit.env_color = {params[0], params[1], params[2], params[3]};
   } else {
-    return set_error(c, GL_INVALID_ENUM);
+    return set_error(c, GL_INVALID_ENUM, "pname");
   }
   c.dirty |= kDirtyTexture;
+}
+
+/// Of a target and a parameter that do not belong together.
+const char* wrong_environment_argument(GLenum target) {
+  const bool known =
+      target == GL_TEXTURE_ENV || target == GL_TEXTURE_FILTER_CONTROL || target == GL_POINT_SPRITE;
+  return known ? "pname" : "target";
 }
 
 // The values of a TexEnv query; count 0 and an error if there are none.
@@ -127,7 +135,7 @@ Answer environment(Context& c, GLenum target, GLenum pname) {
     if (const float* scale = environment_scale(unit, pname)) return {{*scale}, 1, Conversion::Float};
     if (pname == GL_TEXTURE_ENV_COLOR) {
       Answer answer{{}, 4, Conversion::Normal};
-      const bool clamp = clamps(*c.draw, c.state.color_buffer.clamp_fragment_color);
+      const bool clamp = clamps_queried_colors(c);
       for (int i = 0; i < 4; ++i) {
         const float v = unit.env_color[i];
         answer.v[i] = clamp ? (v > 0.0f ? (v > 1.0f ? 1.0f : v) : 0.0f) : v;
@@ -139,14 +147,14 @@ Answer environment(Context& c, GLenum target, GLenum pname) {
   } else if (target == GL_POINT_SPRITE && pname == GL_COORD_REPLACE) {
     return {{float(c.state.point.coord_replace >> c.state.texture.active_unit & 1)}, 1};
   }
-  set_error(c, GL_INVALID_ENUM);
+  set_error(c, GL_INVALID_ENUM, wrong_environment_argument(target));
   return {};
 }
 
 TextureGeneration* generation(Context& c, GLenum coord) {
   const GLenum i = coord - GL_S;
   if (i < 4) return &active_unit(c).generation[i];
-  set_error(c, GL_INVALID_ENUM);
+  set_error(c, GL_INVALID_ENUM, "coord");
   return nullptr;
 }
 
@@ -166,14 +174,14 @@ template <class T> void get_generation(Context& c, GLenum coord, GLenum pname, T
     for (int i = 0; i < 4; ++i)
       params[i] = convert((pname == GL_EYE_PLANE ? g->eye_plane : g->object_plane)[i]);
     break;
-  default: set_error(c, GL_INVALID_ENUM);
+  default: set_error(c, GL_INVALID_ENUM, "pname");
   }
 }
 
 } // namespace
 
 void ActiveTexture(Context& c, GLenum texture) {
-  if (texture - GL_TEXTURE0 >= GLenum(kMaxTextureUnits)) return set_error(c, GL_INVALID_ENUM);
+  if (texture - GL_TEXTURE0 >= GLenum(kMaxTextureUnits)) return set_error(c, GL_INVALID_ENUM, "texture");
   c.state.texture.active_unit = int(texture - GL_TEXTURE0);
 }
 void TexEnv(Context& c, GLenum target, GLenum pname, const GLfloat* params) {
@@ -184,11 +192,11 @@ void TexEnv(Context& c, GLenum target, GLenum pname, const GLfloat* params) {
     active_unit(c).lod_bias = params[0];
     c.dirty |= kDirtyTexture;
   } else if (target == GL_POINT_SPRITE && pname == GL_COORD_REPLACE) {
-    if (params[0] != 0.0f && params[0] != 1.0f) return set_error(c, GL_INVALID_VALUE);
+    if (params[0] != 0.0f && params[0] != 1.0f) return set_error(c, GL_INVALID_VALUE, "params");
     uint32_t& units = edit<&State::point>(c).coord_replace;
     units = (units & ~(1u << i)) | uint32_t(params[0]) << i;
   } else {
-    set_error(c, GL_INVALID_ENUM);
+    set_error(c, GL_INVALID_ENUM, wrong_environment_argument(target));
   }
 }
 
@@ -211,13 +219,13 @@ void TexGen(Context& c, GLenum coord, GLenum pname, const GLfloat* params) {
     const bool legal = mode == GL_OBJECT_LINEAR || mode == GL_EYE_LINEAR ||
                        (mode == GL_SPHERE_MAP && coord <= GL_T) ||
                        ((mode == GL_REFLECTION_MAP || mode == GL_NORMAL_MAP) && coord != GL_Q);
-    if (!legal) return set_error(c, GL_INVALID_ENUM);
+    if (!legal) return set_error(c, GL_INVALID_ENUM, "params");
     g->mode = mode;
     break;
   }
   case GL_OBJECT_PLANE: g->object_plane = plane(); break;
   case GL_EYE_PLANE: g->eye_plane = transform_plane(plane(), inverse(c.matrices.modelview.top())); break;
-  default: return set_error(c, GL_INVALID_ENUM);
+  default: return set_error(c, GL_INVALID_ENUM, "pname");
   }
   c.dirty |= kDirtyTextureGeneration;
 }

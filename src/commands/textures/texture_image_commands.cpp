@@ -10,10 +10,25 @@
 
 namespace softgl {
 
-GLenum check_image_size(const ImageTarget& t, GLint level, GLsizei width, GLsizei height, GLsizei depth,
-                        GLint border) {
-  if (level < 0 || level >= max_texture_levels(t.target)) return GL_INVALID_VALUE;
-  if (border < 0 || border > 1 || (border != 0 && t.target == kTextureRectangle)) return GL_INVALID_VALUE;
+Refusal check_level(const ImageTarget& t, GLint level) {
+  const bool wrong = level < 0 || level >= max_texture_levels(t.target);
+  return wrong ? Refusal{GL_INVALID_VALUE, "level"} : Refusal{};
+}
+
+Refusal check_signs(GLsizei width, GLsizei height, GLsizei depth) {
+  const char* wrong = first_wrong({{"width", width < 0}, {"height", height < 0}, {"depth", depth < 0}});
+  return wrong ? Refusal{GL_INVALID_VALUE, wrong} : Refusal{};
+}
+
+Refusal check_border(GLint border) {
+  return border < 0 || border > 1 ? Refusal{GL_INVALID_VALUE, "border"} : Refusal{};
+}
+
+Refusal check_image_size(const ImageTarget& t, GLint level, GLsizei width, GLsizei height, GLsizei depth,
+                         GLint border) {
+  if (const Refusal refusal = check_level(t, level)) return refusal;
+  if (border != 0 && t.target == kTextureRectangle) return {GL_INVALID_VALUE, "border"};
+  if (const Refusal refusal = check_border(border)) return refusal;
   const int largest = max_texture_size(t.target) >> level;
   // Any size will do: GL_ARB_texture_non_power_of_two.
   auto legal = [&](GLsizei size, bool bordered) {
@@ -21,10 +36,11 @@ GLenum check_image_size(const ImageTarget& t, GLint level, GLsizei width, GLsize
     return size >= 2 * b && size - 2 * b <= largest;
   };
   const bool two = t.target != kTexture1D, three = t.target == kTexture3D;
-  if (!legal(width, true) || (two && !legal(height, true)) || (three && !legal(depth, true)))
-    return GL_INVALID_VALUE;
-  if (t.target == kTextureCube && width != height) return GL_INVALID_VALUE;
-  return GL_NO_ERROR;
+  const char* wrong = first_wrong({{"width", !legal(width, true)},
+                                   {"height", two && !legal(height, true)},
+                                   {"depth", three && !legal(depth, true)},
+                                   {"height", t.target == kTextureCube && width != height}});
+  return wrong ? Refusal{GL_INVALID_VALUE, wrong} : Refusal{};
 }
 
 void mark_images(Context& c, const TextureObject& object) {
@@ -101,25 +117,23 @@ void store_box(Context& c, TextureImage& image, int x, int y, int z, int width, 
   image.texels_changed({x, y, z, width, height, depth});
 }
 
-GLenum check_format(GLint internal_format, GLenum format, GLenum type) {
-  if (GLenum error = check_pixel_format(format, type); error != GL_NO_ERROR) return error;
-  if (format == GL_STENCIL_INDEX) return GL_INVALID_ENUM;
+Refusal check_format(GLint internal_format, GLenum format, GLenum type) {
+  if (const Refusal refusal = check_pixel_format(format, type)) return refusal;
+  if (format == GL_STENCIL_INDEX) return {GL_INVALID_ENUM, "format"};
   const GLenum base = base_internal_format(internal_format);
-  if (base == 0) return GL_INVALID_VALUE;
-  if (!same_kind(base, format)) return GL_INVALID_OPERATION;
-  return GL_NO_ERROR;
+  if (base == 0) return {GL_INVALID_VALUE, "internalformat"};
+  return same_kind(base, format) ? Refusal{} : Refusal{GL_INVALID_OPERATION};
 }
 
 void specify_image(Context& c, int dimensions, GLenum target, GLint level, GLint internal_format,
                    GLsizei width, GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type,
                    const void* pixels) {
   const ImageTarget t = image_target(target, dimensions);
-  if (!t.valid()) return set_error(c, GL_INVALID_ENUM);
-  if (level < 0 || level >= max_texture_levels(t.target) || border < 0 || border > 1 || width < 0 ||
-      height < 0 || depth < 0)
-    return set_error(c, GL_INVALID_VALUE);
-  if (GLenum error = check_format(internal_format, format, type); error != GL_NO_ERROR)
-    return set_error(c, error);
+  if (!t.valid()) return set_error(c, GL_INVALID_ENUM, "target");
+  if (const Refusal refusal = check_level(t, level)) return set_error(c, refusal);
+  if (const Refusal refusal = check_border(border)) return set_error(c, refusal);
+  if (const Refusal refusal = check_signs(width, height, depth)) return set_error(c, refusal);
+  if (const Refusal refusal = check_format(internal_format, format, type)) return set_error(c, refusal);
   const auto object = target_object(c, t);
   if (object->immutable_levels) return set_error(c, GL_INVALID_OPERATION);
   const TexelFormat& texel = level_format(
@@ -127,10 +141,10 @@ void specify_image(Context& c, int dimensions, GLenum target, GLint level, GLint
       *choose_texel_format(internal_format, format, type, c.client.pixel_store.unpack.swap_bytes));
   // Cube maps of depths came with GL_EXT_gpu_shader4 and OpenGL 3.0; programs take them for granted.
   if (texel.layout == TexelLayout::Depth && t.target == kTexture3D) return set_error(c, GL_INVALID_OPERATION);
-  if (!takes_target(texel, t.target)) return set_error(c, GL_INVALID_ENUM);
+  if (!takes_target(texel, t.target)) return set_error(c, GL_INVALID_ENUM, "internalformat");
   if (border != 0 && texel.block != BlockFormat::None) return set_error(c, GL_INVALID_OPERATION);
-  const GLenum size_error = check_image_size(t, level, width, height, depth, border);
-  const bool fits = size_error == GL_NO_ERROR && image_bytes(texel, width, height, depth) <= kMaxImageBytes;
+  const Refusal wrong_size = check_image_size(t, level, width, height, depth, border);
+  const bool fits = !wrong_size && image_bytes(texel, width, height, depth) <= kMaxImageBytes;
   if (t.proxy) {
     object->image[0][level] = nullptr;
     if (fits)
@@ -138,7 +152,7 @@ void specify_image(Context& c, int dimensions, GLenum target, GLint level, GLint
           describe_image(texel, granted_format(internal_format), width, height, depth, border);
     return;
   }
-  if (size_error != GL_NO_ERROR) return set_error(c, size_error);
+  if (wrong_size) return set_error(c, wrong_size);
   if (!fits) return set_error(c, GL_OUT_OF_MEMORY);
   const PixelFormat f = describe_pixel_format(format, type);
   ImageLayout layout = layout_image(c.client.pixel_store.unpack, dimensions, width, height, f);
@@ -168,15 +182,15 @@ void change_image(Context& c, int dimensions, GLenum target, GLint level, GLint 
                   GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type,
                   const void* pixels) {
   const ImageTarget t = image_target(target, dimensions);
-  if (!t.valid() || t.proxy) return set_error(c, GL_INVALID_ENUM);
-  if (level < 0 || level >= max_texture_levels(t.target) || width < 0 || height < 0 || depth < 0)
-    return set_error(c, GL_INVALID_VALUE);
-  if (GLenum error = check_pixel_format(format, type); error != GL_NO_ERROR) return set_error(c, error);
+  if (!t.valid() || t.proxy) return set_error(c, GL_INVALID_ENUM, "target");
+  if (const Refusal refusal = check_level(t, level)) return set_error(c, refusal);
+  if (const Refusal refusal = check_signs(width, height, depth)) return set_error(c, refusal);
+  if (const Refusal refusal = check_pixel_format(format, type)) return set_error(c, refusal);
   const auto object = target_object(c, t);
   const TextureImage* image = object->image[t.face][level].get();
   if (!image) return set_error(c, GL_INVALID_OPERATION);
-  if (!box_inside(*image, x, y, z, width, height, depth)) return set_error(c, GL_INVALID_VALUE);
-  if (format == GL_STENCIL_INDEX) return set_error(c, GL_INVALID_ENUM);
+  if (const Refusal refusal = check_box(*image, x, y, z, width, height, depth)) return set_error(c, refusal);
+  if (format == GL_STENCIL_INDEX) return set_error(c, GL_INVALID_ENUM, "format");
   if (!same_kind(image->format->base, format)) return set_error(c, GL_INVALID_OPERATION);
   if (!whole_blocks(*image, x, y, width, height)) return set_error(c, GL_INVALID_OPERATION);
   if (width == 0 || height == 0 || depth == 0) return;
@@ -200,10 +214,18 @@ bool same_kind(GLenum base, GLenum format) {
   return kind(base) == kind(format);
 }
 
-bool box_inside(const TextureImage& image, GLint x, GLint y, GLint z, GLsizei width, GLsizei height,
-                GLsizei depth) {
-  return x >= 0 && y >= 0 && z >= 0 && int64_t(x) + width <= image.width &&
-         int64_t(y) + height <= image.height && int64_t(z) + depth <= image.depth;
+Refusal check_box(const TextureImage& image, GLint x, GLint y, GLint z, GLsizei width, GLsizei height,
+                  GLsizei depth) {
+  const auto begins_outside = [](GLint begin, GLsizei size, int end) {
+    return begin < 0 || begin > end || (begin == end && size > 0);
+  };
+  const char* wrong = first_wrong({{"xoffset", begins_outside(x, width, image.width)},
+                                   {"yoffset", begins_outside(y, height, image.height)},
+                                   {"zoffset", begins_outside(z, depth, image.depth)},
+                                   {"width", int64_t(x) + width > image.width},
+                                   {"height", int64_t(y) + height > image.height},
+                                   {"depth", int64_t(z) + depth > image.depth}});
+  return wrong ? Refusal{GL_INVALID_VALUE, wrong} : Refusal{};
 }
 
 namespace gl {
@@ -236,10 +258,10 @@ void TexSubImage3D(Context& c, GLenum target, GLint level, GLint xoffset, GLint 
 
 void GetTexImage(Context& c, GLenum target, GLint level, GLenum format, GLenum type, void* pixels) {
   const ImageTarget t = any_image_target(target);
-  if (!t.valid() || t.proxy) return set_error(c, GL_INVALID_ENUM);
-  if (level < 0 || level >= max_texture_levels(t.target)) return set_error(c, GL_INVALID_VALUE);
-  if (GLenum error = check_pixel_format(format, type); error != GL_NO_ERROR) return set_error(c, error);
-  if (format == GL_STENCIL_INDEX || format == GL_COLOR_INDEX) return set_error(c, GL_INVALID_ENUM);
+  if (!t.valid() || t.proxy) return set_error(c, GL_INVALID_ENUM, "target");
+  if (level < 0 || level >= max_texture_levels(t.target)) return set_error(c, GL_INVALID_VALUE, "level");
+  if (const Refusal refusal = check_pixel_format(format, type)) return set_error(c, refusal);
+  if (format == GL_STENCIL_INDEX || format == GL_COLOR_INDEX) return set_error(c, GL_INVALID_ENUM, "format");
   const auto object = target_object(c, t);
   const TextureImage* image = object->image[t.face][level].get();
   if (!image || image->empty() || (!pixels && !c.client.pixel_store.pack_buffer.object)) return;

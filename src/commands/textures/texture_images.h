@@ -1,13 +1,21 @@
 // What the image commands share: checks of sizes, and what goes with a change.
 #pragma once
 
+#include "base/refusal.h"
 #include "commands/textures/texture_targets.h"
 
 namespace softgl {
 
-/// GL_NO_ERROR or GL_INVALID_VALUE (3.8.1). Sizes include the border.
-GLenum check_image_size(const ImageTarget& target, GLint level, GLsizei width, GLsizei height, GLsizei depth,
-                        GLint border);
+/// What of an image is wrong with GL_INVALID_VALUE (3.8.1): its level, a negative size, its border.
+Refusal check_level(const ImageTarget& target, GLint level);
+Refusal check_signs(GLsizei width, GLsizei height, GLsizei depth);
+Refusal check_border(GLint border);
+/// All of that, and sizes that are too large. They include the border.
+Refusal check_image_size(const ImageTarget& target, GLint level, GLsizei width, GLsizei height, GLsizei depth,
+                         GLint border);
+/// A part of an image that does not lie inside (3.8.2).
+Refusal check_box(const TextureImage& image, GLint x, GLint y, GLint z, GLsizei width, GLsizei height,
+                  GLsizei depth);
 /// Whether client pixels of `format` and texels of a base format go together: colors, depths, or both of
 /// GL_DEPTH_STENCIL (3.8.1).
 bool same_kind(GLenum base, GLenum format);
@@ -21,8 +29,6 @@ bool whole_blocks(const TextureImage& image, GLint x, GLint y, GLsizei width, GL
 /// The image of a proxy is only a description; what is impossible leaves it empty, without an error (3.8.11).
 std::shared_ptr<TextureImage> describe_image(const TexelFormat& format, GLint internal_format, GLsizei width,
                                              GLsizei height, GLsizei depth, GLint border);
-bool box_inside(const TextureImage& image, GLint x, GLint y, GLint z, GLsizei width, GLsizei height,
-                GLsizei depth);
 /// Marks the state. Called before the first image changes: where memory ends, some of them have changed.
 void mark_images(Context& c, const TextureObject& object);
 /// After a change: regenerates mipmaps if that is asked for (3.8.8). Throws std::bad_alloc.

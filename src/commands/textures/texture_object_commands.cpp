@@ -9,13 +9,13 @@
 namespace softgl::gl {
 
 void GenTextures(Context& c, GLsizei n, GLuint* textures) {
-  if (n < 0) return set_error(c, GL_INVALID_VALUE);
+  if (n < 0) return set_error(c, GL_INVALID_VALUE, "n");
   if (!textures) return;
   if (!c.shared->textures.reserve(n, textures)) set_error(c, GL_OUT_OF_MEMORY);
 }
 
 void DeleteTextures(Context& c, GLsizei n, const GLuint* textures) {
-  if (n < 0) return set_error(c, GL_INVALID_VALUE);
+  if (n < 0) return set_error(c, GL_INVALID_VALUE, "n");
   if (!textures) return;
   for (GLsizei i = 0; i < n; ++i) {
     if (textures[i] == 0) continue;
@@ -33,7 +33,7 @@ void DeleteTextures(Context& c, GLsizei n, const GLuint* textures) {
 
 void BindTexture(Context& c, GLenum target, GLuint texture) {
   const TextureTarget t = binding_target(target);
-  if (t == kTextureTargets) return set_error(c, GL_INVALID_ENUM);
+  if (t == kTextureTargets) return set_error(c, GL_INVALID_ENUM, "target");
   GLuint& bound = c.state.texture.unit[c.state.texture.active_unit].bound[t];
   const auto object = texture ? c.shared->textures.find(texture) : nullptr;
   if (object && object->target != t) return set_error(c, GL_INVALID_OPERATION);
@@ -52,16 +52,16 @@ GLboolean IsTexture(Context& c, GLuint texture) {
 }
 
 GLboolean AreTexturesResident(Context& c, GLsizei n, const GLuint* textures, GLboolean*) {
-  if (n < 0) return set_error(c, GL_INVALID_VALUE), GL_FALSE;
+  if (n < 0) return set_error(c, GL_INVALID_VALUE, "n"), GL_FALSE;
   if (!textures) return GL_FALSE;
   for (GLsizei i = 0; i < n; ++i)
     if (textures[i] == 0 || !c.shared->textures.find(textures[i]))
-      return set_error(c, GL_INVALID_VALUE), GL_FALSE;
+      return set_error(c, GL_INVALID_VALUE, "textures"), GL_FALSE;
   return GL_TRUE; // all of memory is texture memory
 }
 
 void PrioritizeTextures(Context& c, GLsizei n, const GLuint* textures, const GLfloat* priorities) {
-  if (n < 0) return set_error(c, GL_INVALID_VALUE);
+  if (n < 0) return set_error(c, GL_INVALID_VALUE, "n");
   if (!textures || !priorities) return;
   for (GLsizei i = 0; i < n; ++i)
     if (auto object = textures[i] ? c.shared->textures.find(textures[i]) : nullptr)

@@ -39,7 +39,7 @@ GLint color_to_int(float v) { return GLint(2147483647.0 * double(std::clamp(v, -
 
 void TexParameter(Context& c, GLenum target, GLenum pname, const GLfloat* params) {
   const TextureTarget t = binding_target(target);
-  if (t == kTextureTargets) return set_error(c, GL_INVALID_ENUM);
+  if (t == kTextureTargets) return set_error(c, GL_INVALID_ENUM, "target");
   const auto object = bound_texture(c, c.state.texture.active_unit, t);
   TextureParameters& p = object->parameters;
   const float value = params[0];
@@ -48,17 +48,17 @@ void TexParameter(Context& c, GLenum target, GLenum pname, const GLfloat* params
   case GL_TEXTURE_WRAP_S:
   case GL_TEXTURE_WRAP_T:
   case GL_TEXTURE_WRAP_R:
-    if (!wrap_allowed(token, t)) return set_error(c, GL_INVALID_ENUM);
+    if (!wrap_allowed(token, t)) return set_error(c, GL_INVALID_ENUM, "params");
     p.wrap[pname == GL_TEXTURE_WRAP_S ? 0 : pname == GL_TEXTURE_WRAP_T ? 1 : 2] = token;
     break;
   case GL_TEXTURE_MIN_FILTER:
     if (token != GL_NEAREST && token != GL_LINEAR &&
         (t == kTextureRectangle || token < GL_NEAREST_MIPMAP_NEAREST || token > GL_LINEAR_MIPMAP_LINEAR))
-      return set_error(c, GL_INVALID_ENUM);
+      return set_error(c, GL_INVALID_ENUM, "params");
     p.min_filter = token;
     break;
   case GL_TEXTURE_MAG_FILTER:
-    if (token != GL_NEAREST && token != GL_LINEAR) return set_error(c, GL_INVALID_ENUM);
+    if (token != GL_NEAREST && token != GL_LINEAR) return set_error(c, GL_INVALID_ENUM, "params");
     p.mag_filter = token;
     break;
   case GL_TEXTURE_BORDER_COLOR:
@@ -66,45 +66,49 @@ void TexParameter(Context& c, GLenum target, GLenum pname, const GLfloat* params
     break;
   case GL_TEXTURE_PRIORITY: p.priority = unit_range(value); break;
   case GL_TEXTURE_SRGB_DECODE_EXT:
-    if (token != GL_DECODE_EXT && token != GL_SKIP_DECODE_EXT) return set_error(c, GL_INVALID_ENUM);
+    if (token != GL_DECODE_EXT && token != GL_SKIP_DECODE_EXT) return set_error(c, GL_INVALID_ENUM, "params");
     p.srgb_decode = token;
     break;
   case GL_TEXTURE_MIN_LOD: p.min_lod = value; break;
   case GL_TEXTURE_MAX_LOD: p.max_lod = value; break;
   case GL_TEXTURE_LOD_BIAS: p.lod_bias = value; break;
   case GL_TEXTURE_MAX_ANISOTROPY_EXT:
-    if (!(value >= 1)) return set_error(c, GL_INVALID_VALUE);
+    if (!(value >= 1)) return set_error(c, GL_INVALID_VALUE, "params");
     p.max_anisotropy = std::min(value, kMaxAnisotropy);
     break;
   case GL_TEXTURE_BASE_LEVEL:
     if (nearest(value) < 0 || (t == kTextureRectangle && nearest(value) != 0))
-      return set_error(c, GL_INVALID_VALUE);
-    p.base_level = nearest(value);
+      return set_error(c, GL_INVALID_VALUE, "params");
+    p.base_level = object->level_within(nearest(value), 0);
     break;
   case GL_TEXTURE_MAX_LEVEL:
-    if (nearest(value) < 0) return set_error(c, GL_INVALID_VALUE);
-    p.max_level = nearest(value);
+    if (nearest(value) < 0) return set_error(c, GL_INVALID_VALUE, "params");
+    p.max_level = object->level_within(nearest(value), p.base_level);
     break;
   case GL_GENERATE_MIPMAP: p.generate_mipmap = value != 0; break;
   case GL_DEPTH_TEXTURE_MODE:
     if (token != GL_LUMINANCE && token != GL_INTENSITY && token != GL_ALPHA && token != GL_RED)
-      return set_error(c, GL_INVALID_ENUM);
+      return set_error(c, GL_INVALID_ENUM, "params");
     p.depth_mode = token;
     break;
   case GL_TEXTURE_COMPARE_MODE:
-    if (token != GL_NONE && token != GL_COMPARE_R_TO_TEXTURE) return set_error(c, GL_INVALID_ENUM);
+    if (token != GL_NONE && token != GL_COMPARE_R_TO_TEXTURE) return set_error(c, GL_INVALID_ENUM, "params");
     p.compare_mode = token;
     break;
   case GL_TEXTURE_COMPARE_FUNC:
-    if (!compare_function(token)) return set_error(c, GL_INVALID_ENUM);
+    if (!compare_function(token)) return set_error(c, GL_INVALID_ENUM, "params");
     p.compare_function = token;
     break;
-  default: return set_error(c, GL_INVALID_ENUM);
+  default: return set_error(c, GL_INVALID_ENUM, "pname");
   }
   c.dirty |= kDirtyTextureObjects;
 }
 
 namespace {
+
+const char* wrong_query_argument(GLenum target) {
+  return binding_target(target) == kTextureTargets ? "target" : "pname";
+}
 
 /// Number of values, 0 for an unknown name. Colors are marked, because they scale as integers.
 int get_parameter(Context& c, GLenum target, GLenum pname, float* v, bool& color) {
@@ -122,8 +126,7 @@ int get_parameter(Context& c, GLenum target, GLenum pname, float* v, bool& color
   case GL_TEXTURE_BORDER_COLOR:
     color = true;
     for (int i = 0; i < 4; ++i)
-      v[i] = clamps(*c.draw, c.state.color_buffer.clamp_fragment_color) ? unit_range(p.border_color[i])
-                                                                        : p.border_color[i];
+      v[i] = clamps_queried_colors(c) ? unit_range(p.border_color[i]) : p.border_color[i];
     return 4;
   case GL_TEXTURE_PRIORITY:
     color = true;
@@ -149,8 +152,9 @@ int get_parameter(Context& c, GLenum target, GLenum pname, float* v, bool& color
 /// False after an error.
 bool get_level_parameter(Context& c, GLenum target, GLint level, GLenum pname, GLint& value) {
   const ImageTarget t = any_image_target(target);
-  if (!t.valid()) return set_error(c, GL_INVALID_ENUM), false;
-  if (level < 0 || level >= max_texture_levels(t.target)) return set_error(c, GL_INVALID_VALUE), false;
+  if (!t.valid()) return set_error(c, GL_INVALID_ENUM, "target"), false;
+  if (level < 0 || level >= max_texture_levels(t.target))
+    return set_error(c, GL_INVALID_VALUE, "level"), false;
   const auto object = target_object(c, t);
   const TextureImage* image = object->image[t.face][level].get();
   const TexelFormat* f = image ? image->format : nullptr;
@@ -199,7 +203,7 @@ bool get_level_parameter(Context& c, GLenum target, GLint level, GLenum pname, G
     if (!compressed || t.proxy) return set_error(c, GL_INVALID_OPERATION), false;
     value = GLint(image->blocks.size());
     return true;
-  default: return set_error(c, GL_INVALID_ENUM), false;
+  default: return set_error(c, GL_INVALID_ENUM, "pname"), false;
   }
 }
 
@@ -209,7 +213,7 @@ void GetTexParameterfv(Context& c, GLenum target, GLenum pname, GLfloat* params)
   float v[4];
   bool color;
   const int n = get_parameter(c, target, pname, v, color);
-  if (n == 0) return set_error(c, GL_INVALID_ENUM);
+  if (n == 0) return set_error(c, GL_INVALID_ENUM, wrong_query_argument(target));
   std::copy_n(v, n, params);
 }
 
@@ -217,7 +221,7 @@ void GetTexParameteriv(Context& c, GLenum target, GLenum pname, GLint* params) {
   float v[4];
   bool color;
   const int n = get_parameter(c, target, pname, v, color);
-  if (n == 0) return set_error(c, GL_INVALID_ENUM);
+  if (n == 0) return set_error(c, GL_INVALID_ENUM, wrong_query_argument(target));
   for (int i = 0; i < n; ++i) params[i] = color ? color_to_int(v[i]) : to_int(v[i]);
 }
 

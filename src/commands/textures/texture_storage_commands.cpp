@@ -58,14 +58,17 @@ Size size_of_level(const ImageTarget& t, const Size& s, int level) {
 }
 
 /// The error of arguments that no texture could have.
-GLenum check(const ImageTarget& t, const TexelFormat* format, GLsizei levels, const Size& s) {
-  if (!t.valid() || !format || !takes_target(*format, t.target)) return GL_INVALID_ENUM;
-  if (levels < 1 || s.width < 1 || s.height < 1 || s.depth < 1) return GL_INVALID_VALUE;
+Refusal check(const ImageTarget& t, const TexelFormat* format, GLsizei levels, const Size& s) {
+  if (!t.valid()) return {GL_INVALID_ENUM, "target"};
+  if (!format || !takes_target(*format, t.target)) return {GL_INVALID_ENUM, "internalformat"};
+  if (const char* wrong = first_wrong(
+          {{"levels", levels < 1}, {"width", s.width < 1}, {"height", s.height < 1}, {"depth", s.depth < 1}}))
+    return {GL_INVALID_VALUE, wrong};
   int most = 1;
   for (int size = std::max({s.width, s.height, s.depth}); size > 1; size >>= 1) ++most;
-  if (levels > std::min(most, max_texture_levels(t.target))) return GL_INVALID_OPERATION;
-  if (format->layout == TexelLayout::Depth && t.target == kTexture3D) return GL_INVALID_OPERATION;
-  return GL_NO_ERROR;
+  if (levels > std::min(most, max_texture_levels(t.target))) return {GL_INVALID_OPERATION};
+  if (format->layout == TexelLayout::Depth && t.target == kTexture3D) return {GL_INVALID_OPERATION};
+  return {};
 }
 
 void describe_proxy(Context& c, const ImageTarget& t, GLsizei levels, const TexelFormat& format,
@@ -83,14 +86,13 @@ void describe_proxy(Context& c, const ImageTarget& t, GLsizei levels, const Texe
 void store(Context& c, int dimensions, GLenum target, GLsizei levels, GLenum internal_format, const Size& s) {
   const ImageTarget t = storage_target(target, dimensions);
   const TexelFormat* format = sized_format(internal_format);
-  if (const GLenum error = check(t, format, levels, s)) return set_error(c, error);
-  const GLenum size_error = check_image_size(t, 0, s.width, s.height, s.depth, 0);
-  const bool fits =
-      size_error == GL_NO_ERROR && image_bytes(*format, s.width, s.height, s.depth) <= kMaxImageBytes;
+  if (const Refusal refusal = check(t, format, levels, s)) return set_error(c, refusal);
+  const Refusal wrong_size = check_image_size(t, 0, s.width, s.height, s.depth, 0);
+  const bool fits = !wrong_size && image_bytes(*format, s.width, s.height, s.depth) <= kMaxImageBytes;
   if (t.proxy) return describe_proxy(c, t, levels, *format, internal_format, s, fits);
   const auto object = target_object(c, t);
   if (object->name == 0 || object->immutable_levels) return set_error(c, GL_INVALID_OPERATION);
-  if (size_error != GL_NO_ERROR) return set_error(c, size_error);
+  if (wrong_size) return set_error(c, wrong_size);
   if (!fits) return set_error(c, GL_OUT_OF_MEMORY);
   std::vector<std::shared_ptr<TextureImage>> made;
   const int faces = t.target == kTextureCube ? 6 : 1;

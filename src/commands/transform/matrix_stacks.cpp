@@ -19,7 +19,7 @@ Matrix& edit_matrix(Context& c) { return edit_stack(c).top(); }
 
 void MatrixMode(Context& c, GLenum mode) {
   if (mode != GL_MODELVIEW && mode != GL_PROJECTION && mode != GL_TEXTURE)
-    return set_error(c, GL_INVALID_ENUM);
+    return set_error(c, GL_INVALID_ENUM, "mode");
   c.state.transform.matrix_mode = mode;
 }
 
@@ -36,12 +36,17 @@ void Scale(Context& c, float x, float y, float z) { scale(edit_matrix(c), x, y, 
 
 void Frustum(Context& c, float left, float right, float bottom, float top, float near_value,
              float far_value) {
-  if (near_value <= 0.0f || far_value <= 0.0f || near_value == far_value || left == right || bottom == top)
-    return set_error(c, GL_INVALID_VALUE);
+  if (const char* wrong = first_wrong({{"zNear", near_value <= 0.0f},
+                                       {"zFar", far_value <= 0.0f || near_value == far_value},
+                                       {"right", left == right},
+                                       {"top", bottom == top}}))
+    return set_error(c, GL_INVALID_VALUE, wrong);
   frustum(edit_matrix(c), left, right, bottom, top, near_value, far_value);
 }
 void Ortho(Context& c, float left, float right, float bottom, float top, float near_value, float far_value) {
-  if (left == right || bottom == top || near_value == far_value) return set_error(c, GL_INVALID_VALUE);
+  if (const char* wrong =
+          first_wrong({{"right", left == right}, {"top", bottom == top}, {"zFar", near_value == far_value}}))
+    return set_error(c, GL_INVALID_VALUE, wrong);
   ortho(edit_matrix(c), left, right, bottom, top, near_value, far_value);
 }
 

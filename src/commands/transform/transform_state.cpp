@@ -7,7 +7,8 @@
 namespace softgl::gl {
 
 void Viewport(Context& c, GLint x, GLint y, GLsizei width, GLsizei height) {
-  if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
+  if (const char* wrong = first_wrong({{"width", width < 0}, {"height", height < 0}}))
+    return set_error(c, GL_INVALID_VALUE, wrong);
   // OSMesa 22.3.6 keeps the corner within its viewport bounds range.
   constexpr GLint kBounds = 32768;
   ViewportState& v = edit<&State::viewport>(c);
@@ -26,14 +27,14 @@ void DepthRange(Context& c, GLdouble n, GLdouble f) {
 
 void ClipPlane(Context& c, GLenum plane, const GLdouble* equation) {
   const GLenum i = plane - GL_CLIP_PLANE0;
-  if (i >= GLenum(kMaxClipPlanes)) return set_error(c, GL_INVALID_ENUM);
+  if (i >= GLenum(kMaxClipPlanes)) return set_error(c, GL_INVALID_ENUM, "plane");
   const Vec4 v{float(equation[0]), float(equation[1]), float(equation[2]), float(equation[3])};
   edit<&State::transform>(c).clip_plane[i] = transform_plane(v, inverse(c.matrices.modelview.top()));
 }
 
 void GetClipPlane(Context& c, GLenum plane, GLdouble* equation) {
   const GLenum i = plane - GL_CLIP_PLANE0;
-  if (i >= GLenum(kMaxClipPlanes)) return set_error(c, GL_INVALID_ENUM);
+  if (i >= GLenum(kMaxClipPlanes)) return set_error(c, GL_INVALID_ENUM, "plane");
   for (int k = 0; k < 4; ++k) equation[k] = c.state.transform.clip_plane[i][k];
 }
 

@@ -18,14 +18,14 @@
 namespace softgl {
 namespace {
 
-/// What all draws ask first. False: nothing is to be drawn.
-bool may_draw(Context& c, GLenum mode, GLsizei count) {
+/// What all draws ask first. False: nothing is to be drawn. `argument`: what the command calls the count.
+bool may_draw(Context& c, GLenum mode, GLsizei count, const char* argument = "count") {
   if (c.builder.compiling && c.builder.mode != kNoPrimitive)
-    return raise_error(c, GL_INVALID_OPERATION), false;
-  if (mode > GL_POLYGON) return raise_error(c, GL_INVALID_ENUM), false;
-  if (count < 0) return raise_error(c, GL_INVALID_VALUE), false;
+    return raise_error(c, {GL_INVALID_OPERATION}), false;
+  if (mode > GL_POLYGON) return raise_error(c, {GL_INVALID_ENUM, "mode"}), false;
+  if (count < 0) return raise_error(c, {GL_INVALID_VALUE, argument}), false;
   if (c.builder.compiling)
-    compile_error(c, GL_NO_ERROR); // also where nothing is to be drawn
+    compile_error(c, {GL_NO_ERROR}); // also where nothing is to be drawn
   else if (c.bindings.draw)
     return ready_to_draw(c); // an incomplete framebuffer object is an error then, too
   return true;
@@ -212,39 +212,40 @@ void draw_elements(Context& c, GLenum mode, uint32_t count, GLenum type, const v
 
 void gl::DrawArrays(Context& c, GLenum mode, GLint first, GLsizei count) {
   if (!may_draw(c, mode, count)) return;
-  if (first < 0) return raise_error(c, GL_INVALID_VALUE);
+  if (first < 0) return raise_error(c, {GL_INVALID_VALUE, "first"});
   draw_arrays(c, mode, uint32_t(first), uint32_t(count));
 }
 
 void gl::DrawElements(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices) {
   if (!may_draw(c, mode, count)) return;
-  if (!index_bytes(type)) return raise_error(c, GL_INVALID_ENUM);
+  if (!index_bytes(type)) return raise_error(c, {GL_INVALID_ENUM, "type"});
   draw_elements(c, mode, uint32_t(count), type, indices);
 }
 
 void gl::DrawRangeElements(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type,
                            const void* indices) {
   if (!may_draw(c, mode, count)) return;
-  if (end < start) return raise_error(c, GL_INVALID_VALUE);
-  if (!index_bytes(type)) return raise_error(c, GL_INVALID_ENUM);
+  if (end < start) return raise_error(c, {GL_INVALID_VALUE, "end"});
+  if (!index_bytes(type)) return raise_error(c, {GL_INVALID_ENUM, "type"});
   // Whether the indices keep to the range is not known, and to look costs little: the range is not used.
   draw_elements(c, mode, uint32_t(count), type, indices);
 }
 
 void gl::MultiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count, GLsizei draws) {
-  if (!may_draw(c, mode, draws)) return;
+  if (!may_draw(c, mode, draws, "drawcount")) return;
   for (GLsizei i = 0; i < draws; ++i)
-    if (count[i] < 0 || (count[i] > 0 && first[i] < 0)) return raise_error(c, GL_INVALID_VALUE);
+    if (const char* wrong = first_wrong({{"count", count[i] < 0}, {"first", count[i] > 0 && first[i] < 0}}))
+      return raise_error(c, {GL_INVALID_VALUE, wrong});
   for (GLsizei i = 0; i < draws; ++i)
     if (count[i] > 0) draw_arrays(c, mode, uint32_t(first[i]), uint32_t(count[i]));
 }
 
 void gl::MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum type,
                            const void* const* indices, GLsizei draws) {
-  if (!may_draw(c, mode, draws)) return;
-  if (!index_bytes(type)) return raise_error(c, GL_INVALID_ENUM);
+  if (!may_draw(c, mode, draws, "drawcount")) return;
+  if (!index_bytes(type)) return raise_error(c, {GL_INVALID_ENUM, "type"});
   for (GLsizei i = 0; i < draws; ++i)
-    if (count[i] < 0) return raise_error(c, GL_INVALID_VALUE);
+    if (count[i] < 0) return raise_error(c, {GL_INVALID_VALUE, "count"});
   for (GLsizei i = 0; i < draws; ++i)
     if (count[i] > 0) draw_elements(c, mode, uint32_t(count[i]), type, indices[i]);
 }
@@ -252,31 +253,31 @@ void gl::MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum
 void gl::DrawElementsBaseVertex(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices,
                                 GLint base) {
   if (!may_draw(c, mode, count)) return;
-  if (!index_bytes(type)) return raise_error(c, GL_INVALID_ENUM);
+  if (!index_bytes(type)) return raise_error(c, {GL_INVALID_ENUM, "type"});
   draw_elements(c, mode, uint32_t(count), type, indices, base);
 }
 
 void gl::DrawRangeElementsBaseVertex(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count,
                                      GLenum type, const void* indices, GLint base) {
   if (!may_draw(c, mode, count)) return;
-  if (end < start) return raise_error(c, GL_INVALID_VALUE);
-  if (!index_bytes(type)) return raise_error(c, GL_INVALID_ENUM);
+  if (end < start) return raise_error(c, {GL_INVALID_VALUE, "end"});
+  if (!index_bytes(type)) return raise_error(c, {GL_INVALID_ENUM, "type"});
   draw_elements(c, mode, uint32_t(count), type, indices, base);
 }
 
 void gl::MultiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* count, GLenum type,
                                      const void* const* indices, GLsizei draws, const GLint* base) {
-  if (!may_draw(c, mode, draws)) return;
-  if (!index_bytes(type)) return raise_error(c, GL_INVALID_ENUM);
+  if (!may_draw(c, mode, draws, "drawcount")) return;
+  if (!index_bytes(type)) return raise_error(c, {GL_INVALID_ENUM, "type"});
   for (GLsizei i = 0; i < draws; ++i)
-    if (count[i] < 0) return raise_error(c, GL_INVALID_VALUE);
+    if (count[i] < 0) return raise_error(c, {GL_INVALID_VALUE, "count"});
   for (GLsizei i = 0; i < draws; ++i)
     if (count[i] > 0) draw_elements(c, mode, uint32_t(count[i]), type, indices[i], base[i]);
 }
 
 void gl::ArrayElement(Context& c, GLint i) {
   if (c.guard & kNoContext) return;
-  if (i < 0) return raise_error(c, GL_INVALID_VALUE, true);
+  if (i < 0) return raise_error(c, {GL_INVALID_VALUE, "i"}, true);
   const VertexArrayState& state = c.client.vertex_array;
   if (state.restarts && GLuint(i) == state.restart_index) return gl::PrimitiveRestartNV(c);
   if (const ArrayCache* arrays = current_arrays(c)) emit_array_element(c, *arrays, uint32_t(i));
@@ -287,7 +288,7 @@ void gl::PrimitiveRestartIndex(Context& c, GLuint index) { c.client.vertex_array
 void gl::PrimitiveRestartNV(Context& c) {
   if (c.guard & kNoContext) return;
   const GLenum mode = c.builder.mode;
-  if (mode == kNoPrimitive) return raise_error(c, GL_INVALID_OPERATION);
+  if (mode == kNoPrimitive) return raise_error(c, {GL_INVALID_OPERATION});
   gl::End(c);
   gl::Begin(c, mode);
 }

@@ -12,7 +12,7 @@ bool refuses_memory(const Context& c, const void* pointer) {
 }
 
 void set_pointer(Context& c, int slot, GLint size, GLenum type, GLsizei stride, const void* pointer) {
-  if (stride < 0) return set_error(c, GL_INVALID_VALUE);
+  if (stride < 0) return set_error(c, GL_INVALID_VALUE, "stride");
   if (refuses_memory(c, pointer)) return set_error(c, GL_INVALID_OPERATION);
   VertexArrayState& arrays = c.client.vertex_array;
   VertexArray& array = arrays.array[slot];
@@ -34,8 +34,8 @@ bool is_coordinate(GLenum type) { return is_integer_or_float(type) || type == GL
 /// type; if not, the error.
 bool check_colors(Context& c, GLint size, GLint largest, GLenum type) {
   if (!(type >= GL_BYTE && type <= GL_FLOAT) && type != GL_DOUBLE && type != GL_HALF_FLOAT)
-    return set_error(c, GL_INVALID_ENUM), false;
-  if ((size < 3 || size > largest) && size != GL_BGRA) return set_error(c, GL_INVALID_VALUE), false;
+    return set_error(c, GL_INVALID_ENUM, "type"), false;
+  if ((size < 3 || size > largest) && size != GL_BGRA) return set_error(c, GL_INVALID_VALUE, "size"), false;
   if (size == GL_BGRA && type != GL_UNSIGNED_BYTE) return set_error(c, GL_INVALID_OPERATION), false;
   return true;
 }
@@ -67,12 +67,12 @@ constexpr InterleavedFormat kInterleaved[14] = {
 } // namespace
 
 void gl::VertexPointer(Context& c, GLint size, GLenum type, GLsizei stride, const void* pointer) {
-  if (!is_coordinate(type)) return set_error(c, GL_INVALID_ENUM);
-  if (size < 2 || size > 4) return set_error(c, GL_INVALID_VALUE);
+  if (!is_coordinate(type)) return set_error(c, GL_INVALID_ENUM, "type");
+  if (size < 2 || size > 4) return set_error(c, GL_INVALID_VALUE, "size");
   set_pointer(c, kPosition, size, type, stride, pointer);
 }
 void gl::NormalPointer(Context& c, GLenum type, GLsizei stride, const void* pointer) {
-  if (!is_coordinate(type) && type != GL_BYTE) return set_error(c, GL_INVALID_ENUM);
+  if (!is_coordinate(type) && type != GL_BYTE) return set_error(c, GL_INVALID_ENUM, "type");
   set_pointer(c, kNormal, 3, type, stride, pointer);
 }
 void gl::ColorPointer(Context& c, GLint size, GLenum type, GLsizei stride, const void* pointer) {
@@ -82,31 +82,32 @@ void gl::SecondaryColorPointer(Context& c, GLint size, GLenum type, GLsizei stri
   if (check_colors(c, size, 3, type)) set_pointer(c, kSecondaryColor, size, type, stride, pointer);
 }
 void gl::FogCoordPointer(Context& c, GLenum type, GLsizei stride, const void* pointer) {
-  if (type != GL_FLOAT && type != GL_DOUBLE && type != GL_HALF_FLOAT) return set_error(c, GL_INVALID_ENUM);
+  if (type != GL_FLOAT && type != GL_DOUBLE && type != GL_HALF_FLOAT)
+    return set_error(c, GL_INVALID_ENUM, "type");
   set_pointer(c, kFogCoordinate, 1, type, stride, pointer);
 }
 void gl::IndexPointer(Context& c, GLenum type, GLsizei stride, const void* pointer) {
-  if (!is_integer_or_float(type) && type != GL_UNSIGNED_BYTE) return set_error(c, GL_INVALID_ENUM);
+  if (!is_integer_or_float(type) && type != GL_UNSIGNED_BYTE) return set_error(c, GL_INVALID_ENUM, "type");
   set_pointer(c, kColorIndex, 1, type, stride, pointer);
 }
 void gl::EdgeFlagPointer(Context& c, GLsizei stride, const void* pointer) {
   set_pointer(c, kEdgeFlag, 1, GL_UNSIGNED_BYTE, stride, pointer);
 }
 void gl::TexCoordPointer(Context& c, GLint size, GLenum type, GLsizei stride, const void* pointer) {
-  if (!is_coordinate(type)) return set_error(c, GL_INVALID_ENUM);
-  if (size < 1 || size > 4) return set_error(c, GL_INVALID_VALUE);
+  if (!is_coordinate(type)) return set_error(c, GL_INVALID_ENUM, "type");
+  if (size < 1 || size > 4) return set_error(c, GL_INVALID_VALUE, "size");
   set_pointer(c, kTexCoord0 + c.client.vertex_array.active_texture_unit, size, type, stride, pointer);
 }
 
 void gl::ClientActiveTexture(Context& c, GLenum texture) {
   if (texture < GL_TEXTURE0 || texture >= GLenum(GL_TEXTURE0 + kMaxTextureUnits))
-    return set_error(c, GL_INVALID_ENUM);
+    return set_error(c, GL_INVALID_ENUM, "texture");
   c.client.vertex_array.active_texture_unit = int(texture - GL_TEXTURE0);
 }
 
 void gl::InterleavedArrays(Context& c, GLenum format, GLsizei stride, const void* pointer) {
-  if (format < GL_V2F || format > GL_T4F_C4F_N3F_V4F) return set_error(c, GL_INVALID_ENUM);
-  if (stride < 0) return set_error(c, GL_INVALID_VALUE);
+  if (format < GL_V2F || format > GL_T4F_C4F_N3F_V4F) return set_error(c, GL_INVALID_ENUM, "format");
+  if (stride < 0) return set_error(c, GL_INVALID_VALUE, "stride");
   if (refuses_memory(c, pointer)) return set_error(c, GL_INVALID_OPERATION);
   const InterleavedFormat& f = kInterleaved[format - GL_V2F];
   VertexArrayState& arrays = c.client.vertex_array;
@@ -152,14 +153,15 @@ void gl::GetPointerv(Context& c, GLenum pname, void** params) {
   case GL_DEBUG_CALLBACK_USER_PARAM:
     if (params) *params = const_cast<void*>(c.debug.user_parameter);
     return;
-  default: return set_error(c, GL_INVALID_ENUM);
+  default: return set_error(c, GL_INVALID_ENUM, "pname");
   }
   if (params) *params = const_cast<void*>(arrays.array[slot].pointer);
 }
 
 // What an array holds is copied at each draw, or is kept with its buffer: a lock saves nothing here.
 void gl::LockArraysEXT(Context& c, GLint first, GLsizei count) {
-  if (first < 0 || count <= 0) return set_error(c, GL_INVALID_VALUE);
+  if (const char* wrong = first_wrong({{"first", first < 0}, {"count", count <= 0}}))
+    return set_error(c, GL_INVALID_VALUE, wrong);
   if (c.client.vertex_array.lock_count) return set_error(c, GL_INVALID_OPERATION);
   c.client.vertex_array.lock_first = first;
   c.client.vertex_array.lock_count = count;

@@ -71,8 +71,8 @@ void call_list(Context& c, GLuint name) {
 
 void gl::NewList(Context& c, GLuint name, GLenum mode) {
   if (c.lists.list) return set_error(c, GL_INVALID_OPERATION);
-  if (name == 0) return set_error(c, GL_INVALID_VALUE);
-  if (mode != GL_COMPILE && mode != GL_COMPILE_AND_EXECUTE) return set_error(c, GL_INVALID_ENUM);
+  if (name == 0) return set_error(c, GL_INVALID_VALUE, "list");
+  if (mode != GL_COMPILE && mode != GL_COMPILE_AND_EXECUTE) return set_error(c, GL_INVALID_ENUM, "mode");
   c.lists.list = std::make_shared<DisplayList>();
   c.lists.name = name;
   c.lists.mode = mode;
@@ -100,7 +100,7 @@ void gl::EndList(Context& c) {
 
 void gl::CallList(Context& c, GLuint name) {
   if (c.guard & kNoContext) return;
-  if (name == 0) return raise_error(c, GL_INVALID_VALUE, true);
+  if (name == 0) return raise_error(c, {GL_INVALID_VALUE, "list"}, true);
   if (!c.builder.compiling) return call_list(c, name);
   close_compiled_run(c); // before record(), which takes no command between Begin and End
   *static_cast<uint64_t*>(record(c, kPlayCallList, 8)) = name;
@@ -113,8 +113,8 @@ void gl::CallList(Context& c, GLuint name) {
 void gl::CallLists(Context& c, GLsizei n, GLenum type, const void* lists) {
   if (c.guard & kNoContext) return;
   const size_t size = offset_bytes(type);
-  if (n < 0) return raise_error(c, GL_INVALID_VALUE, true);
-  if (!size) return raise_error(c, GL_INVALID_ENUM, true);
+  if (n < 0) return raise_error(c, {GL_INVALID_VALUE, "n"}, true);
+  if (!size) return raise_error(c, {GL_INVALID_ENUM, "type"}, true);
   if (n == 0 || !lists) return;
   const auto* bytes = static_cast<const unsigned char*>(lists);
   const auto play = [&] {
@@ -140,7 +140,7 @@ void gl::ListBase(Context& c, GLuint base) { c.state.list.base = base; }
 
 GLuint gl::GenLists(Context& c, GLsizei range) {
   if (range < 0) {
-    set_error(c, GL_INVALID_VALUE);
+    set_error(c, GL_INVALID_VALUE, "range");
     return 0;
   }
   constexpr GLsizei kMostLists =
@@ -158,7 +158,7 @@ GLuint gl::GenLists(Context& c, GLsizei range) {
 }
 
 void gl::DeleteLists(Context& c, GLuint first, GLsizei range) {
-  if (range < 0) return set_error(c, GL_INVALID_VALUE);
+  if (range < 0) return set_error(c, GL_INVALID_VALUE, "range");
   c.shared->lists.erase_block(first, GLuint(range));
 }
 

@@ -134,7 +134,7 @@ void keep_vertices(Context& c, bool partial) {
 
 void* record(Context& c, uint16_t opcode, size_t bytes) {
   if (c.builder.mode != kNoPrimitive) { // not allowed between Begin and End
-    compile_error(c, GL_INVALID_OPERATION);
+    compile_error(c, {GL_INVALID_OPERATION});
     c.lists.last_was_error = true;
     return unkept_arguments(c, bytes);
   }
@@ -170,18 +170,18 @@ ExecuteScope::~ExecuteScope() {
   std::swap(c.guard, c.lists.executing_guard);
 }
 
-void compile_error(Context& c, GLenum code, bool allowed_inside) {
-  append_value(c, kPlayError, uint64_t(allowed_inside) << 32 | code);
-  if (c.lists.mode == GL_COMPILE_AND_EXECUTE)
-    set_error(c,
-              (c.lists.executing_guard & kInsideBeginEnd) && !allowed_inside ? GL_INVALID_OPERATION : code);
+void compile_error(Context& c, const Refusal& refusal, bool allowed_inside) {
+  append_value(c, kPlayError, uint64_t(allowed_inside) << 32 | refusal.error);
+  if (c.lists.mode != GL_COMPILE_AND_EXECUTE) return;
+  const bool misplaced = (c.lists.executing_guard & kInsideBeginEnd) && !allowed_inside;
+  set_error(c, misplaced ? Refusal{GL_INVALID_OPERATION} : refusal);
 }
 
-void raise_error(Context& c, GLenum code, bool allowed_inside) {
+void raise_error(Context& c, const Refusal& refusal, bool allowed_inside) {
   if (c.builder.compiling)
-    compile_error(c, code, allowed_inside);
+    compile_error(c, refusal, allowed_inside);
   else
-    set_error(c, code);
+    set_error(c, refusal);
 }
 
 void close_compiled_run(Context& c) {

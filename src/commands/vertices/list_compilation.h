@@ -30,11 +30,11 @@ private:
   bool entered_;
 };
 
-/// `code` is raised when the list is played; between Begin and End GL_INVALID_OPERATION, also in place of
+/// The error is raised when the list is played; between Begin and End GL_INVALID_OPERATION, also in place of
 /// GL_NO_ERROR, unless the command is `allowed_inside`.
-void compile_error(Context& context, GLenum code, bool allowed_inside = false);
+void compile_error(Context& context, const Refusal& refusal, bool allowed_inside = false);
 /// The error of a command that goes into lists: compile_error() while a list is compiled, else set_error().
-void raise_error(Context& context, GLenum code, bool allowed_inside = false);
+void raise_error(Context& context, const Refusal& refusal, bool allowed_inside = false);
 /// Moves the vertices that wait into the list. A primitive that is open ends in a later run, or in another
 /// list.
 void close_compiled_run(Context& context);

@@ -67,7 +67,7 @@ Map2dArguments keep_map(Context& c, GLenum target, GLdouble u1, GLdouble u2, GLi
 const void* keep_image(Context& c, int dimensions, GLsizei width, GLsizei height, GLsizei depth,
                        GLenum format, GLenum type, const void* pixels) {
   if (width <= 0 || height <= 0 || depth <= 0) return nullptr;
-  if (check_pixel_format(format, type) != GL_NO_ERROR) return nullptr; // the command raises the error
+  if (check_pixel_format(format, type)) return nullptr; // the command raises the error
   const PixelStore& store = c.client.pixel_store.unpack;
   const PixelFormat pixel = describe_pixel_format(format, type);
   const ImageLayout from = layout_image(store, dimensions, width, height, pixel);

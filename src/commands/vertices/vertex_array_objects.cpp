@@ -7,12 +7,12 @@
 namespace softgl::gl {
 
 void GenVertexArrays(Context& c, GLsizei n, GLuint* arrays) {
-  if (n < 0) return set_error(c, GL_INVALID_VALUE);
+  if (n < 0) return set_error(c, GL_INVALID_VALUE, "n");
   if (arrays && !c.vertex_array_objects.reserve(n, arrays)) set_error(c, GL_OUT_OF_MEMORY);
 }
 
 void DeleteVertexArrays(Context& c, GLsizei n, const GLuint* arrays) {
-  if (n < 0) return set_error(c, GL_INVALID_VALUE);
+  if (n < 0) return set_error(c, GL_INVALID_VALUE, "n");
   for (GLsizei i = 0; arrays && i < n; ++i) {
     const auto object = c.vertex_array_objects.erase(arrays[i]);
     if (object && object == c.client.vertex_array.bound) bind_vertex_array(c, nullptr);

@@ -145,8 +145,8 @@ void apply_deferred(Context& c) {
 void gl::Begin(Context& c, GLenum mode) {
   VertexBuilder& b = c.builder;
   if (c.guard & kNoContext) return;
-  if (mode > GL_POLYGON) return raise_error(c, GL_INVALID_ENUM);
-  if (b.mode != kNoPrimitive) return raise_error(c, GL_INVALID_OPERATION);
+  if (mode > GL_POLYGON) return raise_error(c, {GL_INVALID_ENUM, "mode"});
+  if (b.mode != kNoPrimitive) return raise_error(c, {GL_INVALID_OPERATION});
   if (!b.compiling && !draw_target_complete(c)) return set_error(c, GL_INVALID_FRAMEBUFFER_OPERATION);
   // Vertices whose Begin is in no known list, or those of array draws.
   if (b.limit || b.array_run == ArrayRun::Hidden) close_compiled_run(c);
@@ -177,7 +177,7 @@ void gl::End(Context& c) {
   b.limit = nullptr;
   c.guard &= ~kInsideBeginEnd;
   if (!kept) {
-    if (b.compiling) compile_error(c, GL_NO_ERROR);
+    if (b.compiling) compile_error(c, {GL_NO_ERROR});
     return;
   }
   const bool independent = mode == GL_POINTS || mode == GL_LINES || mode == GL_TRIANGLES || mode == GL_QUADS;
