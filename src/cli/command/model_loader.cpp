@@ -48,7 +48,7 @@ LoadedModel load_model(const SourceText& text, unsigned threads, RemarkList& rem
   report.groups = model.group_count;
   report.materials = loaded.library.materials().size() - 1;
   for (const Material& material : loaded.library.materials())
-    report.textures += !material.diffuse_map.file.empty();
+    report.textures += !material.diffuse_map.file.empty() || !material.opacity_map.file.empty();
   report.vertex_colors = !model.colors.empty();
   report.smoothing_groups = model.has_smoothing_groups;
   triangulate_faces(model);

@@ -49,6 +49,9 @@ public:
     if (!options_.quiet)
       for (const std::string& sentence : warnings_.sentences())
         std::fprintf(stderr, "softgl: warning: %s\n", sentence.c_str());
+    if (!options_.quiet)
+      for (const std::string& sentence : warnings_.notices())
+        std::fprintf(stderr, "softgl: note: %s\n", sentence.c_str());
     if (options_.verbose)
       for (const std::string& sentence : notes_.sentences())
         std::fprintf(stderr, "softgl: note: %s\n", sentence.c_str());
@@ -129,6 +132,10 @@ private:
 
   Picture draw_picture(const Mesh& mesh, const std::vector<Material>& materials, const ModelFrame& frame,
                        const Camera& camera, const std::string& name) {
+    if (options_.render.background.transparent && !has_alpha(options_.format))
+      warnings_.add(options_.output == "-" ? "standard output" : options_.output,
+                    "pictures of format " + options_.format +
+                        " have no transparency; the background is white");
     RenderResult result = render(mesh, materials, frame, camera, options_.render, warnings_);
     times_.upload = result.upload_seconds;
     times_.draw = result.draw_seconds;
@@ -137,7 +144,11 @@ private:
       throw ProgramError(kCannotRead,
                          name + ": nothing of the model is visible in this view; no picture written");
     if (result.as_wireframe)
-      warnings_.add(name, "its surfaces have no visible area in this view; their edges are drawn instead");
+      warnings_.add(name,
+                    result.transparent
+                        ? "nothing of it shows because its materials are transparent (d, Tr or map_d); its "
+                          "edges are drawn instead"
+                        : "its surfaces have no visible area in this view; their edges are drawn instead");
     return std::move(result.picture);
   }
 

@@ -51,6 +51,8 @@ bool is_image_format(const std::string& format) {
   return std::find(std::begin(kFormats), std::end(kFormats), format) != std::end(kFormats);
 }
 
+bool has_alpha(const std::string& format) { return format == "png" || format == "pam" || format == "tga"; }
+
 std::string image_format_of(const std::string& path) {
   const size_t dot = path.rfind('.');
   if (dot == std::string::npos || path.find('/', dot) != std::string::npos) return {};
@@ -61,8 +63,7 @@ std::string image_format_of(const std::string& path) {
 
 GrowingArray<uint8_t> encode_image(const Picture& picture, const std::string& format, PngEffort effort) {
   if (format == "png") return encode_png(picture, effort);
-  if (picture.channels == 4 && (format == "ppm" || format == "jpg" || format == "jpeg" || format == "bmp"))
-    return encode_image(over_white(picture), format, effort);
+  if (picture.channels == 4 && !has_alpha(format)) return encode_image(over_white(picture), format, effort);
   GrowingArray<uint8_t> out;
   const std::string size = std::to_string(picture.width) + " " + std::to_string(picture.height);
   if (format == "ppm") {

@@ -140,15 +140,21 @@ private:
     return count;
   }
 
+  bool any_decimal_comma() const {
+    const std::string copy(arguments_); // ends with a zero byte
+    return has_decimal_comma(copy.c_str());
+  }
+
   bool color(float* target) {
     float values[3];
     const int count = numbers(values, 3);
     if (count < 1) {
       const bool spectral = arguments_.substr(0, 8) == "spectral" || arguments_.substr(0, 3) == "xyz";
       remarks.add("color that is not r g b: ignored", statement_,
-                  quoted_key() + (spectral
-                                      ? " is given as spectral or XYZ color, which is not supported; ignored"
-                                      : " needs one or three numbers; ignored"));
+                  quoted_key() +
+                      (spectral ? " is given as spectral or XYZ color, which is not supported; ignored"
+                       : any_decimal_comma() ? " has a decimal comma; it needs a point (0.5); ignored"
+                                             : " needs one or three numbers; ignored"));
       return false;
     }
     if (count < 3) values[1] = values[2] = values[0]; // one number is a gray
@@ -339,7 +345,7 @@ void MaterialLibrary::load_for(const ObjModel& model, const SourceText& model_te
           if (text.size() > kLargestLibrary)
             throw ProgramError(kCannotRead, path + ": too large for a material library");
           read(text, folder_of(path), warnings, notes);
-        } catch (const ProgramError& error) { warnings.add(path, error.what()); }
+        } catch (const ProgramError& error) { warnings.add_sentence(error.what()); }
       }
     }
   }
