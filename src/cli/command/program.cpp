@@ -13,6 +13,7 @@
 #include "command/model_loader.h"
 #include "command/options.h"
 #include "common/program_error.h"
+#include "common/time_limit.h"
 #include "mesh/face_triangulation.h"
 
 namespace softgl::cli {
@@ -33,9 +34,9 @@ public:
       write(draw_figure(sphere, options_.render, warnings_));
       return kSuccess;
     }
-    const SourceText text = SourceText::open(options_.model);
+    const SourceText text = SourceText::open(options_.model, options_.limits.input_bytes);
     RemarkList remarks;
-    LoadedModel loaded = load_model(text, threads(), remarks, warnings_, notes_);
+    LoadedModel loaded = load_model(text, threads(), remarks, warnings_, notes_, options_.limits.load);
     times_.read = since(start);
     if (options_.command == ProgramOptions::kInfo) {
       info(loaded, text, remarks);
@@ -207,6 +208,15 @@ private:
   RunTimes times_;
 };
 
+void start_limits(const RunLimits& limits) {
+  if (limits.seconds > 0) start_time_limit(limits.seconds);
+  if (limits.memory_bytes == 0) return;
+  // What is allocated, and not what is merely mapped: libraries and the model's file do not count.
+  const rlimit memory{limits.memory_bytes, limits.memory_bytes};
+  if (::setrlimit(RLIMIT_DATA, &memory) != 0)
+    throw ProgramError(kUsageError, "--max-memory: the system does not allow this limit");
+}
+
 } // namespace
 
 int run_program(int argc, const char* const* argv) {
@@ -222,6 +232,7 @@ int run_program(int argc, const char* const* argv) {
     name = parsed.options->model.c_str();
     if (parsed.options->threads)
       ::setenv("SOFTGL_THREADS", std::to_string(parsed.options->threads).c_str(), 1);
+    start_limits(parsed.options->limits);
     Program program(*parsed.options);
     try {
       const int code = program.run();

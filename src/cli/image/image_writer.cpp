@@ -4,10 +4,12 @@
 #include <cerrno>
 #include <cstdio>
 #include <fcntl.h>
+#include <optional>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "common/program_error.h"
+#include "common/time_limit.h"
 #include "image/png_encoder.h"
 
 #pragma GCC diagnostic push
@@ -94,6 +96,8 @@ void write_file(const std::string& path, const GrowingArray<uint8_t>& bytes) {
   const int file =
       standard_output ? STDOUT_FILENO : ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (file < 0) throw ProgramError(kCannotWrite, name + ": cannot write: " + std::strerror(errno));
+  std::optional<UnfinishedFile> unfinished;
+  if (!standard_output) unfinished.emplace(path);
   size_t written = 0;
   int problem = 0;
   while (written < bytes.size() && problem == 0) {

@@ -13,7 +13,7 @@ namespace {
 bool read_picture(const std::string& file, DecodedPicture& picture, Warnings& warnings) {
   std::string problem;
   try {
-    problem = decode_picture(SourceText::open(file), picture);
+    problem = decode_picture(SourceText::open_named(file), picture);
   } catch (const ProgramError&) { problem = "cannot be read"; }
   if (!problem.empty()) {
     warnings.add(file, "this picture " + problem);
