@@ -140,6 +140,7 @@ private:
 
   void add_view() {
     CameraOptions& camera = options_.camera;
+    camera.up = UpAxis::kAuto;
     add_word(app_, "--view", "NAME",
              "iso (three-quarter view), front, back, left, right, top or bottom [iso]", view_,
              {"iso", "front", "back", "left", "right", "top", "bottom"});
@@ -151,7 +152,8 @@ private:
     add_number(app_, "--zoom", "FACTOR", "magnification after fitting [1]", camera.zoom, 1e-3, 1e3);
     add_number(app_, "--fov", "DEG", "vertical field of view in degrees [30]", camera.field_of_view, 1, 150);
     app_.add_flag("--ortho", camera.orthographic, "parallel projection");
-    add_parsed(app_, "--up", "AXIS", "axis of the model that points up: +Y, +Z, -X ... or auto [+Y]",
+    add_parsed(app_, "--up", "AXIS",
+               "axis of the model that points up: +Y, +Z, -X ..., or auto, which looks at the model [auto]",
                [this](const std::string& text) { options_.camera.up = parse_up_axis(text); });
   }
 

@@ -15,6 +15,7 @@
 #include "common/program_error.h"
 #include "common/time_limit.h"
 #include "mesh/face_triangulation.h"
+#include "scene/up_axis.h"
 
 namespace softgl::cli {
 namespace {
@@ -110,7 +111,8 @@ private:
     model = ObjModel(); // the mesh is all that is needed from here on
     warnings_.add(remarks, text);
     CameraOptions camera_options = options_.camera;
-    if (camera_options.up == UpAxis::kAuto) camera_options.up = guess_up_axis(mesh);
+    if (camera_options.up == UpAxis::kAuto) camera_options.up = guess_up_axis(mesh, frame, loaded, text);
+    notes_.add(text.name(), std::string("up is ") + name_of(camera_options.up));
     const Camera camera = fit_camera(mesh, camera_options);
     times_.prepare = since(prepare_start);
 
@@ -129,6 +131,16 @@ private:
     times_.total = since(start);
     if (options_.stats) print_stats(loaded.report);
     if (options_.verbose) std::fputs(as_text(loaded.report).c_str(), stderr);
+  }
+
+  UpAxis guess_up_axis(const Mesh& mesh, const ModelFrame& frame, const LoadedModel& loaded,
+                       const SourceText& text) {
+    const std::string_view comments(text.begin(), std::min<size_t>(text.size(), 4096));
+    const UpEvidence evidence = up_evidence(mesh, frame, loaded.library.materials(), comments);
+    notes_.add(text.name(), "what speaks for +Z (positive) and +Y: " + as_text(evidence));
+    if (!z_is_up(evidence)) return UpAxis::kPlusY;
+    warnings_.add_notice(text.name(), "turned: its +Z seems to point up (--up +Y draws it as it is)");
+    return UpAxis::kPlusZ;
   }
 
   Picture draw_picture(const Mesh& mesh, const std::vector<Material>& materials, const ModelFrame& frame,
