@@ -179,9 +179,9 @@ TEST_CASE("hard files: textures", "[models]") {
 
 TEST_CASE("hard files: vertex colors and w", "[models]") {
   const Reading colored = read("28_vertex_colors");
-  REQUIRE(colored.mesh.colors.size() == 12);
-  const float expected[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1};
-  for (size_t i = 0; i < 12; ++i) CHECK(colored.mesh.colors[i] == expected[i]);
+  REQUIRE(colored.mesh.colors.size() == 16);
+  const float expected[16] = {1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 1, 1, 1, 1, 1, 1};
+  for (size_t i = 0; i < 16; ++i) CHECK(colored.mesh.colors[i] == expected[i]);
   CHECK(read("29_vertex_w").mesh.colors.empty());
 }
 

@@ -143,7 +143,8 @@ TEST_CASE("damaged MTL files", "[models][fuzz]") {
     cli::MaterialLibrary library;
     cli::Warnings warnings, notes;
     const std::string text = round % 5 == 0 ? soup(random) : damaged(seeds[random() % seeds.size()], random);
-    library.read(cli::SourceText::from_string(text, "damaged.mtl"), folder, warnings, notes);
+    library.read(cli::SourceText::from_string(text, "damaged.mtl"), cli::ModelFiles(folder + "damaged.mtl"),
+                 folder, warnings, notes);
     bool good = true;
     for (const cli::Material& material : library.materials()) {
       for (const float* color : {material.ambient, material.diffuse, material.specular, material.emission})

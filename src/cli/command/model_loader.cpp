@@ -4,6 +4,7 @@
 
 #include "common/program_error.h"
 #include "mesh/face_triangulation.h"
+#include "obj/file_search.h"
 
 namespace softgl::cli {
 namespace {
@@ -16,10 +17,20 @@ void draw_vertices_as_points(ObjModel& model) {
   model.point_count = points.size();
 }
 
+void refuse_triangles(const ObjModel& model, const std::string& name, uint64_t most) {
+  if (most == 0) return;
+  uint64_t count = 0;
+  for (const ObjChunk& chunk : model.chunks)
+    count += chunk.corner_vertices.values.size() - 2 * uint64_t(chunk.face_count);
+  if (count > most)
+    throw ProgramError(kCannotRead, name + ": about " + std::to_string(count) +
+                                        " triangles, more than --max-triangles allows");
+}
+
 } // namespace
 
 LoadedModel load_model(const SourceText& text, unsigned threads, RemarkList& remarks, Warnings& warnings,
-                       Warnings& notes) {
+                       Warnings& notes, const LoadLimits& limits) {
   LoadedModel loaded;
   loaded.model = read_obj(text, threads, remarks);
   ObjModel& model = loaded.model;
@@ -34,7 +45,8 @@ LoadedModel load_model(const SourceText& text, unsigned threads, RemarkList& rem
     if (model.position_count > 0) warnings.add(remarks, text);
     throw ProgramError(kCannotRead, sentence);
   }
-  loaded.library.load_for(model, text, remarks, warnings, notes);
+  refuse_triangles(model, text.name(), limits.triangles);
+  loaded.library.load_for(model, ModelFiles(text.name(), limits.any_path), remarks, warnings, notes);
   ModelReport& report = loaded.report;
   report.name = text.name();
   report.bytes = text.size();
@@ -48,7 +60,7 @@ LoadedModel load_model(const SourceText& text, unsigned threads, RemarkList& rem
   report.groups = model.group_count;
   report.materials = loaded.library.materials().size() - 1;
   for (const Material& material : loaded.library.materials())
-    report.textures += !material.diffuse_map.file.empty();
+    report.textures += !material.diffuse_map.file.empty() || !material.opacity_map.file.empty();
   report.vertex_colors = !model.colors.empty();
   report.smoothing_groups = model.has_smoothing_groups;
   triangulate_faces(model);

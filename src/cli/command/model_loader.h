@@ -13,9 +13,15 @@ struct LoadedModel {
   ModelReport report; // without bounds and area
 };
 
+// For models of unknown origin.
+struct LoadLimits {
+  bool any_path = false;  // a model may name files outside of its folder
+  uint64_t triangles = 0; // 0: any number
+};
+
 // Remarks about the model's own text stay in `remarks`, so that later steps can add theirs; those about
 // libraries go to `warnings`. Throws ProgramError if nothing can be drawn.
 LoadedModel load_model(const SourceText& text, unsigned threads, RemarkList& remarks, Warnings& warnings,
-                       Warnings& notes);
+                       Warnings& notes, const LoadLimits& limits = {});
 
 } // namespace softgl::cli

@@ -92,6 +92,9 @@ public:
     add_colors();
     add_effort();
     add_run(app_, "more about the model and what is left out");
+    add_limits(app_);
+    add_number(app_, "--max-size", "N", "refuse pictures wider or higher", options_.limits.picture_side, 1,
+               16384);
     add_info();
     add_figure();
   }
@@ -137,6 +140,7 @@ private:
 
   void add_view() {
     CameraOptions& camera = options_.camera;
+    camera.up = UpAxis::kAuto;
     add_word(app_, "--view", "NAME",
              "iso (three-quarter view), front, back, left, right, top or bottom [iso]", view_,
              {"iso", "front", "back", "left", "right", "top", "bottom"});
@@ -148,7 +152,8 @@ private:
     add_number(app_, "--zoom", "FACTOR", "magnification after fitting [1]", camera.zoom, 1e-3, 1e3);
     add_number(app_, "--fov", "DEG", "vertical field of view in degrees [30]", camera.field_of_view, 1, 150);
     app_.add_flag("--ortho", camera.orthographic, "parallel projection");
-    add_parsed(app_, "--up", "AXIS", "axis of the model that points up: +Y, +Z, -X ... or auto [+Y]",
+    add_parsed(app_, "--up", "AXIS",
+               "axis of the model that points up: +Y, +Z, -X ..., or auto, which looks at the model [auto]",
                [this](const std::string& text) { options_.camera.up = parse_up_axis(text); });
   }
 
@@ -233,6 +238,24 @@ private:
     app.add_flag("-v,--verbose", options_.verbose, verbose);
   }
 
+  // For models of unknown origin.
+  void add_limits(CLI::App& app) {
+    RunLimits& limits = options_.limits;
+    app.add_flag("--allow-any-path", limits.load.any_path, "the model may name files outside of its folder");
+    add_mebibytes(app, "--max-input", "refuse larger models [standard input: 256]", limits.input_bytes);
+    add_number(app, "--max-triangles", "N", "refuse models of more triangles", limits.load.triangles, 1,
+               1e12);
+    add_mebibytes(app, "--max-memory", "end where more memory is needed", limits.memory_bytes);
+    add_number(app, "--timeout", "S", "end after so many seconds", limits.seconds, 0.01, 1e6);
+  }
+
+  static void add_mebibytes(CLI::App& app, const char* name, const char* description, uint64_t& bytes) {
+    app.add_option_function<uint64_t>(
+           name, [&bytes](uint64_t mebibytes) { bytes = mebibytes << 20; }, description)
+        ->check(range(1, 1e7))
+        ->type_name("MIB");
+  }
+
   void add_info() {
     info_ = app_.add_subcommand("info", "describe a model instead of drawing it");
     info_->add_option("model", options_.model, "OBJ file; - for standard input")
@@ -240,6 +263,7 @@ private:
         ->type_name("MODEL.obj");
     info_->add_flag("--json", options_.json, "as JSON");
     add_run(*info_, "more about what is left out");
+    add_limits(*info_);
     add_number(*info_, "--threads", "N", "threads", options_.threads, 1, 1024);
   }
 
@@ -296,6 +320,9 @@ private:
     lighting.reflection_vector = specular_ == "reflection";
     if (gl_lights_of(lighting) > kMostLights)
       return "--light: GL has 8 lights, and the key light takes two of them";
+    const int most = options_.limits.picture_side;
+    if (most && std::max(render.width, render.height) > most)
+      return "--size asks for more pixels a side than --max-size " + std::to_string(most) + " allows";
     const int side = render.samples_per_side = samples_ == 16 ? 4 : samples_ == 4 ? 2 : 1;
     if (render.width * side > 16384 || render.height * side > 16384)
       return "--aa " + std::to_string(samples_) + " allows pictures of up to " +

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "command/model_loader.h"
 #include "image/image_writer.h"
 #include "mesh/normal_generator.h"
 #include "scene/camera.h"
@@ -20,6 +21,15 @@ struct MaterialOptions {
   std::optional<float> shininess;
 };
 
+// What the run may use, for models of unknown origin. 0: no limit.
+struct RunLimits {
+  LoadLimits load;
+  uint64_t input_bytes = 0; // but for pipes, see SourceText
+  uint64_t memory_bytes = 0;
+  int picture_side = 0;
+  double seconds = 0;
+};
+
 struct ProgramOptions {
   enum Command { kRender, kInfo, kFigure } command = kRender;
   std::string model; // empty for kFigure: a sphere
@@ -30,6 +40,7 @@ struct ProgramOptions {
   RenderOptions render;
   NormalOptions normals;
   MaterialOptions materials;
+  RunLimits limits;
   unsigned threads = 0; // 0: as many as the machine has
   bool quiet = false, verbose = false, strict = false;
   bool json = false; // info --json

@@ -13,7 +13,9 @@
 #include "command/model_loader.h"
 #include "command/options.h"
 #include "common/program_error.h"
+#include "common/time_limit.h"
 #include "mesh/face_triangulation.h"
+#include "scene/up_axis.h"
 
 namespace softgl::cli {
 namespace {
@@ -33,9 +35,9 @@ public:
       write(draw_figure(sphere, options_.render, warnings_));
       return kSuccess;
     }
-    const SourceText text = SourceText::open(options_.model);
+    const SourceText text = SourceText::open(options_.model, options_.limits.input_bytes);
     RemarkList remarks;
-    LoadedModel loaded = load_model(text, threads(), remarks, warnings_, notes_);
+    LoadedModel loaded = load_model(text, threads(), remarks, warnings_, notes_, options_.limits.load);
     times_.read = since(start);
     if (options_.command == ProgramOptions::kInfo) {
       info(loaded, text, remarks);
@@ -49,6 +51,9 @@ public:
     if (!options_.quiet)
       for (const std::string& sentence : warnings_.sentences())
         std::fprintf(stderr, "softgl: warning: %s\n", sentence.c_str());
+    if (!options_.quiet)
+      for (const std::string& sentence : warnings_.notices())
+        std::fprintf(stderr, "softgl: note: %s\n", sentence.c_str());
     if (options_.verbose)
       for (const std::string& sentence : notes_.sentences())
         std::fprintf(stderr, "softgl: note: %s\n", sentence.c_str());
@@ -106,7 +111,8 @@ private:
     model = ObjModel(); // the mesh is all that is needed from here on
     warnings_.add(remarks, text);
     CameraOptions camera_options = options_.camera;
-    if (camera_options.up == UpAxis::kAuto) camera_options.up = guess_up_axis(mesh);
+    if (camera_options.up == UpAxis::kAuto) camera_options.up = guess_up_axis(mesh, frame, loaded, text);
+    notes_.add(text.name(), std::string("up is ") + name_of(camera_options.up));
     const Camera camera = fit_camera(mesh, camera_options);
     times_.prepare = since(prepare_start);
 
@@ -127,8 +133,22 @@ private:
     if (options_.verbose) std::fputs(as_text(loaded.report).c_str(), stderr);
   }
 
+  UpAxis guess_up_axis(const Mesh& mesh, const ModelFrame& frame, const LoadedModel& loaded,
+                       const SourceText& text) {
+    const std::string_view comments(text.begin(), std::min<size_t>(text.size(), 4096));
+    const UpEvidence evidence = up_evidence(mesh, frame, loaded.library.materials(), comments);
+    notes_.add(text.name(), "what speaks for +Z (positive) and +Y: " + as_text(evidence));
+    if (!z_is_up(evidence)) return UpAxis::kPlusY;
+    warnings_.add_notice(text.name(), "turned: its +Z seems to point up (--up +Y draws it as it is)");
+    return UpAxis::kPlusZ;
+  }
+
   Picture draw_picture(const Mesh& mesh, const std::vector<Material>& materials, const ModelFrame& frame,
                        const Camera& camera, const std::string& name) {
+    if (options_.render.background.transparent && !has_alpha(options_.format))
+      warnings_.add(options_.output == "-" ? "standard output" : options_.output,
+                    "pictures of format " + options_.format +
+                        " have no transparency; the background is white");
     RenderResult result = render(mesh, materials, frame, camera, options_.render, warnings_);
     times_.upload = result.upload_seconds;
     times_.draw = result.draw_seconds;
@@ -137,7 +157,11 @@ private:
       throw ProgramError(kCannotRead,
                          name + ": nothing of the model is visible in this view; no picture written");
     if (result.as_wireframe)
-      warnings_.add(name, "its surfaces have no visible area in this view; their edges are drawn instead");
+      warnings_.add(name,
+                    result.transparent
+                        ? "nothing of it shows because its materials are transparent (d, Tr or map_d); its "
+                          "edges are drawn instead"
+                        : "its surfaces have no visible area in this view; their edges are drawn instead");
     return std::move(result.picture);
   }
 
@@ -196,6 +220,15 @@ private:
   RunTimes times_;
 };
 
+void start_limits(const RunLimits& limits) {
+  if (limits.seconds > 0) start_time_limit(limits.seconds);
+  if (limits.memory_bytes == 0) return;
+  // What is allocated, and not what is merely mapped: libraries and the model's file do not count.
+  const rlimit memory{limits.memory_bytes, limits.memory_bytes};
+  if (::setrlimit(RLIMIT_DATA, &memory) != 0)
+    throw ProgramError(kUsageError, "--max-memory: the system does not allow this limit");
+}
+
 } // namespace
 
 int run_program(int argc, const char* const* argv) {
@@ -211,6 +244,7 @@ int run_program(int argc, const char* const* argv) {
     name = parsed.options->model.c_str();
     if (parsed.options->threads)
       ::setenv("SOFTGL_THREADS", std::to_string(parsed.options->threads).c_str(), 1);
+    start_limits(parsed.options->limits);
     Program program(*parsed.options);
     try {
       const int code = program.run();

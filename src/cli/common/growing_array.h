@@ -31,6 +31,13 @@ public:
     return *this;
   }
   ~GrowingArray() { std::free(data_); }
+  // Takes over memory from malloc that holds `size` values.
+  static GrowingArray adopt(T* data, size_t size) {
+    GrowingArray array;
+    array.data_ = data;
+    array.size_ = array.capacity_ = size;
+    return array;
+  }
 
   T* data() { return data_; }
   const T* data() const { return data_; }

@@ -10,9 +10,13 @@ namespace softgl::cli {
 
 class SourceText {
 public:
-  // Maps or reads `path`; "-" is standard input. Throws ProgramError (kCannotRead), or std::bad_alloc if
-  // memory ends.
-  static SourceText open(const std::string& path);
+  // Maps or reads `path`; "-" is standard input. Throws ProgramError (kCannotRead), also if there are more
+  // than `most` bytes, or std::bad_alloc if memory ends. 0: files have no limit, pipes and devices
+  // kMostPiped.
+  static SourceText open(const std::string& path, uint64_t most = 0);
+  static constexpr uint64_t kMostPiped = uint64_t(256) << 20;
+  // The same for a name that a model gives: only regular files.
+  static SourceText open_named(const std::string& path);
   static SourceText from_string(std::string text, std::string name);
 
   SourceText(SourceText&& other) noexcept;
@@ -28,6 +32,7 @@ public:
 
 private:
   SourceText() = default;
+  static SourceText read_or_map(int descriptor, size_t size, const std::string& path);
 
   std::string name_;
   std::string owned_;
@@ -40,7 +45,7 @@ private:
 // Line numbers (from 1) of positions in the text that rise; LF, CR LF and CR end a line.
 std::vector<uint64_t> line_numbers(const SourceText& text, const std::vector<const char*>& rising_positions);
 
-// True if `path` names a regular file that can be opened.
+// True if `path` names a regular file that can be opened, and not one that the kernel makes up (/proc, /sys).
 bool is_readable_file(const std::string& path);
 
 } // namespace softgl::cli

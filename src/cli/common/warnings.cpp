@@ -78,9 +78,15 @@ void Warnings::add(const RemarkList& remarks, const SourceText& text) {
                            " more times: " + name);
 }
 
-void Warnings::add(const std::string& file, const std::string& text) {
+void Warnings::add(const std::string& file, const std::string& text) { add_sentence(file + ": " + text); }
+
+void Warnings::add_sentence(const std::string& sentence) {
   ++count_;
-  sentences_.push_back(file + ": " + text);
+  sentences_.push_back(sentence);
+}
+
+void Warnings::add_notice(const std::string& file, const std::string& text) {
+  notices_.push_back(file + ": " + text);
 }
 
 } // namespace softgl::cli

@@ -53,12 +53,17 @@ public:
   // Gives every remark its line; `at` null means the file as a whole.
   void add(const RemarkList& remarks, const SourceText& text);
   void add(const std::string& file, const std::string& text);
+  // A sentence that names its file already.
+  void add_sentence(const std::string& sentence);
+  // What was done that nobody asked for, and that is no fault of the input: told, but not counted.
+  void add_notice(const std::string& file, const std::string& text);
 
   uint64_t count() const { return count_; }
+  const std::vector<std::string>& notices() const { return notices_; }
   const std::vector<std::string>& sentences() const { return sentences_; } // "model.obj:12: ..."
 
 private:
-  std::vector<std::string> sentences_;
+  std::vector<std::string> sentences_, notices_;
   uint64_t count_ = 0;
 };
 

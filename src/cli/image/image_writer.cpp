@@ -4,10 +4,12 @@
 #include <cerrno>
 #include <cstdio>
 #include <fcntl.h>
+#include <optional>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "common/program_error.h"
+#include "common/time_limit.h"
 #include "image/png_encoder.h"
 
 #pragma GCC diagnostic push
@@ -51,6 +53,8 @@ bool is_image_format(const std::string& format) {
   return std::find(std::begin(kFormats), std::end(kFormats), format) != std::end(kFormats);
 }
 
+bool has_alpha(const std::string& format) { return format == "png" || format == "pam" || format == "tga"; }
+
 std::string image_format_of(const std::string& path) {
   const size_t dot = path.rfind('.');
   if (dot == std::string::npos || path.find('/', dot) != std::string::npos) return {};
@@ -61,8 +65,7 @@ std::string image_format_of(const std::string& path) {
 
 GrowingArray<uint8_t> encode_image(const Picture& picture, const std::string& format, PngEffort effort) {
   if (format == "png") return encode_png(picture, effort);
-  if (picture.channels == 4 && (format == "ppm" || format == "jpg" || format == "jpeg" || format == "bmp"))
-    return encode_image(over_white(picture), format, effort);
+  if (picture.channels == 4 && !has_alpha(format)) return encode_image(over_white(picture), format, effort);
   GrowingArray<uint8_t> out;
   const std::string size = std::to_string(picture.width) + " " + std::to_string(picture.height);
   if (format == "ppm") {
@@ -93,6 +96,8 @@ void write_file(const std::string& path, const GrowingArray<uint8_t>& bytes) {
   const int file =
       standard_output ? STDOUT_FILENO : ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (file < 0) throw ProgramError(kCannotWrite, name + ": cannot write: " + std::strerror(errno));
+  std::optional<UnfinishedFile> unfinished;
+  if (!standard_output) unfinished.emplace(path);
   size_t written = 0;
   int problem = 0;
   while (written < bytes.size() && problem == 0) {

@@ -1,77 +1,40 @@
 #include "image/texture_loader.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <memory>
-#include <new>
 
 #include "common/program_error.h"
 #include "common/source_text.h"
+#include "image/picture_decoder.h"
 
 namespace softgl::cli {
 namespace {
 
-bool out_of_memory = false; // stb_image has asked in vain: its own messages do not always say so
-
-void* noticed(void* memory) {
-  if (!memory) out_of_memory = true;
-  return memory;
-}
-
-} // namespace
-} // namespace softgl::cli
-
-#define STBI_MALLOC(size) softgl::cli::noticed(std::malloc(size))
-#define STBI_REALLOC(memory, size) softgl::cli::noticed(std::realloc(memory, size))
-#define STBI_FREE(memory) std::free(memory)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#pragma GCC diagnostic ignored "-Wsign-compare"
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_PNG
-#define STBI_ONLY_JPEG
-#define STBI_ONLY_BMP
-#define STBI_ONLY_TGA
-#define STBI_NO_STDIO
-#define STBI_NO_LINEAR
-#define STBI_NO_HDR
-#include <stb/stb_image.h>
-#pragma GCC diagnostic pop
-
-namespace softgl::cli {
-namespace {
-
-constexpr int64_t kMostTexels = int64_t(1) << 26; // a small file may claim any size
-
-struct FreeImage {
-  void operator()(uint8_t* pixels) const { stbi_image_free(pixels); }
-};
-
-struct Decoded {
-  int width = 0, height = 0, channels = 0;
-  std::unique_ptr<uint8_t, FreeImage> pixels; // RGBA, rows from the top
-};
-
-// Empty: it worked; else why not, as half a sentence.
-std::string decode_bytes(const SourceText& bytes, Decoded& image) {
-  if (bytes.size() > 0x7fffffff) return "is too large";
-  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.begin());
-  const int size = int(bytes.size());
-  if (!stbi_info_from_memory(data, size, &image.width, &image.height, &image.channels))
-    return "is no PNG, JPEG, BMP or TGA picture that can be read";
-  if (int64_t(image.width) * image.height > kMostTexels) return "has too many pixels";
-  image.pixels.reset(stbi_load_from_memory(data, size, &image.width, &image.height, &image.channels, 4));
-  return image.pixels ? std::string() : std::string("cannot be decoded (") + stbi_failure_reason() + ")";
-}
-
-bool decode(const std::string& file, Decoded& image, std::string& problem) {
-  out_of_memory = false;
+// False: a warning says why.
+bool read_picture(const std::string& file, DecodedPicture& picture, Warnings& warnings) {
+  std::string problem;
   try {
-    problem = decode_bytes(SourceText::open(file), image);
+    problem = decode_picture(SourceText::open_named(file), picture);
   } catch (const ProgramError&) { problem = "cannot be read"; }
-  if (out_of_memory) throw std::bad_alloc();
-  return problem.empty();
+  if (!problem.empty()) {
+    warnings.add(file, "this picture " + problem);
+    return false;
+  }
+  const auto size = [](int width, int height) {
+    return std::to_string(width) + "x" + std::to_string(height);
+  };
+  if (picture.file_width != picture.width || picture.file_height != picture.height)
+    warnings.add_notice(file, "this picture of " + size(picture.file_width, picture.file_height) +
+                                  " pixels was reduced to " + size(picture.width, picture.height));
+  return true;
+}
+
+size_t texel_count(const DecodedPicture& picture) { return size_t(picture.width) * size_t(picture.height); }
+
+bool has_alpha(const DecodedPicture& picture) {
+  const size_t count = texel_count(picture);
+  for (size_t i = 0; i < count; ++i)
+    if (picture.rgba[4 * i + 3] != 255) return true;
+  return false;
 }
 
 uint8_t adjusted(uint8_t texel, const TextureReference& map) {
@@ -79,17 +42,43 @@ uint8_t adjusted(uint8_t texel, const TextureReference& map) {
   return uint8_t(std::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f);
 }
 
-// The opacity picture's alpha, or its gray, stretched over the color picture.
-void replace_alpha(Decoded& color, const Decoded& opacity) {
-  const bool has_alpha = opacity.channels == 2 || opacity.channels == 4;
-  uint8_t* alpha = color.pixels.get() + 3;
+void adjust(DecodedPicture& picture, const TextureReference& map, size_t first, size_t last) {
+  if (map.base == 0 && map.gain == 1) return;
+  const size_t count = texel_count(picture);
+  for (size_t i = 0; i < count; ++i)
+    for (size_t c = first; c < last; ++c) picture.rgba[4 * i + c] = adjusted(picture.rgba[4 * i + c], map);
+}
+
+// The opacity of each texel becomes its alpha: that of the file where it has any, else the gray.
+void make_opacity(DecodedPicture& picture, const TextureReference& map) {
+  const size_t count = texel_count(picture);
+  if (!has_alpha(picture))
+    for (size_t i = 0; i < count; ++i) picture.rgba[4 * i + 3] = picture.rgba[4 * i];
+  adjust(picture, map, 3, 4);
+}
+
+// The opacity picture is stretched over the color picture.
+void replace_alpha(DecodedPicture& color, const DecodedPicture& opacity) {
+  uint8_t* alpha = color.rgba.data() + 3;
   for (int y = 0; y < color.height; ++y)
     for (int x = 0; x < color.width; ++x, alpha += 4) {
       const auto ox = size_t(int64_t(x) * opacity.width / color.width);
       const auto oy = size_t(int64_t(y) * opacity.height / color.height);
-      const uint8_t* p = opacity.pixels.get() + 4 * (oy * size_t(opacity.width) + ox);
-      *alpha = has_alpha ? p[3] : p[0];
+      *alpha = opacity.rgba[4 * (oy * size_t(opacity.width) + ox) + 3];
     }
+}
+
+// `channels` channels from `first` on, rows from the bottom.
+void take_channels(const DecodedPicture& picture, size_t first, int channels, TextureImage& image) {
+  image.width = picture.width;
+  image.height = picture.height;
+  image.channels = channels;
+  const auto width = size_t(image.width), height = size_t(image.height);
+  uint8_t* out = image.texels.extend(width * height * size_t(channels));
+  for (size_t y = 0; y < height; ++y)
+    for (size_t x = 0; x < width; ++x)
+      for (size_t c = first; c < first + size_t(channels); ++c)
+        *out++ = picture.rgba[4 * ((height - 1 - y) * width + x) + c];
 }
 
 const uint8_t* texel_at(const TextureImage& image, int x, int y) {
@@ -136,29 +125,23 @@ void stretch(TextureImage& image, int width, int height) {
 
 } // namespace
 
-bool load_texture(const Material& material, TextureImage& image, std::string& problem) {
-  Decoded color, opacity;
-  const TextureReference& map = material.diffuse_map;
-  if (!decode(map.file, color, problem)) return false;
-  const auto count = size_t(color.width) * size_t(color.height);
-  uint8_t* texels = color.pixels.get();
-  if (map.base != 0 || map.gain != 1)
-    for (size_t i = 0; i < count; ++i)
-      for (size_t c = 0; c < 3; ++c) texels[4 * i + c] = adjusted(texels[4 * i + c], map);
-  const std::string& opacity_file = material.opacity_map.file;
-  std::string ignored;
-  if (!opacity_file.empty() && opacity_file != map.file && decode(opacity_file, opacity, ignored))
+bool load_texture(const Material& material, TextureImage& image, Warnings& warnings) {
+  DecodedPicture color, opacity;
+  const TextureReference &color_map = material.diffuse_map, &opacity_map = material.opacity_map;
+  const bool has_color = !color_map.file.empty() && read_picture(color_map.file, color, warnings);
+  const bool has_opacity = !opacity_map.file.empty() && opacity_map.file != color_map.file &&
+                           read_picture(opacity_map.file, opacity, warnings);
+  if (has_opacity) make_opacity(opacity, opacity_map);
+  if (!has_color) {
+    if (has_opacity) take_channels(opacity, 3, 1, image);
+    return has_opacity;
+  }
+  adjust(color, color_map, 0, 3);
+  if (has_opacity) {
     replace_alpha(color, opacity);
-  bool opaque = true;
-  for (size_t i = 0; i < count && opaque; ++i) opaque = texels[4 * i + 3] == 255;
-  image.width = color.width;
-  image.height = color.height;
-  image.channels = opaque ? 3 : 4;
-  const auto channels = size_t(image.channels), width = size_t(image.width), height = size_t(image.height);
-  uint8_t* out = image.texels.extend(count * channels);
-  for (size_t y = 0; y < height; ++y)
-    for (size_t x = 0; x < width; ++x)
-      for (size_t c = 0; c < channels; ++c) *out++ = texels[4 * ((height - 1 - y) * width + x) + c];
+    opacity.rgba.release();
+  }
+  take_channels(color, 0, has_alpha(color) ? 4 : 3, image);
   return true;
 }
 

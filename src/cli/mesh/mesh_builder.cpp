@@ -140,7 +140,7 @@ private:
       const MaterialRun& run = runs[r];
       const ObjChunk& chunk = model_.chunks[run.chunk];
       uint32_t* out = mesh_.triangles.data() + places[r];
-      plain_color_ = materials_[run.material].diffuse;
+      opacity_ = materials_[run.material].opacity;
       if (options_.flat)
         add_flat_run(chunk, run, out);
       else if (with_texcoords_ && !chunk.corner_texcoords.values.empty())
@@ -159,13 +159,20 @@ private:
       static constexpr float kZero[2] = {0, 0};
       mesh_.texcoords.append(texcoord == kAbsent ? kZero : &model_.texcoords[2 * size_t(texcoord)], 2);
     }
-    if (!model_.colors.empty()) add_color(mesh_.colors, vertex);
+    if (!model_.colors.empty()) add_color(mesh_.colors, vertex, opacity_);
     return index;
   }
 
-  void add_color(GrowingArray<float>& colors, int32_t vertex) {
+  // Where some vertex has a color, those without are white, as they are for most readers.
+  void add_color(GrowingArray<float>& colors, int32_t vertex, float opacity) {
     const float* rgb = &model_.colors[3 * size_t(vertex)];
-    for (int i = 0; i < 3; ++i) colors.append(std::isnan(rgb[i]) ? plain_color_[i] : rgb[i]);
+    for (int i = 0; i < 3; ++i) colors.append(std::isnan(rgb[i]) ? 1.0f : rgb[i]);
+    colors.append(opacity);
+  }
+
+  // Vertex colors hold the opacity, so materials of different ones share no vertices.
+  bool has_opacity(uint32_t index) const {
+    return mesh_.colors.empty() || mesh_.colors[4 * size_t(index) + 3] == opacity_;
   }
 
   void add_normal(const float* n) {
@@ -179,7 +186,8 @@ private:
     out[2] = z / length;
   }
 
-  // Vertices with the same position, texture coordinate and normal are one; those of a position form a list.
+  // Vertices with the same position, texture coordinate, normal and color are one; those of a position form a
+  // list.
   template <bool kTexcoords> void add_run(const ObjChunk& chunk, const MaterialRun& run, uint32_t* out) {
     const int32_t* vertices = chunk.corner_vertices.values.data();
     const int32_t* texcoords = chunk.corner_texcoords.values.data();
@@ -192,7 +200,7 @@ private:
       // A position with very many variants: stop looking, a copy more does no harm.
       for (int steps = 0; index != kNone && steps < 32; ++steps) {
         const Variant& variant = variants_[index];
-        if (variant.normal == normal && variant.texcoord == texcoord) break;
+        if (variant.normal == normal && variant.texcoord == texcoord && has_opacity(index)) break;
         index = steps < 31 ? variant.next : kNone;
       }
       if (index == kNone) {
@@ -235,11 +243,10 @@ private:
     for (const Batch& batch : batches)
       for (const MaterialRun& run : runs) {
         if (run.material != batch.material) continue;
-        plain_color_ = materials_[run.material].diffuse;
         const GrowingArray<int32_t>& vertices = (model_.chunks[run.chunk].*list).values;
         for (size_t i = size_t(run.first) * per_element; i < size_t(run.last) * per_element; ++i) {
           positions.append(&frame_.positions[3 * size_t(vertices[i])], 3);
-          if (!model_.colors.empty()) add_color(colors, vertices[i]);
+          if (!model_.colors.empty()) add_color(colors, vertices[i], 1);
         }
       }
   }
@@ -253,7 +260,7 @@ private:
   const ModelFrame& frame_;
   const std::vector<Material>& materials_;
   const MeshOptions& options_;
-  const float* plain_color_ = nullptr; // the current run's, for vertices without a color among colored ones
+  float opacity_ = 1; // of the current run's material
   Mesh mesh_;
   bool with_texcoords_ = false;
   GrowingArray<uint32_t> head_; // per position, the vertex added last

@@ -18,11 +18,11 @@ struct Mesh {
   GrowingArray<float> positions; // x y z
   GrowingArray<float> normals;   // x y z, unit
   GrowingArray<float> texcoords; // u v; empty if no triangle has any
-  GrowingArray<float> colors;    // r g b; empty without vertex colors
+  GrowingArray<float> colors;    // r g b and the material's opacity; empty without vertex colors
   GrowingArray<uint32_t> triangles;
   std::vector<Batch> triangle_batches; // one per material in use
 
-  GrowingArray<float> segment_positions, segment_colors; // two vertices each
+  GrowingArray<float> segment_positions, segment_colors; // two vertices each, opaque
   std::vector<Batch> segment_batches;
   GrowingArray<float> point_positions, point_colors;
   std::vector<Batch> point_batches;

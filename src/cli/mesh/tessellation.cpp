@@ -37,7 +37,7 @@ public:
       mesh_.normals.room(3); // the two that follow are read where they lie
       append_normalized(mesh_.normals, &mesh_.normals[3 * size_t(a)], &mesh_.normals[3 * size_t(b)]);
       append_mean(mesh_.texcoords, 2, a, b);
-      append_mean(mesh_.colors, 3, a, b);
+      append_mean(mesh_.colors, 4, a, b);
     }
     return entry->second;
   }

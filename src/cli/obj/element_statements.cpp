@@ -18,6 +18,10 @@ bool read_index(const char*& cursor, size_t count_so_far, IndexList& list, size_
     ++q;
   }
   if (q == first) return false;
+  if (*q == '.') { // scripts print whole numbers as 1.0
+    ++q;
+    while (*q == '0') ++q;
+  }
   cursor = q;
   if (negative) {
     index = value ? int32_t(int64_t(count_so_far) - int64_t(value)) : kNowhere;
@@ -141,7 +145,9 @@ bool ElementStatements::face() {
     if (out_.remarks.count("face skipped: a corner is not v/vt/vn")) {
       const std::string corner_text = printable({token, size_t(in_.p - token)}, 40);
       out_.remarks.describe("face skipped: a corner is not v/vt/vn", in_.statement,
-                            "\"" + corner_text + "\" is not a corner v/vt/vn; face skipped");
+                            "\"" + corner_text + "\" is not a corner v/vt/vn" +
+                                (has_decimal_comma(token) ? " (it has a decimal comma)" : "") +
+                                "; face skipped");
     }
     forget_corners(first);
     in_.skip_tokens();

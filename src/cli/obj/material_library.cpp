@@ -35,7 +35,8 @@ bool is_key(std::string_view word) {
 // One MTL file: statements in order, values of the material that the last newmtl began.
 class LibraryReader {
 public:
-  LibraryReader(const SourceText& text, const std::string& folder) : text_(text), folder_(folder) {}
+  LibraryReader(const SourceText& text, const ModelFiles& files, const std::string& folder)
+      : text_(text), files_(files), folder_(folder) {}
 
   void read() {
     const char* p = text_.begin();
@@ -140,15 +141,21 @@ private:
     return count;
   }
 
+  bool any_decimal_comma() const {
+    const std::string copy(arguments_); // ends with a zero byte
+    return has_decimal_comma(copy.c_str());
+  }
+
   bool color(float* target) {
     float values[3];
     const int count = numbers(values, 3);
     if (count < 1) {
       const bool spectral = arguments_.substr(0, 8) == "spectral" || arguments_.substr(0, 3) == "xyz";
       remarks.add("color that is not r g b: ignored", statement_,
-                  quoted_key() + (spectral
-                                      ? " is given as spectral or XYZ color, which is not supported; ignored"
-                                      : " needs one or three numbers; ignored"));
+                  quoted_key() +
+                      (spectral ? " is given as spectral or XYZ color, which is not supported; ignored"
+                       : any_decimal_comma() ? " has a decimal comma; it needs a point (0.5); ignored"
+                                             : " needs one or three numbers; ignored"));
       return false;
     }
     if (count < 3) values[1] = values[2] = values[0]; // one number is a gray
@@ -197,14 +204,14 @@ private:
 
   void map(TextureReference& target) {
     if (missing_pictures_ >= kMostMissingPictures) return;
-    const MapStatement map_statement = parse_map_statement(arguments_, folder_);
+    const MapStatement map_statement = parse_map_statement(arguments_, files_, folder_);
     target = map_statement.texture;
     missing_pictures_ += target.file.empty();
     if (target.file.empty())
       remarks.add("picture file not found", statement_,
                   map_statement.wanted.empty()
                       ? quoted_key() + " names no file"
-                      : "picture \"" + printable(map_statement.wanted) + "\" not found");
+                      : files_.not_found("picture \"" + printable(map_statement.wanted) + "\""));
   }
 
   void ignored() {
@@ -244,6 +251,7 @@ private:
   }
 
   const SourceText& text_;
+  const ModelFiles& files_;
   const std::string& folder_;
   const char* statement_ = nullptr;
   std::string_view key_, arguments_;
@@ -259,8 +267,8 @@ public:
 
 // The files a mtllib statement names: the whole line if there is such a file, else its parts. Names may hold
 // spaces.
-std::vector<std::string> library_names(std::string_view line, const std::string& folder) {
-  if (!find_named_file(folder, line).empty()) return {std::string(line)};
+std::vector<std::string> library_names(std::string_view line, const ModelFiles& files) {
+  if (!files.find(files.folder(), line).empty()) return {std::string(line)};
   std::vector<std::string> names;
   std::string_view rest = line;
   while (!(rest = trimmed(rest)).empty() && names.size() < 64) {
@@ -271,7 +279,7 @@ std::vector<std::string> library_names(std::string_view line, const std::string&
           ::strncasecmp(&rest[i - 4], ".mtl", 4) == 0)
         length = i;
     const size_t word = std::min(rest.find_first_of(" \t"), rest.size());
-    if (length == 0 || (length > word && find_named_file(folder, rest.substr(0, length)).empty()))
+    if (length == 0 || (length > word && files.find(files.folder(), rest.substr(0, length)).empty()))
       length = word;
     names.emplace_back(rest.substr(0, length));
     rest.remove_prefix(length);
@@ -281,9 +289,9 @@ std::vector<std::string> library_names(std::string_view line, const std::string&
 
 } // namespace
 
-void MaterialLibrary::read(const SourceText& text, const std::string& folder, Warnings& warnings,
-                           Warnings& notes) {
-  LibraryReader reader(text, folder);
+void MaterialLibrary::read(const SourceText& text, const ModelFiles& files, const std::string& folder,
+                           Warnings& warnings, Warnings& notes) {
+  LibraryReader reader(text, files, folder);
   reader.read();
   if (reader.found.empty()) { // not a library: say nothing of what stands in it
     warnings.add(text.name(), "this file has no materials; ignored");
@@ -318,28 +326,27 @@ uint32_t MaterialLibrary::find(std::string_view name) const {
   return found == by_name_.end() ? 0 : found->second;
 }
 
-void MaterialLibrary::load_for(const ObjModel& model, const SourceText& model_text, RemarkList& model_remarks,
+void MaterialLibrary::load_for(const ObjModel& model, const ModelFiles& files, RemarkList& model_remarks,
                                Warnings& warnings, Warnings& notes) {
-  const std::string folder = folder_of(model_text.name());
   std::unordered_set<std::string> seen, tried;
   for (const ObjChunk& chunk : model.chunks) {
     for (const StateChange& change : chunk.changes) {
       if (change.kind != StateChange::kLibrary) continue;
       if (seen.size() >= 256 || !seen.insert(std::string(change.name)).second) continue;
-      for (const std::string& name : library_names(change.name, folder)) {
-        const std::string path = find_named_file(folder, name);
+      for (const std::string& name : library_names(change.name, files)) {
+        const std::string path = files.find(files.folder(), name);
         if (path.empty()) {
           model_remarks.add("material library not found", change.name.data(),
-                            "material library \"" + printable(name) + "\" not found");
+                            files.not_found("material library \"" + printable(name) + "\""));
           continue;
         }
         if (!tried.insert(path).second) continue;
         try {
-          const SourceText text = SourceText::open(path);
+          const SourceText text = SourceText::open_named(path);
           if (text.size() > kLargestLibrary)
             throw ProgramError(kCannotRead, path + ": too large for a material library");
-          read(text, folder_of(path), warnings, notes);
-        } catch (const ProgramError& error) { warnings.add(path, error.what()); }
+          read(text, files, folder_of(path), warnings, notes);
+        } catch (const ProgramError& error) { warnings.add_sentence(error.what()); }
       }
     }
   }

@@ -9,6 +9,7 @@
 
 #include "common/source_text.h"
 #include "common/warnings.h"
+#include "obj/file_search.h"
 #include "obj/material.h"
 #include "obj/obj_reader.h"
 
@@ -18,12 +19,12 @@ class MaterialLibrary {
 public:
   MaterialLibrary() : materials_(1) {}
 
-  // Reads all libraries that the model names, from the model's folder. Missing ones are warned of, never an
-  // error.
-  void load_for(const ObjModel& model, const SourceText& model_text, RemarkList& model_remarks,
-                Warnings& warnings, Warnings& notes);
-  // Adds the materials of one library. Of two materials with one name the later wins.
-  void read(const SourceText& text, const std::string& folder, Warnings& warnings, Warnings& notes);
+  // Reads all libraries that the model names. Missing ones are warned of, never an error.
+  void load_for(const ObjModel& model, const ModelFiles& files, RemarkList& model_remarks, Warnings& warnings,
+                Warnings& notes);
+  // Adds the materials of one library, which lies in `folder`. Of two materials with one name the later wins.
+  void read(const SourceText& text, const ModelFiles& files, const std::string& folder, Warnings& warnings,
+            Warnings& notes);
 
   // Number 0 is the default material, for faces without a known one.
   const std::vector<Material>& materials() const { return materials_; }

@@ -9,9 +9,11 @@ namespace softgl::cli {
 // What ends a token: blanks, line ends, NUL, '#' (comment) and '\' (line continuation).
 extern const bool kEndsToken[256];
 inline bool ends_token(char c) { return kEndsToken[uint8_t(c)]; }
+// The same without '#', which may stand in what is no number (1.#QNAN).
+extern const bool kEndsNumber[256];
 
-// The slow, exact way: any length, inf and nan, +signs. False: not a number. `text` is one token.
-bool read_unusual_number(const char* first, const char* last, double& value);
+// The slow, exact way: any length, inf and nan, +signs. Moves the cursor past the token. False: not a number.
+bool read_unusual_number(const char*& cursor, double& value);
 float round_to_float_exactly(const char* first, const char* last, double value);
 
 inline constexpr double kPowerOfTen[23] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
@@ -49,19 +51,19 @@ inline bool read_number(const char*& cursor, double& value) {
     }
   }
   // Both factors exact in double, so one rounding: the correctly rounded value.
-  if (ends_token(*p) && digits > 0 && digits <= 19 && mantissa <= (uint64_t(1) << 53) && exponent >= -22 &&
-      exponent <= 22) [[likely]] {
+  if (kEndsNumber[uint8_t(*p)] && digits > 0 && digits <= 19 && mantissa <= (uint64_t(1) << 53) &&
+      exponent >= -22 && exponent <= 22) [[likely]] {
     double magnitude = double(int64_t(mantissa));
     magnitude = exponent < 0 ? magnitude / kPowerOfTen[-exponent] : magnitude * kPowerOfTen[exponent];
     value = std::bit_cast<double>(std::bit_cast<uint64_t>(magnitude) | uint64_t(negative) << 63);
     cursor = p;
     return true;
   }
-  while (!ends_token(*p)) ++p;
-  const char* first = cursor;
-  cursor = p;
-  return read_unusual_number(first, p, value);
+  return read_unusual_number(cursor, value);
 }
+
+// True if the token looks like a number with a decimal comma, as in 1,5.
+bool has_decimal_comma(const char* token);
 
 // The same for a float: rounding twice goes wrong only if the double lies on a halfway case of float.
 inline bool read_number(const char*& cursor, float& value) {

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "common/program_error.h"
+#include "obj/number_parser.h"
 
 namespace softgl::cli {
 namespace {
@@ -308,9 +309,53 @@ ObjModel read_obj(const SourceText& text, unsigned threads, RemarkList& remarks)
   return model;
 }
 
+namespace {
+
+// What a file is that is no text, by its first bytes; null if they say nothing.
+const char* known_binary_kind(std::string_view start) {
+  static constexpr struct {
+    std::string_view bytes;
+    const char* kind;
+  } kKinds[] = {{"\x1f\x8b", "compressed with gzip"},
+                {"\x28\xb5\x2f\xfd", "compressed with zstd"},
+                {"\xfd"
+                 "7zXZ",
+                 "compressed with xz"},
+                {"BZh", "compressed with bzip2"},
+                {"PK\x03\x04", "a ZIP archive"},
+                {"7z\xbc\xaf", "a 7z archive"},
+                {"glTF", "a glTF model, not OBJ"},
+                {"Kaydara FBX", "an FBX model, not OBJ"},
+                {"BLENDER", "a Blender file, not OBJ"},
+                {"\x89PNG", "a PNG picture"},
+                {"\xff\xd8\xff", "a JPEG picture"},
+                {"GIF8", "a GIF picture"},
+                {"%PDF", "a PDF document"},
+                {"\x7f"
+                 "ELF",
+                 "a program"}};
+  for (const auto& known : kKinds)
+    if (start.substr(0, known.bytes.size()) == known.bytes) return known.kind;
+  return nullptr;
+}
+
+bool any_decimal_comma(std::string_view text) {
+  for (size_t i = 0; i < text.size(); ++i)
+    if (text[i] == ',' && i > 0) {
+      size_t first = i;
+      while (first > 0 && !ends_token(text[first - 1])) --first;
+      if (has_decimal_comma(&text[first])) return true;
+    }
+  return false;
+}
+
+} // namespace
+
 std::string explain_missing_geometry(const SourceText& text) {
   const std::string no_geometry = text.name() + ": no geometry";
   if (text.size() == 0) return no_geometry + "; the file is empty";
+  if (const char* kind = known_binary_kind({text.begin(), text.size()}))
+    return no_geometry + "; file is " + kind;
   const std::string_view all(text.begin(), text.size());
   const size_t first = std::min(all.find_first_not_of(" \t\r\n\xef\xbb\xbf"), all.size());
   const std::string_view start = all.substr(first, 4096);
@@ -322,6 +367,8 @@ std::string explain_missing_geometry(const SourceText& text) {
     strange += (byte < 32 && byte != '\t' && byte != '\n' && byte != '\r') || byte == 127;
   }
   if (strange * 20 > start.size()) return no_geometry + "; file is binary, not OBJ text";
+  if (any_decimal_comma(start))
+    return no_geometry + "; its numbers have decimal commas (1,5), and OBJ needs points (1.5)";
   return no_geometry + "; the file has no face, line or point that can be drawn";
 }
 

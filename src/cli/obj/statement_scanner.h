@@ -60,8 +60,8 @@ struct StatementScanner {
     finish_line();
   }
 
-  // Up to `limit` numbers; the rest is left. A token that is no number sets `bad`.
-  template <class T> int numbers(T* values, int limit, bool& bad) {
+  // Up to `limit` numbers; the rest is left. `bad` becomes the first token that is no number.
+  template <class T> int numbers(T* values, int limit, const char*& bad) {
     int count = 0;
     for (; count < limit; ++count) {
       skip_blanks();
@@ -70,7 +70,7 @@ struct StatementScanner {
       if (!read_number(p, values[count])) {
         if (p == token) skip_token();
         values[count] = std::numeric_limits<T>::quiet_NaN();
-        bad = true;
+        if (!bad) bad = token;
       }
     }
     return count;

@@ -80,17 +80,18 @@ bool option(Words& words, TextureReference& texture) {
 
 } // namespace
 
-MapStatement parse_map_statement(std::string_view arguments, const std::string& folder) {
+MapStatement parse_map_statement(std::string_view arguments, const ModelFiles& files,
+                                 const std::string& folder) {
   MapStatement statement;
   Words words{arguments};
   while (!words.peek().empty() && words.peek()[0] == '-' && option(words, statement.texture)) {}
   words.skip_spaces();
   statement.wanted = std::string(arguments.substr(words.at));
   for (int tries = 0; !words.peek().empty() && tries < 16; ++tries, words.take(), words.skip_spaces()) {
-    statement.texture.file = find_named_file(folder, arguments.substr(words.at), tries == 0);
+    statement.texture.file = files.find(folder, arguments.substr(words.at), tries == 0);
     if (!statement.texture.file.empty()) return statement;
   }
-  statement.texture.file = find_named_file(folder, arguments, false); // a name that begins like an option
+  statement.texture.file = files.find(folder, arguments, false); // a name that begins like an option
   return statement;
 }
 

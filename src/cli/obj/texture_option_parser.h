@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "obj/file_search.h"
 #include "obj/material.h"
 
 namespace softgl::cli {
@@ -14,6 +15,7 @@ struct MapStatement {
 };
 
 // Options first; what is left is tried as a name, then from each later word on, since names may hold spaces.
-MapStatement parse_map_statement(std::string_view arguments, const std::string& folder);
+MapStatement parse_map_statement(std::string_view arguments, const ModelFiles& files,
+                                 const std::string& folder);
 
 } // namespace softgl::cli

@@ -186,6 +186,11 @@ Camera fit_perspective(const Mesh& mesh, const Axes& axes, const Extremes& box,
 
 } // namespace
 
+const char* name_of(UpAxis axis) {
+  static constexpr const char* kNames[] = {"+X", "-X", "+Y", "-Y", "+Z", "-Z", "auto"};
+  return kNames[int(axis)];
+}
+
 bool named_view(const std::string& name, double& azimuth, double& elevation) {
   static constexpr struct {
     const char* name;
@@ -214,41 +219,6 @@ Camera fit_camera(const Mesh& mesh, const CameraOptions& options) {
   if (box.low[0] > box.high[0]) std::fill_n(box.low, 3, 0.0), std::fill_n(box.high, 3, 0.0);
   return options.orthographic ? fit_orthographic(axes, box, options)
                               : fit_perspective(mesh, axes, box, options);
-}
-
-UpAxis guess_up_axis(const Mesh& mesh) {
-  // Area that faces straight down within the lowest 2 % of the model, per axis, as a share of the box's
-  // underside.
-  float low[3] = {1e30f, 1e30f, 1e30f}, high[3] = {-1e30f, -1e30f, -1e30f};
-  for_each_position(mesh, [&](const float* p) {
-    for (int i = 0; i < 3; ++i) {
-      low[i] = std::min(low[i], p[i]);
-      high[i] = std::max(high[i], p[i]);
-    }
-  });
-  double area[3] = {0, 0, 0};
-  for (size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
-    const float* p[3];
-    for (size_t k = 0; k < 3; ++k) p[k] = &mesh.positions[3 * size_t(mesh.triangles[i + k])];
-    double a[3], b[3], n[3];
-    for (int axis = 0; axis < 3; ++axis) {
-      a[axis] = double(p[1][axis]) - p[0][axis];
-      b[axis] = double(p[2][axis]) - p[0][axis];
-    }
-    cross(a, b, n);
-    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    for (int axis = 1; axis < 3; ++axis) {
-      const float border = low[axis] + 0.02f * (high[axis] - low[axis]);
-      if (std::fabs(n[axis]) > 0.95 * length && p[0][axis] <= border && p[1][axis] <= border &&
-          p[2][axis] <= border)
-        area[axis] += length / 2;
-    }
-  }
-  const double side_x = double(high[0]) - low[0], side_y = double(high[1]) - low[1],
-               side_z = double(high[2]) - low[2];
-  const double share_y = side_x * side_z > 0 ? area[1] / (side_x * side_z) : 0;
-  const double share_z = side_x * side_y > 0 ? area[2] / (side_x * side_y) : 0;
-  return share_z > share_y * 1.5 && share_z > 0.02 ? UpAxis::kPlusZ : UpAxis::kPlusY;
 }
 
 } // namespace softgl::cli

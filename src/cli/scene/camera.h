@@ -9,6 +9,8 @@ namespace softgl::cli {
 
 enum class UpAxis { kPlusX, kMinusX, kPlusY, kMinusY, kPlusZ, kMinusZ, kAuto };
 
+const char* name_of(UpAxis axis); // "+X" ...
+
 struct CameraOptions {
   double azimuth = 35;   // degrees to the right of the model's front
   double elevation = 25; // degrees above the horizon
@@ -33,8 +35,5 @@ struct Camera {
 inline constexpr double kMargin = 0.01;
 
 Camera fit_camera(const Mesh& mesh, const CameraOptions& options);
-
-// The axis that most probably points up: the one along which the model stands on a flat underside.
-UpAxis guess_up_axis(const Mesh& mesh);
 
 } // namespace softgl::cli

@@ -50,6 +50,9 @@ private:
     draw();
     result.visible = anything_drawn();
     if (!result.visible && !mesh_.triangles.empty()) {
+      draw_silhouette();
+      result.transparent = anything_drawn();
+      clear();
       draw_edges();
       result.as_wireframe = result.visible = anything_drawn();
     }
@@ -129,7 +132,7 @@ private:
     glVertexPointer(3, GL_FLOAT, 0, positions.data());
     if (!colors.empty()) {
       glEnableClientState(GL_COLOR_ARRAY);
-      glColorPointer(3, GL_FLOAT, 0, colors.data());
+      glColorPointer(4, GL_FLOAT, 0, colors.data());
     } else {
       glDisableClientState(GL_COLOR_ARRAY);
     }
@@ -189,6 +192,24 @@ private:
     glDisable(GL_ALPHA_TEST);
   }
 
+  // All surfaces without materials.
+  void draw_silhouette() {
+    uploaded_->bind_vertices();
+    uploaded_->bind_triangles();
+    set_plain_state();
+    glDrawElements(GL_TRIANGLES, GLsizei(mesh_.triangles.size()), GL_UNSIGNED_INT, nullptr);
+    GlContext::finish();
+  }
+
+  void set_plain_state() {
+    glDisable(GL_LIGHTING);
+    glDisable(GL_TEXTURE_2D);
+    glDisable(GL_BLEND);
+    glDisableClientState(GL_COLOR_ARRAY);
+    glDisableClientState(GL_TEXTURE_COORD_ARRAY);
+    glColor4f(materials_[0].diffuse[0], materials_[0].diffuse[1], materials_[0].diffuse[2], 1);
+  }
+
   // What has no area to be seen, a plane from its edge or a single place, is shown by its edges and corners.
   void draw_edges() {
     GrowingArray<uint32_t> edges;
@@ -200,12 +221,7 @@ private:
       }
     uploaded_->bind_vertices();
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
-    glDisable(GL_LIGHTING);
-    glDisable(GL_TEXTURE_2D);
-    glDisable(GL_BLEND);
-    glDisableClientState(GL_COLOR_ARRAY);
-    glDisableClientState(GL_TEXTURE_COORD_ARRAY);
-    glColor4f(materials_[0].diffuse[0], materials_[0].diffuse[1], materials_[0].diffuse[2], 1);
+    set_plain_state();
     set_sizes();
     glDrawElements(GL_LINES, GLsizei(edges.size()), GL_UNSIGNED_INT, edges.data());
     glDrawElements(GL_POINTS, GLsizei(edges.size()), GL_UNSIGNED_INT, edges.data());

@@ -27,7 +27,8 @@ struct RenderOptions {
 struct RenderResult {
   Picture picture;
   bool visible = false;      // something was drawn
-  bool as_wireframe = false; // the surfaces have no visible area, so their edges were drawn
+  bool as_wireframe = false; // the surfaces do not show, so their edges were drawn
+  bool transparent = false;  // and they would show if they were opaque
   double upload_seconds = 0, draw_seconds = 0, average_seconds = 0;
 };
 

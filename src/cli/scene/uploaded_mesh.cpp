@@ -19,7 +19,7 @@ GLuint make_texture(const TextureImage& image, bool clamp) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  const GLenum format = image.channels == 4 ? GL_RGBA : GL_RGB;
+  const GLenum format = image.channels == 4 ? GL_RGBA : image.channels == 3 ? GL_RGB : GL_ALPHA;
   glTexImage2D(GL_TEXTURE_2D, 0, GLint(format), image.width, image.height, 0, format, GL_UNSIGNED_BYTE,
                image.texels.data());
   return texture;
@@ -59,20 +59,28 @@ void UploadedMesh::prepare_material(uint32_t number, Warnings& warnings) {
   const Material& material = materials_[number];
   PreparedMaterial& prepared = prepared_[number];
   prepared.blended = material.opacity < 1;
-  if (material.diffuse_map.file.empty() || mesh_.texcoords.empty()) return;
+  const TextureReference &color = material.diffuse_map, &opacity = material.opacity_map;
+  prepared.map = color.file.empty() ? &opacity : &color;
+  if (prepared.map->file.empty() || mesh_.texcoords.empty()) return;
+  const TextureKey key{color.file,   color.base,   color.gain,         opacity.file,
+                       opacity.base, opacity.gain, prepared.map->clamp};
+  auto known = textures_.find(key);
+  if (known == textures_.end())
+    known = textures_.emplace(key, upload_texture(material, prepared.map->clamp, warnings)).first;
+  prepared.texture = known->second.name;
+  prepared.blended |= known->second.transparent;
+}
+
+UploadedMesh::Uploaded UploadedMesh::upload_texture(const Material& material, bool clamp,
+                                                    Warnings& warnings) {
   TextureImage image;
-  std::string problem;
-  if (!load_texture(material, image, problem)) {
-    warnings.add(material.diffuse_map.file, "this picture " + problem);
-    return;
-  }
+  if (!load_texture(material, image, warnings)) return {};
   GLint largest = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
   const auto* version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
   const bool any_size = (version && version[0] >= '2') || has_extension("GL_ARB_texture_non_power_of_two");
   fit_texture(image, std::max(largest, 64), !any_size);
-  prepared.blended |= image.channels == 4;
-  prepared.texture = make_texture(image, material.diffuse_map.clamp);
+  return {make_texture(image, clamp), image.channels != 3};
 }
 
 void UploadedMesh::bind_vertices() const {
@@ -83,7 +91,7 @@ void UploadedMesh::bind_vertices() const {
   glNormalPointer(GL_FLOAT, 0, at(1));
   glEnableClientState(GL_NORMAL_ARRAY);
   if (!mesh_.texcoords.empty()) glTexCoordPointer(2, GL_FLOAT, 0, at(2));
-  if (!mesh_.colors.empty()) glColorPointer(3, GL_FLOAT, 0, at(3));
+  if (!mesh_.colors.empty()) glColorPointer(4, GL_FLOAT, 0, at(3));
 }
 
 void UploadedMesh::use_material(uint32_t number) const {
@@ -101,7 +109,7 @@ void UploadedMesh::use_material(uint32_t number) const {
   const bool shiny = material.specular[0] > 0 || material.specular[1] > 0 || material.specular[2] > 0;
   glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL,
                 shiny && prepared_[number].texture ? GL_SEPARATE_SPECULAR_COLOR : GL_SINGLE_COLOR);
-  if (!mesh_.colors.empty() && material.opacity == 1) { // the array has no alpha
+  if (!mesh_.colors.empty()) {
     glColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE);
     glEnable(GL_COLOR_MATERIAL);
     glEnableClientState(GL_COLOR_ARRAY);
@@ -125,7 +133,7 @@ void UploadedMesh::use_texture(uint32_t number) const {
   glEnable(GL_TEXTURE_2D);
   glBindTexture(GL_TEXTURE_2D, prepared_[number].texture);
   glEnableClientState(GL_TEXTURE_COORD_ARRAY);
-  const TextureReference& map = materials_[number].diffuse_map;
+  const TextureReference& map = *prepared_[number].map;
   glMatrixMode(GL_TEXTURE);
   glLoadIdentity();
   glTranslatef(map.offset[0], map.offset[1], 0);

@@ -1,6 +1,9 @@
 // A mesh and its materials as objects of the current context: buffers and textures.
 #pragma once
 
+#include <map>
+#include <string>
+#include <tuple>
 #include <vector>
 
 #include "common/warnings.h"
@@ -28,15 +31,24 @@ private:
   struct PreparedMaterial {
     GLuint texture = 0;
     bool blended = false;
+    const TextureReference* map = nullptr; // whose options say where the texture lies
+  };
+  // The files, their options that change texels, and the clamping: equal ones share a texture.
+  using TextureKey = std::tuple<std::string, float, float, std::string, float, float, bool>;
+  struct Uploaded {
+    GLuint name = 0; // 0: could not be read
+    bool transparent = false;
   };
 
   void upload_vertices();
   void prepare_material(uint32_t number, Warnings& warnings);
+  Uploaded upload_texture(const Material& material, bool clamp, Warnings& warnings);
   void use_texture(uint32_t number) const;
 
   const Mesh& mesh_;
   const std::vector<Material>& materials_;
   std::vector<PreparedMaterial> prepared_;
+  std::map<TextureKey, Uploaded> textures_;
   GLuint vertex_buffer_ = 0, index_buffer_ = 0;
   size_t offsets_[4] = {0, 0, 0, 0}; // of positions, normals, texture coordinates and colors in the buffer
 };

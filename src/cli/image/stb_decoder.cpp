@@ -1,0 +1,60 @@
+#include <cstdlib>
+#include <new>
+
+#include "image/picture_formats.h"
+
+namespace softgl::cli {
+namespace {
+
+bool out_of_memory = false; // stb_image has asked in vain: its own messages do not always say so
+
+void* noticed(void* memory) {
+  if (!memory) out_of_memory = true;
+  return memory;
+}
+
+} // namespace
+} // namespace softgl::cli
+
+#define STBI_MALLOC(size) softgl::cli::noticed(std::malloc(size))
+#define STBI_REALLOC(memory, size) softgl::cli::noticed(std::realloc(memory, size))
+#define STBI_FREE(memory) std::free(memory)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wsign-compare"
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_ONLY_BMP
+#define STBI_ONLY_TGA
+#define STBI_NO_STDIO
+#define STBI_NO_LINEAR
+#define STBI_NO_HDR
+#include <stb/stb_image.h>
+#pragma GCC diagnostic pop
+
+namespace softgl::cli {
+
+std::string decode_with_stb(const SourceText& bytes, DecodedPicture& picture) {
+  out_of_memory = false;
+  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.begin());
+  const int size = int(bytes.size());
+  int channels = 0;
+  if (!stbi_info_from_memory(data, size, &picture.width, &picture.height, &channels))
+    return "is of no kind of picture that can be read";
+  if (int64_t(picture.width) * picture.height > kMostTexels) return kTooManyTexels; // it reads all at once
+  stbi_uc* pixels = stbi_load_from_memory(data, size, &picture.width, &picture.height, &channels, 4);
+  if (out_of_memory) {
+    stbi_image_free(pixels);
+    throw std::bad_alloc();
+  }
+  if (!pixels) return std::string("cannot be decoded (") + stbi_failure_reason() + ")";
+  picture.file_width = picture.width;
+  picture.file_height = picture.height;
+  picture.rgba =
+      GrowingArray<uint8_t>::adopt(pixels, size_t(4) * size_t(picture.width) * size_t(picture.height));
+  return {};
+}
+
+} // namespace softgl::cli
