@@ -435,6 +435,29 @@ TEST_CASE("Blending with one and zero leaves nothing of what was there", "[spec]
   CHECK(blended(osmesa_library()) == -8193); // a mixture of the two, rounded
 }
 
+TEST_CASE("Colors of 16 bits are cut on their way into textures of fewer bits",
+          "[spec][formats][textures][osmesa]") {
+  const auto copied = [](const Gl& gl, GLenum format) {
+    const CurrentContext current(gl);
+    bound_framebuffer(gl);
+    attach_texture(gl, GL_RGBA16);
+    std::vector<GLushort> texels(8 * 8 * 4);
+    for (size_t i = 0; i < texels.size(); ++i) texels[i] = GLushort(i * 40503);
+    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 8, 8, GL_RGBA, GL_UNSIGNED_SHORT, texels.data());
+    GLuint copy = 0;
+    gl.GenTextures(1, &copy);
+    gl.BindTexture(GL_TEXTURE_2D, copy);
+    gl.CopyTexImage2D(GL_TEXTURE_2D, 0, format, 0, 0, 8, 8, 0);
+    gl.GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_SHORT, texels.data());
+    return texels;
+  };
+  for (const GLenum format : {GL_RGB10_A2, GL_RGB10, GL_RGB5_A1, GL_RGB565, GL_R3_G3_B2, GL_RGBA4, GL_RGBA8,
+                              GL_RGB16, GL_LUMINANCE8, GL_ALPHA8, GL_RGBA32F}) {
+    CAPTURE(format);
+    CHECK(copied(softgl_library(), format) == copied(osmesa_library(), format));
+  }
+}
+
 TEST_CASE("Copied pixels obey the color mask and are clamped", "[spec][formats][pixels][deviation]") {
   const auto copied = [](const Gl& gl, bool masked, bool clamped) {
     const CurrentContext current(gl);
