@@ -44,7 +44,7 @@ constexpr GLenum kTypes[] = {GL_UNSIGNED_BYTE,
 template <class F> void for_each_format(F f) {
   for (GLenum format : kFormats)
     for (GLenum type : kTypes)
-      if (check_pixel_format(format, type) == GL_NO_ERROR) f(describe_pixel_format(format, type));
+      if (!check_pixel_format(format, type)) f(describe_pixel_format(format, type));
 }
 
 constexpr int kPixels = 300; // more than two chunks

@@ -66,16 +66,15 @@ bool lacks_buffer(const Context& c, const TexelFormat& format) {
          (format.base == GL_DEPTH_STENCIL && c.read->stencil_bits == 0);
 }
 
-bool whole_numbers(const TexelFormat& f) {
-  const bool integers = f.layout == TexelLayout::Rgba8 || f.layout == TexelLayout::Rgba16;
-  return integers && f.array && (f.base == GL_RGB || f.base == GL_RGBA);
+bool whole_bytes(const TexelFormat& f) {
+  return f.layout == TexelLayout::Rgba8 && f.array && (f.base == GL_RGB || f.base == GL_RGBA);
 }
 
-/// Whether a copy is stored as if it were drawn, as OSMesa 22.3.6 does it. Where all are whole numbers of one
-/// size that makes no difference.
+/// Whether a copy is stored as if it were drawn, as OSMesa 22.3.6 does it. For bytes that makes no
+/// difference.
 bool draws_copy(const Context& c, const TexelFormat& to) {
   if (!render_format(to).is_color()) return false;
-  return (c.read->texels && !whole_numbers(*c.read->texels)) || to.layout == TexelLayout::Signed16 ||
+  return (c.read->texels && !whole_bytes(*c.read->texels)) || to.layout == TexelLayout::Signed16 ||
          to.layout == TexelLayout::Float;
 }
 

@@ -178,6 +178,7 @@ void draw(Stage& s, const Target& t) {
   gl.Viewport(0, 0, t.size, t.size);
   random_clamping(s);
   random_merging(s, t);
+  if (r.chance(50)) gl.Enable(GL_FRAMEBUFFER_SRGB);
   if (r.chance(60)) clear(s);
   for (int n = r.integer(1, 3); n > 0; --n) {
     gl.Begin(GL_TRIANGLE_STRIP);
@@ -209,6 +210,7 @@ void draw(Stage& s, const Target& t) {
   reset_state(s);
   gl.ColorMask(1, 1, 1, 1);
   gl.Disable(GL_COLOR_LOGIC_OP);
+  if (r.chance(70)) gl.Disable(GL_FRAMEBUFFER_SRGB); // else blits convert, too
 }
 
 struct ReadFormat {
