@@ -278,8 +278,6 @@ def compiler(row):
     arguments = "".join(f", {n}" for _, n, _ in row.parameters)
     lines = [f"void compile_{row.name}(Context& c{parameters}) {{\n"]
     inside = row.list == "inside"
-    if inside:
-        lines.append("  close_compiled_run(c);\n")
     kept = {n: n for _, n, _ in row.parameters}
     pointers = row.pointers()
     if re.fullmatch(r"(Compressed)?TexImage[123]D", row.name):
