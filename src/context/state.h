@@ -162,7 +162,7 @@ struct TextureGeneration {
 };
 struct TextureUnitState {
   bool enabled[kTextureTargets] = {};
-  GLuint bound[kTextureTargets] = {}; // names; the objects are in the object store
+  GLuint bound[kTextureTargets] = {}; // names; the objects are in Context::bound_texture
   GLenum env_mode = GL_MODULATE;
   Vec4 env_color{0, 0, 0, 0};
   float lod_bias = 0;
