@@ -241,6 +241,14 @@ void compile_WindowPos(Context& c, GLfloat x, GLfloat y, GLfloat z) {
     if (may_execute(c)) gl::WindowPos(c, x, y, z);
   }
 }
+void compile_WindowPos4MESA(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
+  const WindowPos4MESAArguments kept_call{x, y, z, w};
+  new (record(c, uint16_t(Opcode::WindowPos4MESA), sizeof kept_call)) WindowPos4MESAArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::WindowPos4MESA(c, x, y, z, w);
+  }
+}
 void compile_FrontFace(Context& c, GLenum mode) {
   const FrontFaceArguments kept_call{mode};
   new (record(c, uint16_t(Opcode::FrontFace), sizeof kept_call)) FrontFaceArguments(kept_call);
