@@ -33,9 +33,7 @@ bool may_execute_or_compile(Context& c) { return (c.guard & kCompilingList) || m
 void ignore_call(Context& c) { may_execute_keeping_run(c); }
 
 void bad_scalar_parameter(Context& c) {
-  if (c.guard & kCompilingList)
-    return compile_error(c, c.builder.mode != kNoPrimitive ? Refusal{GL_INVALID_OPERATION}
-                                                           : Refusal{GL_INVALID_ENUM, "pname"});
+  if (c.guard & kCompilingList) return compile_error(c, {GL_INVALID_ENUM, "pname"});
   if (c.guard & kInsideBeginEnd) return set_error(c, GL_INVALID_OPERATION);
   set_error(c, GL_INVALID_ENUM, "pname");
 }

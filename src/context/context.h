@@ -44,6 +44,8 @@ struct Context {
   std::shared_ptr<SharedObjects> shared =
       std::make_shared<SharedObjects>(); // textures, buffers, lists: may be shared
   std::shared_ptr<TextureObject> proxy_texture[kTextureTargets];
+  /// Of the names in TextureUnitState::bound, null for 0. A texture that another context deletes stays bound.
+  std::shared_ptr<TextureObject> bound_texture[kMaxTextureUnits][kTextureTargets];
   OcclusionQueries queries;
   EvaluatorMaps evaluator_maps;
   ListCompiler lists;

@@ -23,9 +23,8 @@ struct ListCompiler {
   VertexBuilder executing_builder;
   uint32_t executing_guard = 0;
 
-  bool failed = false;         // memory has ended: nothing is kept any more, and EndList keeps the old list
-  bool last_was_error = false; // the last record stands for an error: nothing to execute
-  uint64_t unkept[32];         // takes the arguments of a command that is not kept: more than any one's
+  bool failed = false; // memory has ended: nothing is kept any more, and EndList keeps the old list
+  uint64_t unkept[32]; // takes the arguments of a command that is not kept: more than any one's
 };
 
 } // namespace softgl

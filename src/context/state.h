@@ -66,9 +66,10 @@ struct RasterPosition {
 struct TransformState {
   GLenum matrix_mode = GL_MODELVIEW;
   bool normalize = false, rescale_normal = false;
-  bool depth_clamp = false;             // GL_ARB_depth_clamp
-  uint32_t clip_plane_enabled = 0;      // bit i = GL_CLIP_PLANEi
-  Vec4 clip_plane[kMaxClipPlanes] = {}; // eye coordinates (2.11)
+  bool depth_clamp = false;               // GL_ARB_depth_clamp
+  bool raster_position_unclipped = false; // GL_IBM_rasterpos_clip
+  uint32_t clip_plane_enabled = 0;        // bit i = GL_CLIP_PLANEi
+  Vec4 clip_plane[kMaxClipPlanes] = {};   // eye coordinates (2.11)
 };
 struct ViewportState {
   GLint x = 0, y = 0;
@@ -162,7 +163,7 @@ struct TextureGeneration {
 };
 struct TextureUnitState {
   bool enabled[kTextureTargets] = {};
-  GLuint bound[kTextureTargets] = {}; // names; the objects are in the object store
+  GLuint bound[kTextureTargets] = {}; // names; the objects are in Context::bound_texture
   GLenum env_mode = GL_MODULATE;
   Vec4 env_color{0, 0, 0, 0};
   float lod_bias = 0;

@@ -21,9 +21,8 @@ std::shared_ptr<TextureObject> proxy_texture(Context& c, TextureTarget target) {
 }
 
 std::shared_ptr<TextureObject> bound_texture(const Context& c, int unit, TextureTarget target) {
-  if (const GLuint name = c.state.texture.unit[unit].bound[target])
-    if (auto object = c.shared->textures.find(name); object && object->target == target) return object;
-  return default_texture(c, target);
+  const auto& object = c.bound_texture[unit][target];
+  return object ? object : default_texture(c, target);
 }
 
 } // namespace softgl

@@ -9,7 +9,7 @@ namespace softgl {
 
 struct Context;
 
-/// The object bound to a target of a unit; never null. A name that no longer exists means the default object.
+/// The object bound to a target of a unit; never null.
 std::shared_ptr<TextureObject> bound_texture(const Context& c, int unit, TextureTarget target);
 /// The object that an image or parameter command means: of the active unit, or a proxy's. Null for an unknown
 /// target.

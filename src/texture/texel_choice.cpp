@@ -169,10 +169,14 @@ const TexelFormat* choose_texel_format(GLint internal_format, GLenum format, GLe
   case GL_DEPTH24_STENCIL8: return &kDepth24Stencil8;
   case GL_DEPTH_COMPONENT32F: return &kDepth32f;
   case GL_DEPTH32F_STENCIL8: return &kDepth32fStencil8;
+  case GL_RGB_S3TC: // GL_S3_s3tc
+  case GL_RGB4_S3TC:
   case GL_COMPRESSED_RGB_S3TC_DXT1_EXT: return &kBlocks<GL_RGB, BlockFormat::Dxt1Rgb>;
   case GL_COMPRESSED_SRGB_S3TC_DXT1_EXT: return &kBlocks<GL_RGB, BlockFormat::Dxt1Rgb, false, true>;
   case GL_COMPRESSED_RGBA_S3TC_DXT1_EXT: return &kBlocks<GL_RGBA, BlockFormat::Dxt1Rgba>;
   case GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT: return &kBlocks<GL_RGBA, BlockFormat::Dxt1Rgba, false, true>;
+  case GL_RGBA_S3TC:
+  case GL_RGBA4_S3TC:
   case GL_COMPRESSED_RGBA_S3TC_DXT3_EXT: return &kBlocks<GL_RGBA, BlockFormat::Dxt3>;
   case GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT: return &kBlocks<GL_RGBA, BlockFormat::Dxt3, false, true>;
   case GL_COMPRESSED_RGBA_S3TC_DXT5_EXT: return &kBlocks<GL_RGBA, BlockFormat::Dxt5>;

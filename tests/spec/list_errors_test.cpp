@@ -30,6 +30,54 @@ Played play(const Gl& gl, const std::function<void(const Gl&)>& command) {
   return p;
 }
 
+TEST_CASE("A list whose Begin is refused is not between Begin and End", "[spec][lists][framebuffers]") {
+  // GL_ARB_framebuffer_object, 4.4.4.2: Begin is ignored while the framebuffer is not complete.
+  const Gl& gl = softgl_library();
+  for (const GLenum mode : {GL_COMPILE, GL_COMPILE_AND_EXECUTE}) {
+    CurrentContext context(gl);
+    GLuint incomplete = 0;
+    gl.GenFramebuffers(1, &incomplete);
+    const auto bind = [&](GLuint name) { gl.BindFramebuffer(GL_FRAMEBUFFER, name); };
+    bind(incomplete);
+    const auto commands = [&] {
+      gl.Begin(GL_TRIANGLES);
+      gl.Color3f(0, 1, 0);
+      gl.Vertex2f(-1, -1);
+      gl.Vertex2f(3, -1);
+      gl.Enable(GL_FOG);
+      gl.LightModelf(GL_LIGHT_MODEL_AMBIENT, 1); // an argument that is wrong everywhere
+      gl.Vertex2f(-1, 3);
+      gl.End();
+      gl.Enable(GL_BLEND);
+    };
+    gl.NewList(1, mode);
+    commands();
+    gl.EndList();
+    if (mode == GL_COMPILE) {
+      CHECK(gl.GetError() == GL_NO_ERROR);
+      CHECK(!gl.IsEnabled(GL_FOG));
+      gl.CallList(1);
+    }
+    CHECK(gl.GetError() == GL_INVALID_FRAMEBUFFER_OPERATION);
+    CHECK(gl.IsEnabled(GL_FOG)); // as without a list
+    CHECK(gl.IsEnabled(GL_BLEND));
+    GLfloat color[4];
+    gl.GetFloatv(GL_CURRENT_COLOR, color);
+    CHECK(color[0] == 0);
+    gl.Disable(GL_FOG);
+    gl.Disable(GL_BLEND);
+    bind(0);
+    gl.CallList(1);
+    CHECK(gl.GetError() == GL_INVALID_OPERATION);
+    CHECK(!gl.IsEnabled(GL_FOG));
+    CHECK(gl.IsEnabled(GL_BLEND));
+    GLubyte pixel[4] = {};
+    gl.ReadPixels(4, 4, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+    CHECK(pixel[1] == 255); // and the triangle is drawn
+    gl.Disable(GL_BLEND);
+  }
+}
+
 TEST_CASE("Errors of a list come when it is played", "[spec][lists]") {
   const GLuint index = 0;
   struct Case {

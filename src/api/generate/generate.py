@@ -210,7 +210,7 @@ def default_return(returns):
 
 # Pointers that may be null: an offset into a buffer, an image without contents, or errors have to be found first.
 NULL_IS_FINE = re.compile(r"^CallLists$|Pointer$|PointerEXT$|^Draw|BufferData$|^Compressed|Tex(Sub)?Image|^(Bitmap|DrawPixels|ReadPixels)|PixelMap|PolygonStipple|"
-                          r"^DebugMessage|^GetDebugMessageLog$|^PushDebugGroup$|Label$")
+                          r"^DebugMessage|^GetDebugMessageLog$|^PushDebugGroup$|Label$|Label(Object)?EXT$")
 
 
 def null_check(row, command):
@@ -278,8 +278,6 @@ def compiler(row):
     arguments = "".join(f", {n}" for _, n, _ in row.parameters)
     lines = [f"void compile_{row.name}(Context& c{parameters}) {{\n"]
     inside = row.list == "inside"
-    if inside:
-        lines.append("  close_compiled_run(c);\n")
     kept = {n: n for _, n, _ in row.parameters}
     pointers = row.pointers()
     if re.fullmatch(r"(Compressed)?TexImage[123]D", row.name):
@@ -349,7 +347,7 @@ def exports(commands, core, rows):
     unseen = set(core)
     found = []
     names = {s[2:] for s in symbols if s.startswith("gl")}
-    names.update(row.doors[0] for row in rows)
+    names.update(door for row in rows for door in row.doors if door == row.doors[0] or row.convert != "plain")
     names.update(name for name in commands if HALF_FAMILY.match(name))
     for export in sorted(names, key=lambda n: n.encode()):
         unseen.discard(export)

@@ -21,7 +21,6 @@ void compile_Rect(Context& c, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
   }
 }
 void compile_EvalCoord1(Context& c, GLfloat u) {
-  close_compiled_run(c);
   const EvalCoord1Arguments kept_call{u};
   new (record(c, uint16_t(Opcode::EvalCoord1), sizeof kept_call)) EvalCoord1Arguments(kept_call);
   if (execute_too(c)) {
@@ -30,7 +29,6 @@ void compile_EvalCoord1(Context& c, GLfloat u) {
   }
 }
 void compile_EvalCoord2(Context& c, GLfloat u, GLfloat v) {
-  close_compiled_run(c);
   const EvalCoord2Arguments kept_call{u, v};
   new (record(c, uint16_t(Opcode::EvalCoord2), sizeof kept_call)) EvalCoord2Arguments(kept_call);
   if (execute_too(c)) {
@@ -39,7 +37,6 @@ void compile_EvalCoord2(Context& c, GLfloat u, GLfloat v) {
   }
 }
 void compile_EvalPoint1(Context& c, GLint i) {
-  close_compiled_run(c);
   const EvalPoint1Arguments kept_call{i};
   new (record(c, uint16_t(Opcode::EvalPoint1), sizeof kept_call)) EvalPoint1Arguments(kept_call);
   if (execute_too(c)) {
@@ -48,7 +45,6 @@ void compile_EvalPoint1(Context& c, GLint i) {
   }
 }
 void compile_EvalPoint2(Context& c, GLint i, GLint j) {
-  close_compiled_run(c);
   const EvalPoint2Arguments kept_call{i, j};
   new (record(c, uint16_t(Opcode::EvalPoint2), sizeof kept_call)) EvalPoint2Arguments(kept_call);
   if (execute_too(c)) {
@@ -243,6 +239,14 @@ void compile_WindowPos(Context& c, GLfloat x, GLfloat y, GLfloat z) {
   if (execute_too(c)) {
     const ExecuteScope scope(c);
     if (may_execute(c)) gl::WindowPos(c, x, y, z);
+  }
+}
+void compile_WindowPos4MESA(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
+  const WindowPos4MESAArguments kept_call{x, y, z, w};
+  new (record(c, uint16_t(Opcode::WindowPos4MESA), sizeof kept_call)) WindowPos4MESAArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::WindowPos4MESA(c, x, y, z, w);
   }
 }
 void compile_FrontFace(Context& c, GLenum mode) {

@@ -36,6 +36,7 @@ void compile_Viewport(Context& c, GLint x, GLint y, GLsizei width, GLsizei heigh
 void compile_ClipPlane(Context& c, GLenum plane, const GLdouble* equation);
 void compile_RasterPos(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w);
 void compile_WindowPos(Context& c, GLfloat x, GLfloat y, GLfloat z);
+void compile_WindowPos4MESA(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w);
 void compile_FrontFace(Context& c, GLenum mode);
 void compile_Material(Context& c, GLenum face, GLenum pname, const GLfloat* params);
 void compile_Light(Context& c, GLenum light, GLenum pname, const GLfloat* params);

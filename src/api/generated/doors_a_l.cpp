@@ -1600,6 +1600,14 @@ SOFTGL_EXPORT void APIENTRY glInterleavedArrays(GLenum format, GLsizei stride, c
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glLabelObjectEXT(GLenum type, GLuint object, GLsizei length, const GLchar* label) try {
+  SOFTGL_TRACED(glLabelObjectEXT, type, object, length, label);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::LabelObjectEXT(c, type, object, length, label);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glLightModelf(GLenum pname, GLfloat param) try {
   SOFTGL_TRACED(glLightModelf, pname, param);
   Context& c = *current_context;

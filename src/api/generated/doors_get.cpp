@@ -251,6 +251,14 @@ SOFTGL_EXPORT void APIENTRY glGetObjectLabel(GLenum identifier, GLuint name, GLs
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glGetObjectLabelEXT(GLenum type, GLuint object, GLsizei bufSize, GLsizei* length, GLchar* label) try {
+  SOFTGL_TRACED(glGetObjectLabelEXT, type, object, bufSize, length, label);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::GetObjectLabelEXT(c, type, object, bufSize, length, label);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glGetObjectPtrLabel(const void* ptr, GLsizei bufSize, GLsizei* length, GLchar* label) try {
   SOFTGL_TRACED(glGetObjectPtrLabel, ptr, bufSize, length, label);
   Context& c = *current_context;

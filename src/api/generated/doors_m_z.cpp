@@ -311,6 +311,24 @@ SOFTGL_EXPORT void APIENTRY glMultiDrawElementsEXT(GLenum mode, const GLsizei* c
 } catch (...) {
   out_of_memory();
 }
+void APIENTRY glMultiModeDrawArraysIBM(const GLenum* mode, const GLint* first, const GLsizei* count, GLsizei primcount, GLint modestride) try {
+  SOFTGL_TRACED(glMultiModeDrawArraysIBM, mode, first, count, primcount, modestride);
+  Context& c = *current_context;
+  if (!mode || (!first && primcount > 0) || (!count && primcount > 0)) [[unlikely]] return ignore_call(c);
+  if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;
+  gl::MultiModeDrawArraysIBM(c, mode, first, count, primcount, modestride);
+} catch (...) {
+  out_of_memory();
+}
+void APIENTRY glMultiModeDrawElementsIBM(const GLenum* mode, const GLsizei* count, GLenum type, const void*const* indices, GLsizei primcount, GLint modestride) try {
+  SOFTGL_TRACED(glMultiModeDrawElementsIBM, mode, count, type, indices, primcount, modestride);
+  Context& c = *current_context;
+  if (!mode || (!count && primcount > 0) || (!indices && primcount > 0)) [[unlikely]] return ignore_call(c);
+  if (c.guard && !may_execute_or_compile(c)) [[unlikely]] return;
+  gl::MultiModeDrawElementsIBM(c, mode, count, type, indices, primcount, modestride);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glNewList(GLuint list, GLenum mode) try {
   SOFTGL_TRACED(glNewList, list, mode);
   Context& c = *current_context;
@@ -2149,6 +2167,98 @@ SOFTGL_EXPORT void APIENTRY glWindowPos3svARB(const GLshort* v) try {
     if (!may_execute(c)) return;
   }
   gl::WindowPos(c, float(v[0]), float(v[1]), float(v[2]));
+} catch (...) {
+  out_of_memory();
+}
+void APIENTRY glWindowPos4dMESA(GLdouble x, GLdouble y, GLdouble z, GLdouble w) try {
+  SOFTGL_TRACED(glWindowPos4dMESA, x, y, z, w);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos4MESA(c, float(x), float(y), float(z), float(w));
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos4MESA(c, float(x), float(y), float(z), float(w));
+} catch (...) {
+  out_of_memory();
+}
+void APIENTRY glWindowPos4dvMESA(const GLdouble* v) try {
+  SOFTGL_TRACED(glWindowPos4dvMESA, v);
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos4MESA(c, float(v[0]), float(v[1]), float(v[2]), float(v[3]));
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos4MESA(c, float(v[0]), float(v[1]), float(v[2]), float(v[3]));
+} catch (...) {
+  out_of_memory();
+}
+void APIENTRY glWindowPos4fMESA(GLfloat x, GLfloat y, GLfloat z, GLfloat w) try {
+  SOFTGL_TRACED(glWindowPos4fMESA, x, y, z, w);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos4MESA(c, x, y, z, w);
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos4MESA(c, x, y, z, w);
+} catch (...) {
+  out_of_memory();
+}
+void APIENTRY glWindowPos4fvMESA(const GLfloat* v) try {
+  SOFTGL_TRACED(glWindowPos4fvMESA, v);
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos4MESA(c, v[0], v[1], v[2], v[3]);
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos4MESA(c, v[0], v[1], v[2], v[3]);
+} catch (...) {
+  out_of_memory();
+}
+void APIENTRY glWindowPos4iMESA(GLint x, GLint y, GLint z, GLint w) try {
+  SOFTGL_TRACED(glWindowPos4iMESA, x, y, z, w);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos4MESA(c, float(x), float(y), float(z), float(w));
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos4MESA(c, float(x), float(y), float(z), float(w));
+} catch (...) {
+  out_of_memory();
+}
+void APIENTRY glWindowPos4ivMESA(const GLint* v) try {
+  SOFTGL_TRACED(glWindowPos4ivMESA, v);
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos4MESA(c, float(v[0]), float(v[1]), float(v[2]), float(v[3]));
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos4MESA(c, float(v[0]), float(v[1]), float(v[2]), float(v[3]));
+} catch (...) {
+  out_of_memory();
+}
+void APIENTRY glWindowPos4sMESA(GLshort x, GLshort y, GLshort z, GLshort w) try {
+  SOFTGL_TRACED(glWindowPos4sMESA, x, y, z, w);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos4MESA(c, float(x), float(y), float(z), float(w));
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos4MESA(c, float(x), float(y), float(z), float(w));
+} catch (...) {
+  out_of_memory();
+}
+void APIENTRY glWindowPos4svMESA(const GLshort* v) try {
+  SOFTGL_TRACED(glWindowPos4svMESA, v);
+  Context& c = *current_context;
+  if (!v) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_WindowPos4MESA(c, float(v[0]), float(v[1]), float(v[2]), float(v[3]));
+    if (!may_execute(c)) return;
+  }
+  gl::WindowPos4MESA(c, float(v[0]), float(v[1]), float(v[2]), float(v[3]));
 } catch (...) {
   out_of_memory();
 }

@@ -239,6 +239,7 @@ DOOR(glGetMapiv);
 DOOR(glGetMaterialfv);
 DOOR(glGetMaterialiv);
 DOOR(glGetObjectLabel);
+DOOR(glGetObjectLabelEXT);
 DOOR(glGetObjectPtrLabel);
 DOOR(glGetPixelMapfv);
 DOOR(glGetPixelMapuiv);
@@ -294,6 +295,7 @@ DOOR(glIsRenderbuffer);
 DOOR(glIsRenderbufferEXT);
 DOOR(glIsTexture);
 DOOR(glIsVertexArray);
+DOOR(glLabelObjectEXT);
 DOOR(glLightModelf);
 DOOR(glLightModelfv);
 DOOR(glLightModeli);
@@ -342,6 +344,8 @@ DOOR(glMultiDrawArraysEXT);
 DOOR(glMultiDrawElements);
 DOOR(glMultiDrawElementsBaseVertex);
 DOOR(glMultiDrawElementsEXT);
+DOOR(glMultiModeDrawArraysIBM);
+DOOR(glMultiModeDrawElementsIBM);
 DOOR(glMultiTexCoord1d);
 DOOR(glMultiTexCoord1dARB);
 DOOR(glMultiTexCoord1dv);
@@ -698,6 +702,14 @@ DOOR(glWindowPos3s);
 DOOR(glWindowPos3sARB);
 DOOR(glWindowPos3sv);
 DOOR(glWindowPos3svARB);
+DOOR(glWindowPos4dMESA);
+DOOR(glWindowPos4dvMESA);
+DOOR(glWindowPos4fMESA);
+DOOR(glWindowPos4fvMESA);
+DOOR(glWindowPos4iMESA);
+DOOR(glWindowPos4ivMESA);
+DOOR(glWindowPos4sMESA);
+DOOR(glWindowPos4svMESA);
 
 namespace softgl {
 
@@ -968,6 +980,7 @@ const NamedDoor kNamedDoors[] = {
     {"glGetMaterialfv", door_glGetMaterialfv},
     {"glGetMaterialiv", door_glGetMaterialiv},
     {"glGetObjectLabel", door_glGetObjectLabel},
+    {"glGetObjectLabelEXT", door_glGetObjectLabelEXT},
     {"glGetObjectLabelKHR", door_glGetObjectLabel},
     {"glGetObjectPtrLabel", door_glGetObjectPtrLabel},
     {"glGetObjectPtrLabelKHR", door_glGetObjectPtrLabel},
@@ -1030,6 +1043,7 @@ const NamedDoor kNamedDoors[] = {
     {"glIsVertexArray", door_glIsVertexArray},
     {"glIsVertexArrayAPPLE", door_glIsVertexArray},
     {"glIsVertexArrayOES", door_glIsVertexArray},
+    {"glLabelObjectEXT", door_glLabelObjectEXT},
     {"glLightModelf", door_glLightModelf},
     {"glLightModelfv", door_glLightModelfv},
     {"glLightModeli", door_glLightModeli},
@@ -1081,6 +1095,8 @@ const NamedDoor kNamedDoors[] = {
     {"glMultiDrawElementsBaseVertex", door_glMultiDrawElementsBaseVertex},
     {"glMultiDrawElementsBaseVertexEXT", door_glMultiDrawElementsBaseVertex},
     {"glMultiDrawElementsEXT", door_glMultiDrawElementsEXT},
+    {"glMultiModeDrawArraysIBM", door_glMultiModeDrawArraysIBM},
+    {"glMultiModeDrawElementsIBM", door_glMultiModeDrawElementsIBM},
     {"glMultiTexCoord1d", door_glMultiTexCoord1d},
     {"glMultiTexCoord1dARB", door_glMultiTexCoord1dARB},
     {"glMultiTexCoord1dv", door_glMultiTexCoord1dv},
@@ -1470,6 +1486,14 @@ const NamedDoor kNamedDoors[] = {
     {"glWindowPos3sv", door_glWindowPos3sv},
     {"glWindowPos3svARB", door_glWindowPos3svARB},
     {"glWindowPos3svMESA", door_glWindowPos3sv},
+    {"glWindowPos4dMESA", door_glWindowPos4dMESA},
+    {"glWindowPos4dvMESA", door_glWindowPos4dvMESA},
+    {"glWindowPos4fMESA", door_glWindowPos4fMESA},
+    {"glWindowPos4fvMESA", door_glWindowPos4fvMESA},
+    {"glWindowPos4iMESA", door_glWindowPos4iMESA},
+    {"glWindowPos4ivMESA", door_glWindowPos4ivMESA},
+    {"glWindowPos4sMESA", door_glWindowPos4sMESA},
+    {"glWindowPos4svMESA", door_glWindowPos4svMESA},
 };
 const size_t kNamedDoorCount = sizeof kNamedDoors / sizeof kNamedDoors[0];
 

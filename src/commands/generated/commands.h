@@ -46,6 +46,8 @@ void DrawElements(Context& c, GLenum mode, GLsizei count, GLenum type, const voi
 void DrawRangeElements(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices);
 void MultiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count, GLsizei drawcount);
 void MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void*const* indices, GLsizei drawcount);
+void MultiModeDrawArraysIBM(Context& c, const GLenum* mode, const GLint* first, const GLsizei* count, GLsizei primcount, GLint modestride);
+void MultiModeDrawElementsIBM(Context& c, const GLenum* mode, const GLsizei* count, GLenum type, const void*const* indices, GLsizei primcount, GLint modestride);
 void DrawElementsBaseVertex(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices, GLint basevertex);
 void DrawRangeElementsBaseVertex(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices, GLint basevertex);
 void MultiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void*const* indices, GLsizei drawcount, const GLint* basevertex);
@@ -89,6 +91,7 @@ void ClipPlane(Context& c, GLenum plane, const GLdouble* equation);
 void GetClipPlane(Context& c, GLenum plane, GLdouble* equation);
 void RasterPos(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w);
 void WindowPos(Context& c, GLfloat x, GLfloat y, GLfloat z);
+void WindowPos4MESA(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w);
 void FrontFace(Context& c, GLenum mode);
 void Material(Context& c, GLenum face, GLenum pname, const GLfloat* params);
 void Light(Context& c, GLenum light, GLenum pname, const GLfloat* params);
@@ -267,6 +270,8 @@ void PushDebugGroup(Context& c, GLenum source, GLuint id, GLsizei length, const 
 void PopDebugGroup(Context& c);
 void ObjectLabel(Context& c, GLenum identifier, GLuint name, GLsizei length, const GLchar* label);
 void GetObjectLabel(Context& c, GLenum identifier, GLuint name, GLsizei bufSize, GLsizei* length, GLchar* label);
+void LabelObjectEXT(Context& c, GLenum type, GLuint object, GLsizei length, const GLchar* label);
+void GetObjectLabelEXT(Context& c, GLenum type, GLuint object, GLsizei bufSize, GLsizei* length, GLchar* label);
 void ObjectPtrLabel(Context& c, const void* ptr, GLsizei length, const GLchar* label);
 void GetObjectPtrLabel(Context& c, const void* ptr, GLsizei bufSize, GLsizei* length, GLchar* label);
 

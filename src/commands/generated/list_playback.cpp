@@ -123,6 +123,10 @@ void play_command(Context& c, uint16_t opcode, const void* arguments) {
       const auto& r = *static_cast<const WindowPosArguments*>(arguments);
       return gl::WindowPos(c, r.x, r.y, r.z);
     }
+    case Opcode::WindowPos4MESA: {
+      const auto& r = *static_cast<const WindowPos4MESAArguments*>(arguments);
+      return gl::WindowPos4MESA(c, r.x, r.y, r.z, r.w);
+    }
     case Opcode::FrontFace: {
       const auto& r = *static_cast<const FrontFaceArguments*>(arguments);
       return gl::FrontFace(c, r.mode);
@@ -548,6 +552,7 @@ const char* opcode_name(uint16_t opcode) {
       "ClipPlane",
       "RasterPos",
       "WindowPos",
+      "WindowPos4MESA",
       "FrontFace",
       "Material",
       "Light",

@@ -39,6 +39,7 @@ enum class Opcode : uint16_t {
   ClipPlane,
   RasterPos,
   WindowPos,
+  WindowPos4MESA,
   FrontFace,
   Material,
   Light,
@@ -131,7 +132,7 @@ enum class Opcode : uint16_t {
   PushAttrib,
   PopAttrib,
 };
-constexpr int kOpcodes = 120;
+constexpr int kOpcodes = 121;
 
 struct RectArguments { GLfloat x1; GLfloat y1; GLfloat x2; GLfloat y2; };
 struct EvalCoord1Arguments { GLfloat u; };
@@ -159,6 +160,7 @@ struct ViewportArguments { GLint x; GLint y; GLsizei width; GLsizei height; };
 struct ClipPlaneArguments { GLenum plane; const GLdouble* equation; };
 struct RasterPosArguments { GLfloat x; GLfloat y; GLfloat z; GLfloat w; };
 struct WindowPosArguments { GLfloat x; GLfloat y; GLfloat z; };
+struct WindowPos4MESAArguments { GLfloat x; GLfloat y; GLfloat z; GLfloat w; };
 struct FrontFaceArguments { GLenum mode; };
 struct MaterialArguments { GLenum face; GLenum pname; const GLfloat* params; };
 struct LightArguments { GLenum light; GLenum pname; const GLfloat* params; };

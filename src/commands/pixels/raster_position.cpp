@@ -25,8 +25,9 @@ Vec4 transformed(const Matrix& matrix, const Vec4& v) {
   return out;
 }
 
-bool in_view(const Vec4& clip, const ClipPlaneConstants* planes, bool depth_clamp) {
-  for (int i = 0; i < (depth_clamp ? 2 : 3); ++i)
+bool in_view(const Vec4& clip, const ClipPlaneConstants* planes, const TransformState& transform) {
+  // GL_IBM_rasterpos_clip spares x and y, GL_ARB_depth_clamp z.
+  for (int i = transform.raster_position_unclipped ? 2 : 0; i < (transform.depth_clamp ? 2 : 3); ++i)
     if (!(clip[i] <= clip.w && clip[i] >= -clip.w)) return false;
   for (int i = 0; planes && i < planes->count; ++i) {
     const float* p = planes->plane[i];
@@ -98,7 +99,7 @@ void RasterPos(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
   const Vec4 clip = transformed(c.matrices.projection.top(), eye);
   const Arena::Mark mark = c.frame.arena().mark();
   const ClipPlaneConstants* planes = make_clip_planes(c, c.frame.arena());
-  position.valid = in_view(clip, planes, s.transform.depth_clamp);
+  position.valid = in_view(clip, planes, s.transform);
   if (position.valid) {
     position.window = window_position(s.viewport, clip);
     if (s.transform.depth_clamp) {
@@ -115,13 +116,14 @@ void RasterPos(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
   c.frame.arena().rewind(mark);
 }
 
-void WindowPos(Context& c, GLfloat x, GLfloat y, GLfloat z) {
-  if (!draw_target_complete(c)) return set_error(c, GL_INVALID_FRAMEBUFFER_OPERATION);
+namespace {
+
+void set_window_position(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
   const State& s = c.state;
   RasterPosition& position = c.state.raster_position;
   position.window = Vec4(
       x, y,
-      unit_range(z) * float(s.viewport.far_depth - s.viewport.near_depth) + float(s.viewport.near_depth), 1);
+      unit_range(z) * float(s.viewport.far_depth - s.viewport.near_depth) + float(s.viewport.near_depth), w);
   position.distance = s.fog.coordinate_source == GL_FOG_COORDINATE ? s.current.slot[kFogCoordinate].x : 0.0f;
   take_current_attributes(s, position);
   if (clamps_vertex_colors(c)) {
@@ -130,6 +132,19 @@ void WindowPos(Context& c, GLfloat x, GLfloat y, GLfloat z) {
   }
   position.valid = true;
   feed_back_raster_position(c);
+}
+
+} // namespace
+
+void WindowPos(Context& c, GLfloat x, GLfloat y, GLfloat z) {
+  if (!draw_target_complete(c)) return set_error(c, GL_INVALID_FRAMEBUFFER_OPERATION);
+  set_window_position(c, x, y, z, 1);
+}
+
+/// GL_MESA_window_pos: w is the raster position's own, and moves nothing.
+void WindowPos4MESA(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
+  if (!draw_target_complete(c)) return set_error(c, GL_INVALID_FRAMEBUFFER_OPERATION);
+  set_window_position(c, x, y, z, w);
 }
 
 } // namespace gl

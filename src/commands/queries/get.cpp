@@ -9,6 +9,7 @@
 #include "commands/state/capabilities.h"
 #include "context/color_clamping.h"
 #include "context/context.h"
+#include "texture/texel_format.h"
 
 namespace softgl {
 namespace {
@@ -64,6 +65,45 @@ FramebufferBits framebuffer_bits(const Context& c) {
   if (!f->depth.empty()) bits.depth = f->depth.format().depth_bits;
   if (!f->stencil.empty()) bits.stencil = f->stencil.format().stencil_bits;
   return bits;
+}
+
+struct PixelKind {
+  GLenum format, type;
+};
+PixelKind preferred_reading(GLenum base, ColorFormat format, const ColorEncoding& e) {
+  const GLenum components = base == GL_RED || base == GL_RG ? base : GLenum(GL_RGBA);
+  switch (format) {
+  case ColorFormat::RgbaFloat:
+    if (e.bits[2] == 10) return {GL_RGB, GL_UNSIGNED_INT_10F_11F_11F_REV};
+    return {components, GLenum(std::max(e.bits[0], e.bits[3]) == 16 ? GL_HALF_FLOAT : GL_FLOAT)};
+  case ColorFormat::Rgba16:
+    if (e.numbers == ColorNumbers::Signed)
+      return {components, GLenum(std::max(e.bits[0], e.bits[3]) == 8 ? GL_BYTE : GL_SHORT)};
+    if (e.bits[0] == 10 && e.bits[3] == 2) return {GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV};
+    return {components, GL_UNSIGNED_SHORT};
+  case ColorFormat::Rgb565: return {GL_RGB, GL_UNSIGNED_SHORT_5_6_5};
+  case ColorFormat::Rgba8:
+    if (e.bits[1] == 6) return {GL_RGB, GL_UNSIGNED_SHORT_5_6_5};
+    if (e.bits[0] == 4 && e.bits[3] == 4) return {GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4};
+    if (e.bits[0] == 5 && e.bits[3] == 1) return {GL_RGBA, GL_UNSIGNED_SHORT_1_5_5_5_REV};
+  }
+  return {components, GL_UNSIGNED_BYTE};
+}
+
+/// How colors are best read (GL_OES_read_format): as they are stored.
+PixelKind preferred_reading(const Context& c) {
+  const FramebufferObject* f = c.bindings.read.get();
+  if (!f) {
+    const Surface& window = c.framebuffer.surface;
+    PixelKind kind = preferred_reading(GL_RGBA, window.color_format, window.encoding);
+    constexpr GLenum kOSMesaBgra = 1;
+    if (c.framebuffer.client.format == kOSMesaBgra) kind.format = GL_BGRA;
+    return kind;
+  }
+  const Attachment* a = f->complete() ? f->color_of(f->read_buffer) : nullptr;
+  if (!a || a->empty()) return {GL_RGBA, GL_UNSIGNED_BYTE};
+  const RenderFormat format = a->format();
+  return preferred_reading(format.texels ? format.texels->base : GL_RGBA, format.color, format.encoding);
 }
 
 /// The color encoding of what is drawn to is sRGB.

@@ -83,12 +83,17 @@ void save_textures(Context& c, std::vector<SavedTexture>& saved) {
 }
 
 void restore_textures(Context& c, const std::vector<SavedTexture>& saved) {
+  for (auto& unit : c.bound_texture)
+    for (auto& bound : unit) bound = nullptr;
   for (const SavedTexture& texture : saved) {
+    const GLuint name = texture.object->name;
     // An object deleted meanwhile is not bound again; the default one takes its place.
-    if (texture.object->name != 0 && c.shared->textures.find(texture.object->name) != texture.object)
+    if (name != 0 && c.shared->textures.find(name) != texture.object) {
       c.state.texture.unit[texture.unit].bound[texture.target] = 0;
-    else
-      texture.object->parameters = *texture.parameters;
+      continue;
+    }
+    texture.object->parameters = *texture.parameters;
+    if (name != 0) c.bound_texture[texture.unit][texture.target] = texture.object;
   }
   c.dirty |= kDirtyTextureObjects;
 }

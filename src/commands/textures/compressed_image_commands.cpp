@@ -42,13 +42,15 @@ void specify_compressed(Context& c, GLenum target, GLint level, GLenum internal_
   const bool fits = !wrong_size && image_bytes(*format, width, height, 1) <= kMaxImageBytes;
   if (t.proxy) {
     object->image[0][level] = nullptr;
-    if (fits) object->image[0][level] = describe_image(*format, GLint(internal_format), width, height, 1, 0);
+    if (fits)
+      object->image[0][level] =
+          describe_image(*format, granted_format(GLint(internal_format)), width, height, 1, 0);
     return;
   }
   if (wrong_size) return set_error(c, wrong_size);
   if (!fits) return set_error(c, GL_OUT_OF_MEMORY);
   if (!find_unpack_memory(c, data, array_span(size_t(image_size), 1))) return;
-  auto image = make_image(*format, GLint(internal_format), width, height, 1);
+  auto image = make_image(*format, granted_format(GLint(internal_format)), width, height, 1);
   mark_images(c, *object);
   if (data && !image->empty()) std::memcpy(image->blocks.data(), data, image->blocks.size());
   image->blocks_changed(image->whole());

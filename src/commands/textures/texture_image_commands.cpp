@@ -62,6 +62,10 @@ GLint granted_format(GLint internal_format) {
   case GL_COMPRESSED_SRGB_ALPHA:
   case GL_COMPRESSED_SLUMINANCE:
   case GL_COMPRESSED_SLUMINANCE_ALPHA: return GLint(base_internal_format(internal_format));
+  case GL_RGB_S3TC:
+  case GL_RGB4_S3TC: return GL_COMPRESSED_RGB_S3TC_DXT1_EXT;
+  case GL_RGBA_S3TC:
+  case GL_RGBA4_S3TC: return GL_COMPRESSED_RGBA_S3TC_DXT3_EXT;
   default: return internal_format;
   }
 }

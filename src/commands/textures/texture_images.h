@@ -20,7 +20,7 @@ Refusal check_box(const TextureImage& image, GLint x, GLint y, GLint z, GLsizei 
 /// GL_DEPTH_STENCIL (3.8.1).
 bool same_kind(GLenum base, GLenum format);
 /// The internal format that an image gets: the base format takes the place of a generic compressed one, whose
-/// images are not compressed (3.8.1).
+/// images are not compressed (3.8.1), and the names of GL_EXT_texture_compression_s3tc that of GL_S3_s3tc.
 GLint granted_format(GLint internal_format);
 /// Whether textures of the target can have images of the format: compressed ones are two-dimensional.
 bool takes_target(const TexelFormat& format, TextureTarget target);

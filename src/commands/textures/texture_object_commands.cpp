@@ -23,10 +23,12 @@ void DeleteTextures(Context& c, GLsizei n, const GLuint* textures) {
       draw_what_waits(c);
       detach_from_bound(c, *object);
     }
-    c.shared->textures.erase(textures[i]);
-    for (auto& unit : c.state.texture.unit)
-      for (GLuint& bound : unit.bound)
-        if (bound == textures[i]) bound = 0;
+    const auto object = c.shared->textures.erase(textures[i]);
+    for (int unit = 0; object && unit < kMaxTextureUnits; ++unit)
+      if (auto& bound = c.bound_texture[unit][object->target]; bound == object) {
+        bound = nullptr;
+        c.state.texture.unit[unit].bound[object->target] = 0;
+      }
   }
   c.dirty |= kDirtyTexture;
 }
@@ -34,16 +36,19 @@ void DeleteTextures(Context& c, GLsizei n, const GLuint* textures) {
 void BindTexture(Context& c, GLenum target, GLuint texture) {
   const TextureTarget t = binding_target(target);
   if (t == kTextureTargets) return set_error(c, GL_INVALID_ENUM, "target");
-  GLuint& bound = c.state.texture.unit[c.state.texture.active_unit].bound[t];
-  const auto object = texture ? c.shared->textures.find(texture) : nullptr;
+  const int unit = c.state.texture.active_unit;
+  auto& bound = c.bound_texture[unit][t];
+  auto object = texture ? c.shared->textures.find(texture) : nullptr;
   if (object && object->target != t) return set_error(c, GL_INVALID_OPERATION);
   // To bind what is bound already changes nothing: vertices that wait go on waiting, as in OSMesa. With other
   // contexts it brings what they have done to the texture.
-  if (bound == texture && (object || !texture) && c.shared.use_count() == 1) return;
+  if (bound == object && (object || !texture) && c.shared.use_count() == 1) return;
   if (c.guard & kRunPending) close_run(c);
   if (texture && !object)
-    c.shared->textures.find_or_create(texture, [&] { return std::make_shared<TextureObject>(texture, t); });
-  bound = texture;
+    object = c.shared->textures.find_or_create(texture,
+                                               [&] { return std::make_shared<TextureObject>(texture, t); });
+  bound = std::move(object);
+  c.state.texture.unit[unit].bound[t] = texture;
   c.dirty |= kDirtyTexture;
 }
 

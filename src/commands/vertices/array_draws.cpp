@@ -1,5 +1,6 @@
 // DrawArrays, DrawElements and their relatives (GL 1.5, 2.8).
 #include <algorithm>
+#include <cstring>
 
 #include "base/fast_paths.h"
 #include "commands/generated/commands.h"
@@ -248,6 +249,38 @@ void gl::MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum
     if (count[i] < 0) return raise_error(c, {GL_INVALID_VALUE, "count"});
   for (GLsizei i = 0; i < draws; ++i)
     if (count[i] > 0) draw_elements(c, mode, uint32_t(count[i]), type, indices[i]);
+}
+
+namespace {
+
+/// What draws of several modes ask before the first one.
+bool may_draw_several(Context& c, GLsizei draws) {
+  if (draws < 0) return raise_error(c, {GL_INVALID_VALUE, "primcount"}), false;
+  if (c.builder.compiling) compile_error(c, {GL_NO_ERROR}); // also where nothing is to be drawn
+  return true;
+}
+
+/// The mode of a primitive, `stride` bytes behind the one before (GL_IBM_multimode_draw_arrays).
+GLenum mode_at(const GLenum* modes, GLsizei i, GLint stride) {
+  GLenum mode;
+  std::memcpy(&mode, reinterpret_cast<const char*>(modes) + ptrdiff_t(i) * stride, sizeof mode);
+  return mode;
+}
+
+} // namespace
+
+void gl::MultiModeDrawArraysIBM(Context& c, const GLenum* modes, const GLint* first, const GLsizei* count,
+                                GLsizei draws, GLint stride) {
+  if (!may_draw_several(c, draws)) return;
+  for (GLsizei i = 0; i < draws; ++i)
+    if (count[i] > 0) DrawArrays(c, mode_at(modes, i, stride), first[i], count[i]);
+}
+
+void gl::MultiModeDrawElementsIBM(Context& c, const GLenum* modes, const GLsizei* count, GLenum type,
+                                  const void* const* indices, GLsizei draws, GLint stride) {
+  if (!may_draw_several(c, draws)) return;
+  for (GLsizei i = 0; i < draws; ++i)
+    if (count[i] > 0) DrawElements(c, mode_at(modes, i, stride), count[i], type, indices[i]);
 }
 
 void gl::DrawElementsBaseVertex(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices,

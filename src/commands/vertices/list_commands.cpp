@@ -76,7 +76,7 @@ void gl::NewList(Context& c, GLuint name, GLenum mode) {
   c.lists.list = std::make_shared<DisplayList>();
   c.lists.name = name;
   c.lists.mode = mode;
-  c.lists.failed = c.lists.last_was_error = false;
+  c.lists.failed = false;
   c.lists.executing_builder = std::exchange(c.builder, VertexBuilder{});
   c.lists.executing_guard = std::exchange(c.guard, uint32_t(kCompilingList));
   c.builder.compiling = true;
@@ -84,11 +84,10 @@ void gl::NewList(Context& c, GLuint name, GLenum mode) {
 
 void gl::EndList(Context& c) {
   if (!c.lists.list) return set_error(c, GL_INVALID_OPERATION);
-  // When the list is executed, too, its Begin has been executed.
-  if (c.lists.mode == GL_COMPILE_AND_EXECUTE &&
-      (c.builder.mode != kNoPrimitive || c.lists.executing_guard & kInsideBeginEnd))
-    return set_error(c, GL_INVALID_OPERATION);
   close_compiled_run(c);
+  // When the list is executed, too, its Begin has been executed.
+  if (c.lists.mode == GL_COMPILE_AND_EXECUTE && c.lists.executing_guard & kInsideBeginEnd)
+    return set_error(c, GL_INVALID_OPERATION);
   std::shared_ptr<DisplayList> list = std::move(c.lists.list);
   c.lists.list = nullptr;
   c.builder = std::exchange(c.lists.executing_builder, VertexBuilder{});
@@ -102,7 +101,6 @@ void gl::CallList(Context& c, GLuint name) {
   if (c.guard & kNoContext) return;
   if (name == 0) return raise_error(c, {GL_INVALID_VALUE, "list"}, true);
   if (!c.builder.compiling) return call_list(c, name);
-  close_compiled_run(c); // before record(), which takes no command between Begin and End
   *static_cast<uint64_t*>(record(c, kPlayCallList, 8)) = name;
   if (execute_too(c)) {
     ExecuteScope scope(c);
@@ -122,7 +120,6 @@ void gl::CallLists(Context& c, GLsizei n, GLenum type, const void* lists) {
       call_list(c, c.state.list.base + offset_at(type, bytes + size_t(i) * size));
   };
   if (!c.builder.compiling) return play();
-  close_compiled_run(c);
   auto* arguments = static_cast<uint64_t*>(record(c, kPlayCallLists, 8 + size_t(n) * sizeof(GLuint)));
   arguments[0] = uint64_t(n);
   for (GLsizei i = 0; i < n; ++i) {

@@ -133,12 +133,7 @@ void keep_vertices(Context& c, bool partial) {
 } // namespace
 
 void* record(Context& c, uint16_t opcode, size_t bytes) {
-  if (c.builder.mode != kNoPrimitive) { // not allowed between Begin and End
-    compile_error(c, {GL_INVALID_OPERATION});
-    c.lists.last_was_error = true;
-    return unkept_arguments(c, bytes);
-  }
-  close_compiled_run(c);
+  close_compiled_run(c); // what stands between Begin and End is refused when it is played, if Begin was not
   return append(c, opcode, bytes ? bytes : 8);
 }
 
@@ -153,9 +148,7 @@ const void* keep(Context& c, const void* data, size_t bytes) {
   return kept ? kept : data;
 }
 
-bool execute_too(const Context& c) {
-  return c.lists.list && c.lists.mode == GL_COMPILE_AND_EXECUTE && !c.lists.last_was_error;
-}
+bool execute_too(const Context& c) { return c.lists.list && c.lists.mode == GL_COMPILE_AND_EXECUTE; }
 
 ExecuteScope::ExecuteScope(Context& c) : context_(c), entered_(c.builder.compiling) {
   if (!entered_) return;
@@ -171,6 +164,7 @@ ExecuteScope::~ExecuteScope() {
 }
 
 void compile_error(Context& c, const Refusal& refusal, bool allowed_inside) {
+  if (c.builder.inside()) close_compiled_run(c);
   append_value(c, kPlayError, uint64_t(allowed_inside) << 32 | refusal.error);
   if (c.lists.mode != GL_COMPILE_AND_EXECUTE) return;
   const bool misplaced = (c.lists.executing_guard & kInsideBeginEnd) && !allowed_inside;
@@ -186,7 +180,6 @@ void raise_error(Context& c, const Refusal& refusal, bool allowed_inside) {
 
 void close_compiled_run(Context& c) {
   VertexBuilder& b = c.builder;
-  c.lists.last_was_error = false;
   if (b.array_run == ArrayRun::Hidden) show_slots(b);
   const bool partial = b.inside();
   if (partial || b.base || b.present != 1)
