@@ -2,7 +2,7 @@
 // OSMesa 22.3.6. A vector of words is two vectors of 16-bit halves: red and blue, green and alpha.
 #pragma once
 
-#include "shaders/common/simd.h"
+#include "shaders/common/simd_pixels.h"
 #include "shaders/fragment/fragment_program.h"
 
 namespace softgl {
@@ -31,16 +31,6 @@ SOFTGL_INLINE ShortV lesser(ShortV a, ShortV b) {
   return (a & m) | (b & ~m);
 #endif
 }
-SOFTGL_INLINE ShortV greater(ShortV a, ShortV b) {
-#if defined(__AVX2__) && !defined(__AVX512F__)
-  return (ShortV)_mm256_max_epi16((__m256i)a, (__m256i)b);
-#else
-  const ShortV m = (ShortV)(a > b);
-  return (a & m) | (b & ~m);
-#endif
-}
-/// a - b, or 0 when that is negative.
-SOFTGL_INLINE ShortV difference(ShortV a, ShortV b) { return greater(a, b) - b; }
 
 /// The alpha of every word in both halves.
 SOFTGL_INLINE ShortV alpha_of(const Halves& h) {
@@ -84,34 +74,51 @@ SOFTGL_INLINE Halves with_alpha(const Halves& rgb, const Halves& alpha) {
   return {rgb.rb, (ShortV)(((IntV)rgb.ga & 0xffff) | ((IntV)alpha.ga & int32_t(0xffff0000)))};
 }
 
-SOFTGL_INLINE ShortV combine(BlendEquation equation, ShortV s, ShortV sf, ShortV d, ShortV df) {
+/// Words times their factors. A product with 1 is the byte itself.
+SOFTGL_INLINE IntV multiply_words(BlendFactor rgb, BlendFactor alpha, const Halves& v, IntV words,
+                                  const Halves& s, const Halves& d, const uint8_t* constant) {
+  if (rgb == alpha && rgb == BlendFactor::One) return words;
+  if (rgb == alpha && rgb == BlendFactor::Zero) return IntV{};
+  Halves f = factor_of(rgb, s, d, constant);
+  if (alpha != rgb) f = with_alpha(f, factor_of(alpha, s, d, constant));
+  return join({multiply_8(v.rb, f.rb), multiply_8(v.ga, f.ga)});
+}
+
+/// `s` and `d` are multiplied already, unless the equation has no factors.
+SOFTGL_INLINE IntV combine_words(BlendEquation equation, IntV s, IntV d) {
   switch (equation) {
-  case BlendEquation::Min: return lesser(s, d);
-  case BlendEquation::Max: return greater(s, d);
-  case BlendEquation::Subtract: return difference(multiply_8(s, sf), multiply_8(d, df));
-  case BlendEquation::ReverseSubtract: return difference(multiply_8(d, df), multiply_8(s, sf));
+  case BlendEquation::Min: return min_bytes(s, d);
+  case BlendEquation::Max: return max_bytes(s, d);
+  case BlendEquation::Subtract: return subtract_bytes(s, d);
+  case BlendEquation::ReverseSubtract: return subtract_bytes(d, s);
   case BlendEquation::Add:
   case BlendEquation::Separate: break; // the latter is none
   }
-  return lesser(multiply_8(s, sf) + multiply_8(d, df), ShortV{} + uint16_t(255));
+  return add_bytes(s, d);
 }
 
 /// Blends as the key says.
 static IntV blend_words(const FragmentKey& key, const FragmentConstants& k, IntV source, IntV target) {
   const Halves s = split(source), d = split(target);
-  Halves sf = factor_of(BlendFactor(key.blend_source_rgb), s, d, k.blend_color_8);
-  Halves df = factor_of(BlendFactor(key.blend_destination_rgb), s, d, k.blend_color_8);
-  if (key.blend_source_alpha != key.blend_source_rgb)
-    sf = with_alpha(sf, factor_of(BlendFactor(key.blend_source_alpha), s, d, k.blend_color_8));
-  if (key.blend_destination_alpha != key.blend_destination_rgb)
-    df = with_alpha(df, factor_of(BlendFactor(key.blend_destination_alpha), s, d, k.blend_color_8));
-  auto blended = [&](BlendEquation equation) {
-    return Halves{combine(equation, s.rb, sf.rb, d.rb, df.rb), combine(equation, s.ga, sf.ga, d.ga, df.ga)};
-  };
   const auto equation = BlendEquation(key.blend_equation);
-  if (equation == BlendEquation::Separate)
-    return join(with_alpha(blended(k.blend_equation[0]), blended(k.blend_equation[1])));
-  return join(blended(equation));
+  const bool separate = equation == BlendEquation::Separate;
+  const BlendEquation rgb = separate ? k.blend_equation[0] : equation,
+                      alpha = separate ? k.blend_equation[1] : equation;
+  auto has_factors = [](BlendEquation e) __attribute__((always_inline)) {
+    return e != BlendEquation::Min && e != BlendEquation::Max;
+  };
+  IntV sf = source, df = target;
+  if (has_factors(rgb) || has_factors(alpha)) {
+    sf = multiply_words(BlendFactor(key.blend_source_rgb), BlendFactor(key.blend_source_alpha), s, source, s,
+                        d, k.blend_color_8);
+    df = multiply_words(BlendFactor(key.blend_destination_rgb), BlendFactor(key.blend_destination_alpha), d,
+                        target, s, d, k.blend_color_8);
+  }
+  auto blended = [&](BlendEquation e) __attribute__((always_inline)) {
+    return has_factors(e) ? combine_words(e, sf, df) : combine_words(e, source, target);
+  };
+  if (!separate) return blended(rgb);
+  return choose(splat(0xffffff), blended(rgb), blended(alpha));
 }
 
 /// SRC_ALPHA, ONE_MINUS_SRC_ALPHA with ADD, the blending that is used most.

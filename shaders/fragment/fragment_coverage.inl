@@ -2,7 +2,7 @@
 #pragma once
 
 #include "shaders/common/lane_math.h"
-#include "shaders/common/simd.h"
+#include "shaders/common/simd_pixels.h"
 #include "shaders/fragment/fragment_program.h"
 
 namespace softgl {
@@ -25,21 +25,17 @@ SOFTGL_INLINE void apply_coverage(FragmentBlock& block, int lane, float coverage
   block.live[lane] &= uint32_t(mask_of(coverage > 0.0f));
 }
 
-/// The area of a disk around the origin in the square of the pixel whose center is (x, y): 16 columns, each
-/// of the height that its middle has, along the axis to which the border is more level. Off by 0.005 at most,
-/// by less than 0.001 where the radius is above 1.5.
-SOFTGL_INLINE float disk_coverage(float x, float y, float radius) {
-  const float a = absolute(x), b = absolute(y), near = minimum(a, b), far = maximum(a, b);
-  const float square = radius * radius;
-  if ((near + 0.5f) * (near + 0.5f) + (far + 0.5f) * (far + 0.5f) <= square) return 1.0f;
-  const float near_gap = maximum(near - 0.5f, 0.0f), far_gap = maximum(far - 0.5f, 0.0f);
-  if (near_gap * near_gap + far_gap * far_gap >= square) return 0.0f;
+/// The area of a disk around the origin in the square of a pixel: 16 columns, each of the height that its
+/// middle has, along the axis to which the border is more level. Off by 0.005 at most, by less than 0.001
+/// where the radius is above 1.5. `near` and `far`: the lesser and the greater distance of the pixel's center
+/// from the axes; `square`: of the radius.
+SOFTGL_INLINE FloatV disk_coverage(FloatV near, FloatV far, FloatV square) {
   constexpr int kColumns = 16;
-  float sum = 0.0f;
+  FloatV sum = FloatV{};
   for (int i = 0; i < kColumns; ++i) {
-    const float column = near + ((float(i) + 0.5f) * (1.0f / kColumns) - 0.5f);
-    const float height = __builtin_sqrtf(maximum(square - column * column, 0.0f));
-    sum += maximum(minimum(far + 0.5f, height) - maximum(far - 0.5f, -height), 0.0f);
+    const FloatV column = near + ((float(i) + 0.5f) * (1.0f / kColumns) - 0.5f);
+    const FloatV height = square_root(max_(square - column * column, FloatV{}));
+    sum += max_(min_(far + 0.5f, height) - max_(far - 0.5f, -height), FloatV{});
   }
   return sum * (1.0f / kColumns);
 }
@@ -47,10 +43,37 @@ SOFTGL_INLINE float disk_coverage(float x, float y, float radius) {
 /// GL 1.5, 3.3.1. The numbers are the point's position in the window, with centers of pixels at halves, and
 /// its radius.
 static void stage_point_coverage(FragmentBlock& block, const FragmentConstants&, int) {
+  alignas(64) float near[kLanes], far[kLanes], square[kLanes], coverage[kLanes];
+  alignas(64) int32_t cut[kLanes]; // the border goes through the pixel
+  for (int i = 0; i < block.lanes; i += kWidth) {
+    const FloatV x = to_float(load(block.x + i)) + 0.5f - load(block.coverage[0] + i),
+                 y = to_float(load(block.y + i)) + 0.5f - load(block.coverage[1] + i);
+    const FloatV a = (FloatV)((IntV)x & 0x7fffffff), b = (FloatV)((IntV)y & 0x7fffffff),
+                 radius = load(block.coverage[2] + i);
+    const FloatV n = min_(a, b), f = max_(a, b), r = radius * radius;
+    const IntV inside = (n + 0.5f) * (n + 0.5f) + (f + 0.5f) * (f + 0.5f) <= r;
+    const FloatV n_gap = max_(n - 0.5f, FloatV{}), f_gap = max_(f - 0.5f, FloatV{});
+    const IntV outside = n_gap * n_gap + f_gap * f_gap >= r;
+    store(near + i, n), store(far + i, f), store(square + i, r);
+    store(coverage + i, choose(inside, splat(1.0f), FloatV{}));
+    store(cut + i, ~(inside | outside));
+  }
+  // The pixels that are cut come together, since theirs is most of the work.
+  int count = 0;
+  int32_t lane[kLanes];
   for (int i = 0; i < block.lanes; ++i) {
-    const float x = float(block.x[i]) + 0.5f - block.coverage[0][i],
-                y = float(block.y[i]) + 0.5f - block.coverage[1][i];
-    apply_coverage(block, i, disk_coverage(x, y, block.coverage[2][i]));
+    near[count] = near[i], far[count] = far[i], square[count] = square[i], lane[count] = i;
+    count += cut[i] & 1;
+  }
+  for (int i = 0; i < count; i += kWidth) {
+    alignas(64) float area[kWidth];
+    store(area, disk_coverage(load(near + i), load(far + i), load(square + i)));
+    for (int k = 0; k < kWidth && i + k < count; ++k) coverage[lane[i + k]] = area[k];
+  }
+  for (int i = 0; i < block.lanes; i += kWidth) {
+    const FloatV c = load(coverage + i);
+    store(block.color[3] + i, load(block.color[3] + i) * c);
+    store(block.live + i, load(block.live + i) & (IntV)(c > FloatV{}));
   }
 }
 

@@ -1,102 +1,121 @@
-// Blending, logic operation and masks of one pixel whose color is not four bytes as they are (ColorEncoding),
-// in the arithmetic of OSMesa 22.3.6, which has short cuts of its own where a color has but one component.
+// Blending, logic operation and masks of strips of pixels whose colors are not four bytes as they are
+// (ColorEncoding), in the arithmetic of OSMesa 22.3.6, which has short cuts of its own where a color has but
+// one component.
 #pragma once
 
-#include "shaders/common/color_encoding.h"
-#include "shaders/common/lane_math.h"
-#include "shaders/common/simd.h"
 #include "shaders/common/srgb.h"
-#include "shaders/fragment/fragment_program.h"
+#include "shaders/fragment/fragment_merge.inl"
 
 namespace softgl {
 namespace SOFTGL_ISA {
 
-SOFTGL_INLINE int32_t nearest_integer(float v) { return _mm_cvtss_si32(_mm_set_ss(v)); }
+/// Vectors of a strip's lanes.
+constexpr int kStripVectors = kStripLanes / kWidth;
 
 namespace { // so that no member is visible outside
 
-/// Numbers of [0, 1]: integers of which the greatest one is 1.
-template <int kBits> struct UnsignedArithmetic {
-  using T = int64_t;
+/// Numbers of [0, 1]: integers of 16 bits, of which the greatest one is 1.
+struct UnsignedArithmetic {
+  using T = IntV;
   static constexpr bool kFloat = false, kSigned = false;
-  static constexpr T kOne = (1 << kBits) - 1;
-  static T stored(float v) { return nearest_integer(saturate(v) * float(kOne)); }
-  static T limited(T v) { return v < 0 ? 0 : v > kOne ? kOne : v; }
-  static T product(T a, T b) {
-    const T p = a * b;
-    return (p + (p >> kBits) + (1 << (kBits - 1))) >> kBits;
+  static constexpr int32_t kOne = 0xffff;
+  SOFTGL_MEMBER static T one() { return splat(kOne); }
+  SOFTGL_MEMBER static T stored(FloatV v) { return round_to_int(unit_range(v) * float(kOne)); }
+  SOFTGL_MEMBER static T limited(T v) { return min_(max_(v, T{}), one()); }
+  SOFTGL_MEMBER static T product(T a, T b) {
+    const UintV p = (UintV)multiply(a, b);
+    return (T)((p + (p >> 16) + 0x8000u) >> 16);
   }
-  static T wide_product(T a, T b) { return product(a, b); }
-  static T room(T alpha) { return kOne - alpha; }
-  static T mix(T weight, T from, T to) {
-    const T scaled = weight + (weight >> (kBits - 1));
-    return (from + ((scaled * (to - from) + (kBits == 8 ? 128 : 0)) >> kBits)) & kOne;
+  SOFTGL_MEMBER static T wide_product(T a, T b) { return product(a, b); }
+  SOFTGL_MEMBER static T room(T alpha) { return kOne - alpha; }
+  /// Of the product, which may not fit, the 16 bits are right that count.
+  SOFTGL_MEMBER static T mix(T weight, T from, T to) {
+    return (from + (T)((UintV)multiply(weight + (weight >> 15), to - from) >> 16)) & kOne;
   }
-  static T logic(T v) { return v & kOne; }
 };
 
 /// Numbers of [-1, 1].
 template <int kBits> struct SignedArithmetic {
-  using T = int64_t;
+  using T = IntV;
   static constexpr bool kFloat = false, kSigned = true;
-  static constexpr T kOne = (1 << (kBits - 1)) - 1;
+  static constexpr int32_t kOne = (1 << (kBits - 1)) - 1;
+  SOFTGL_MEMBER static T one() { return splat(kOne); }
   /// Bytes become -128 where a color is less than -1 (GL_EXT_texture_snorm reads it as -1, too).
-  static T stored(float v) {
+  SOFTGL_MEMBER static T stored(FloatV v) {
     const float least = kBits == 8 ? -128.0f / float(kOne) : -1.0f;
-    return nearest_integer(minimum(maximum(v, least), 1.0f) * float(kOne));
+    return round_to_int(min_(max_(v, splat(least)), splat(1.0f)) * float(kOne));
   }
-  static T limited(T v) { return v < -kOne - 1 ? -kOne - 1 : v > kOne ? kOne : v; }
+  SOFTGL_MEMBER static T limited(T v) { return min_(max_(v, splat(-kOne - 1)), one()); }
   /// Products have twice as many bits, and wrap around.
-  static T doubled(T v) { return T(uint64_t(v) << (64 - 2 * kBits)) >> (64 - 2 * kBits); }
-  static T wide_product(T a, T b) {
-    T p = a * b;
-    p = doubled(p + (p >> (kBits - 1)));
-    return doubled(p + (p < 0 ? -(1 << (kBits - 2)) : 1 << (kBits - 2))) >> (kBits - 1);
+  SOFTGL_MEMBER static T doubled(UintV v) { return (T)(v << (32 - 2 * kBits)) >> (32 - 2 * kBits); }
+  SOFTGL_MEMBER static T wide_product(T a, T b) {
+    const T exact = multiply(a, b), p = doubled((UintV)exact + (UintV)(exact >> (kBits - 1)));
+    const T half = choose(p < 0, splat(-(1 << (kBits - 2))), splat(1 << (kBits - 2)));
+    return doubled((UintV)p + (UintV)half) >> (kBits - 1);
   }
-  static T product(T a, T b) { return limited(wide_product(a, b)); }
-  static T room(T alpha) { return kOne - (alpha > 0 ? alpha : 0); }
-  static T mix(T weight, T from, T to) { return limited(from + wide_product(weight, to - from)); }
-  static T logic(T v) { return T(uint64_t(v) << (64 - kBits)) >> (64 - kBits); }
+  SOFTGL_MEMBER static T product(T a, T b) { return limited(wide_product(a, b)); }
+  SOFTGL_MEMBER static T room(T alpha) { return kOne - max_(alpha, T{}); }
+  SOFTGL_MEMBER static T mix(T weight, T from, T to) {
+    return limited(from + wide_product(weight, to - from));
+  }
 };
 
 struct FloatArithmetic {
-  using T = float;
+  using T = FloatV;
   static constexpr bool kFloat = true, kSigned = true;
-  static constexpr T kOne = 1;
-  static T limited(T v) { return v; }
-  static T product(T a, T b) { return a * b; }
-  static T wide_product(T a, T b) { return a * b; }
-  static T room(T alpha) { return 1 - alpha; }
-  static T mix(T weight, T from, T to) { return weight * (to - from) + from; }
+  SOFTGL_MEMBER static T one() { return splat(1.0f); }
+  SOFTGL_MEMBER static T stored(FloatV v) { return v; }
+  SOFTGL_MEMBER static T limited(T v) { return v; }
+  SOFTGL_MEMBER static T product(T a, T b) { return a * b; }
+  SOFTGL_MEMBER static T room(T alpha) { return 1.0f - alpha; }
+  SOFTGL_MEMBER static T mix(T weight, T from, T to) { return weight * (to - from) + from; }
+};
+
+/// The numbers of a strip's colors, by component.
+template <class A> struct StripColors {
+  using T = typename A::T;
+  T source[4][kStripVectors], target[4][kStripVectors];
 };
 
 } // namespace
 
-/// The factor of component c (3 = alpha).
-template <class A, class T = typename A::T>
-SOFTGL_INLINE T factor_of_component(BlendFactor f, int c, const T* s, const T* d, const T* constant) {
-  const T one = A::kOne;
+/// The factors of component c (3 = alpha) of a strip.
+template <class A, class T = typename A::T> SOFTGL_INLINE void
+find_factors(BlendFactor f, int c, const StripColors<A>& strip, const float* constant, T* factor) {
+  const T one = A::one();
+  const T *s = strip.source[c], *d = strip.target[c], *s3 = strip.source[3], *d3 = strip.target[3];
+  auto each = [&](auto value) __attribute__((always_inline)) {
+    for (int g = 0; g < kStripVectors; ++g) factor[g] = value(g);
+  };
+  auto all = [&](T value) __attribute__((always_inline)) {
+    for (int g = 0; g < kStripVectors; ++g) factor[g] = value;
+  };
+  auto copy = [&](const T* from) __attribute__((always_inline)) {
+    for (int g = 0; g < kStripVectors; ++g) factor[g] = from[g];
+  };
+  auto invert = [&](const T* from) __attribute__((always_inline)) {
+    for (int g = 0; g < kStripVectors; ++g) factor[g] = one - from[g];
+  };
   switch (f) {
-  case BlendFactor::Zero: return 0;
-  case BlendFactor::One: return one;
-  case BlendFactor::SourceColor: return s[c];
-  case BlendFactor::OneMinusSourceColor: return one - s[c];
-  case BlendFactor::SourceAlpha: return s[3];
-  case BlendFactor::OneMinusSourceAlpha: return one - s[3];
-  case BlendFactor::DestinationAlpha: return d[3];
-  case BlendFactor::OneMinusDestinationAlpha: return one - d[3];
-  case BlendFactor::DestinationColor: return d[c];
-  case BlendFactor::OneMinusDestinationColor: return one - d[c];
-  case BlendFactor::SourceAlphaSaturate: {
-    const T room = A::room(d[3]);
-    return c == 3 ? one : s[3] < room ? s[3] : room;
+  case BlendFactor::Zero: break;
+  case BlendFactor::One: return all(one);
+  case BlendFactor::SourceColor: return copy(s);
+  case BlendFactor::OneMinusSourceColor: return invert(s);
+  case BlendFactor::SourceAlpha: return copy(s3);
+  case BlendFactor::OneMinusSourceAlpha: return invert(s3);
+  case BlendFactor::DestinationAlpha: return copy(d3);
+  case BlendFactor::OneMinusDestinationAlpha: return invert(d3);
+  case BlendFactor::DestinationColor: return copy(d);
+  case BlendFactor::OneMinusDestinationColor: return invert(d);
+  case BlendFactor::SourceAlphaSaturate:
+    if (c == 3) return all(one);
+    return each([&](int g) __attribute__((always_inline)) { return min_(s3[g], A::room(d3[g])); });
+  case BlendFactor::ConstantColor: return all(A::stored(splat(constant[c])));
+  case BlendFactor::OneMinusConstantColor: return all(one - A::stored(splat(constant[c])));
+  case BlendFactor::ConstantAlpha: return all(A::stored(splat(constant[3])));
+  case BlendFactor::OneMinusConstantAlpha: return all(one - A::stored(splat(constant[3])));
   }
-  case BlendFactor::ConstantColor: return constant[c];
-  case BlendFactor::OneMinusConstantColor: return one - constant[c];
-  case BlendFactor::ConstantAlpha: return constant[3];
-  case BlendFactor::OneMinusConstantAlpha: return one - constant[3];
-  }
-  return 0;
+  all(T{});
 }
 
 template <class T> SOFTGL_INLINE T combine_products(BlendEquation equation, T a, T b) {
@@ -135,13 +154,15 @@ struct FactorPair {
 };
 
 struct Blending {
-  FactorPair rgb, alpha;
-  BlendEquation equation[2];
-  bool has_alpha, alone, few; // alone: one component is kept; few: one or two
-  bool alike;                 // OSMesa takes a common factor out of floats
+  FactorPair rgb = {}, alpha = {};
+  BlendEquation equation[2] = {};
+  bool has_alpha = false, alone = false, few = false; // alone: one component is kept; few: one or two
+  bool alike = false;                                 // OSMesa takes a common factor out of floats
 
+  /// Nothing where the colors are RGBA8 words.
   SOFTGL_MEMBER explicit Blending(const FragmentProgram& program) {
     const FragmentKey& key = program.key;
+    if (!key.blend || (ColorFormat(key.color_format) == ColorFormat::Rgba8 && !key.encoded)) return;
     const ColorEncoding& e = program.constants->encoding;
     rgb = {BlendFactor(key.blend_source_rgb), BlendFactor(key.blend_destination_rgb)};
     alpha = {BlendFactor(key.blend_source_alpha), BlendFactor(key.blend_destination_alpha)};
@@ -157,131 +178,317 @@ struct Blending {
 
 } // namespace
 
-/// Component c of the blended color (GL 1.5, 4.1.7).
-template <class A, class T = typename A::T>
-static T blended_component(const Blending& b, int c, const T* s, const T* d, const T* constant) {
+/// Component c of a strip's blended colors (GL 1.5, 4.1.7).
+template <class A, class T = typename A::T> static void
+blend_component(const Blending& b, int c, const StripColors<A>& strip, const float* constant, T* out) {
   const BlendEquation equation = b.equation[c == 3];
-  if (equation == BlendEquation::Min) return s[c] < d[c] ? s[c] : d[c];
-  if (equation == BlendEquation::Max) return s[c] > d[c] ? s[c] : d[c];
   const FactorPair& pair = c == 3 ? b.alpha : b.rgb;
-  const T f = factor_of_component<A>(pair.source, c, s, d, constant),
-          g = factor_of_component<A>(pair.destination, c, s, d, constant);
-  if (b.alone && equation == BlendEquation::Add) {
-    if (is_inverse(pair.source, pair.destination)) return A::mix(f, d[c], s[c]);
-    if (is_inverse(pair.destination, pair.source)) return A::mix(g, s[c], d[c]);
-  }
+  const T *s = strip.source[c], *d = strip.target[c];
+  auto each = [&](auto value) __attribute__((always_inline)) {
+    for (int g = 0; g < kStripVectors; ++g) out[g] = value(g);
+  };
+  if (equation == BlendEquation::Min)
+    return each([&](int g) __attribute__((always_inline)) { return min_(s[g], d[g]); });
+  if (equation == BlendEquation::Max)
+    return each([&](int g) __attribute__((always_inline)) { return max_(s[g], d[g]); });
+  T sf[kStripVectors], df[kStripVectors];
+  find_factors<A>(pair.source, c, strip, constant, sf);
+  find_factors<A>(pair.destination, c, strip, constant, df);
+  const bool first = is_inverse(pair.source, pair.destination), // which of the two is the other's complement
+      second = !first && is_inverse(pair.destination, pair.source);
+  if (b.alone && equation == BlendEquation::Add && first)
+    return each([&](int g) __attribute__((always_inline)) { return A::mix(sf[g], d[g], s[g]); });
+  if (b.alone && equation == BlendEquation::Add && second)
+    return each([&](int g) __attribute__((always_inline)) { return A::mix(df[g], s[g], d[g]); });
   if constexpr (A::kFloat) {
-    const bool first = is_inverse(pair.source, pair.destination);
-    if (b.alone && (first || is_inverse(pair.destination, pair.source))) { // a difference
-      const T part = (s[c] + d[c]) * (first ? f : g);
-      return (equation == BlendEquation::Subtract) == first ? first ? part - d[c] : part - s[c]
-             : first ? d[c] - part
-                                                            : s[c] - part;
+    if (b.alone && (first || second)) { // a difference
+      const bool minuend = (equation == BlendEquation::Subtract) == first;
+      return each([&](int g) __attribute__((always_inline)) {
+        const T part = (s[g] + d[g]) * (first ? sf[g] : df[g]), whole = first ? d[g] : s[g];
+        return minuend ? part - whole : whole - part;
+      });
     }
-    if (b.alike && pair.source == pair.destination) return combine_products(equation, s[c], d[c]) * f;
-    return combine_products(equation, s[c] * f, d[c] * g);
+    if (b.alike && pair.source == pair.destination)
+      return each([&](int g) __attribute__((always_inline)) {
+        return combine_products(equation, s[g], d[g]) * sf[g];
+      });
+    each([&](int g) __attribute__((always_inline)) {
+      return combine_products(equation, s[g] * sf[g], d[g] * df[g]);
+    });
   } else if constexpr (A::kSigned) {
-    if (is_one_minus(pair.source) || is_one_minus(pair.destination)) {
+    const bool source_inverted = is_one_minus(pair.source), inverted = is_one_minus(pair.destination);
+    if (source_inverted || inverted) {
       // Factors up to 2, and no limit before the end.
-      const auto from = [&](T v, BlendFactor factor) {
-        return is_one_minus(factor) && v < -A::kOne ? -A::kOne : v;
-      };
-      return A::limited(combine_products(equation, A::wide_product(from(s[c], pair.source), f),
-                                         A::wide_product(from(d[c], pair.destination), g)));
+      const T least = splat(-A::kOne);
+      return each([&](int g) __attribute__((always_inline)) {
+        const T from_s = source_inverted ? max_(s[g], least) : s[g],
+                from_d = inverted ? max_(d[g], least) : d[g];
+        return A::limited(
+            combine_products(equation, A::wide_product(from_s, sf[g]), A::wide_product(from_d, df[g])));
+      });
     }
     // A product with 1 is not made where all components' factor is 1.
-    const auto term = [&](T v, BlendFactor FactorPair::*which, T factor) {
-      const bool whole = b.rgb.*which == BlendFactor::One && b.alpha.*which == BlendFactor::One;
-      return whole ? v : A::product(v, factor);
-    };
-    return A::limited(combine_products(equation, term(s[c], &FactorPair::source, f),
-                                       term(d[c], &FactorPair::destination, g)));
+    const bool whole_s = b.rgb.source == BlendFactor::One && b.alpha.source == BlendFactor::One,
+               whole_d = b.rgb.destination == BlendFactor::One && b.alpha.destination == BlendFactor::One;
+    each([&](int g) __attribute__((always_inline)) {
+      return A::limited(combine_products(equation, whole_s ? s[g] : A::product(s[g], sf[g]),
+                                         whole_d ? d[g] : A::product(d[g], df[g])));
+    });
   } else {
-    return A::limited(combine_products(equation, A::product(s[c], f), A::product(d[c], g)));
+    each([&](int g) __attribute__((always_inline)) {
+      return A::limited(combine_products(equation, A::product(s[g], sf[g]), A::product(d[g], df[g])));
+    });
   }
 }
 
-SOFTGL_INLINE int64_t logic_number(unsigned operation, int64_t s, int64_t d) {
-  const int64_t results[16] = {0,        s & d,    s & ~d, s,      ~s & d, d,      s ^ d,    s | d,
-                               ~(s | d), ~(s ^ d), ~d,     s | ~d, ~s,     ~s | d, ~(s & d), -1};
-  return results[operation];
+/// drawn_number() of vectors.
+template <int kWide> SOFTGL_INLINE IntV drawn_numbers(IntV v, int bits) {
+  if (bits == kWide) return v;
+  const int rest = kWide - bits;
+  IntV n;
+  if (bits == 4 && kWide == 8) {
+    const IntV more = v + 8;
+    n = ((more << 8) - (more << 4) + more) >> 12; // by 17
+  } else if (rest <= bits) {
+    n = v >> rest;
+  } else {
+    const IntV upper = v >> bits;
+    n = ((upper << bits) - upper + (1 << (rest - 1))) >> rest;
+  }
+  IntV filled = n << rest;
+  for (int m = bits; m < kWide; m *= 2) filled |= filled >> m;
+  return filled;
 }
 
-/// Integers: `target` has four of type Stored.
-template <class A, class Stored, class Reduce> static void
-store_integers(const FragmentProgram& program, const float* source, Stored* target, Reduce reduce) {
-  const FragmentKey& key = program.key;
-  int64_t s[4], d[4], constant[4], out[4];
-  for (int c = 0; c < 4; ++c) out[c] = s[c] = A::stored(source[c]), d[c] = target[c];
-  if (key.logic_op) {
-    for (int c = 0; c < 4; ++c) out[c] = A::logic(logic_number(unsigned(key.blend_source_rgb), s[c], d[c]));
-  } else if (key.blend) {
-    const Blending blending(program);
-    if (A::kSigned && !blending.has_alpha && blending.few && s[3] < -A::kOne) s[3] = -A::kOne;
-    for (int c = 0; c < 4; ++c) constant[c] = A::stored(program.constants->blend_color[c]);
-    for (int c = 0; c < 4; ++c) out[c] = blended_component<A>(blending, c, s, d, constant);
+#if defined(__F16C__)
+/// Halves towards zero, but for numbers that are none.
+SOFTGL_INLINE FloatV cut_to_halves(FloatV v) {
+  constexpr int kTowardsZero = _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC;
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+  return (FloatV)_mm512_cvtph_ps(_mm512_cvtps_ph((__m512)v, kTowardsZero));
+#else
+  return (FloatV)_mm256_cvtph_ps(_mm256_cvtps_ph((__m256)v, kTowardsZero));
+#endif
+}
+#endif
+
+/// drawn_float() of vectors.
+SOFTGL_INLINE FloatV drawn_floats(FloatV v, int bits) {
+  if (bits == 32) return v;
+#if defined(__F16C__)
+  if (bits == 16) {
+    const IntV none = ((IntV)v & INT32_MIN) | 0x7fc00000;
+    return choose((IntV)(v == v), cut_to_halves(v), (FloatV)none);
   }
-  for (int c = 0; c < 4; ++c)
-    if (key.color_mask >> c & 1) target[c] = Stored(reduce(out[c], program.constants->encoding.bits[c]));
+#endif
+  const int mantissa = bits == 16 ? 10 : bits - 5;
+  const int32_t mask = ~int32_t((1u << (23 - mantissa)) - 1), infinity = 0x7f800000;
+  const IntV word = (IntV)v, magnitude = word & 0x7fffffff, most = splat(0x47000000 | (0x7fffff & mask));
+  const float steps = float(1u << (14 + mantissa));
+  const IntV small = (IntV)(to_float(truncate((FloatV)magnitude * steps)) * (1.0f / steps));
+  IntV n = choose(magnitude < 0x38800000, small, min_(magnitude & mask, most));
+  n = choose(magnitude == infinity, magnitude, n);
+  n = bits == 16 ? n | (word & INT32_MIN) : n & ~(word >> 31);
+  const IntV none = bits == 16 ? (word & INT32_MIN) | 0x7fc00000 : splat(0x7fc00000);
+  return (FloatV)choose(magnitude > infinity, none, n);
 }
 
-/// Logic operations leave floats alone.
-static void merge_floats(const FragmentProgram& program, const float* s, const float* d,
-                         const float* constant, float* out) {
-  for (int c = 0; c < 4; ++c) out[c] = s[c];
-  if (!program.key.blend || program.key.logic_op) return;
-  const Blending blending(program);
-  for (int c = 0; c < 4; ++c) out[c] = blended_component<FloatArithmetic>(blending, c, s, d, constant);
-}
+namespace { // so that no member is visible outside
 
-/// Bytes of sRGB are blended as linear floats (GL_EXT_framebuffer_sRGB).
-static void store_srgb(const FragmentProgram& program, const float* source, uint8_t* target) {
-  float s[4], d[4], constant[4], out[4];
-  for (int c = 0; c < 4; ++c) {
-    s[c] = saturate(source[c]), constant[c] = saturate(program.constants->blend_color[c]);
-    d[c] = c == 3 ? float(target[c]) * (1.0f / 255.0f) : srgb_to_linear(float(target[c]));
-  }
-  merge_floats(program, s, d, constant, out);
-  for (int c = 0; c < 4; ++c) {
-    if (!(program.key.color_mask >> c & 1)) continue;
-    const float v = saturate(out[c]);
-    target[c] = uint8_t(nearest_integer(c == 3 ? v * 255.0f : linear_to_srgb(v)));
-  }
-}
+/// Merges strips on surfaces whose colors are not four bytes as they are, and not of Rgb565.
+struct EncodedMerger {
+  const Merger& merger;
+  const FragmentKey& key = merger.key;
+  const FragmentConstants& constants = *merger.program.constants;
+  const ColorEncoding& encoding = constants.encoding;
+  const Blending blending{merger.program};
 
-/// One pixel of the surface. Not of Rgb565.
-static void store_encoded(const FragmentProgram& program, const float* source, void* color, size_t pixel) {
-  const FragmentKey& key = program.key;
-  const ColorEncoding& e = program.constants->encoding;
-  switch (ColorFormat(key.color_format)) {
-  case ColorFormat::Rgba8: {
-    uint8_t* target = static_cast<uint8_t*>(color) + 4 * pixel;
-    if (e.srgb) return store_srgb(program, source, target);
-    return store_integers<UnsignedArithmetic<8>>(
-        program, source, target, [](int64_t v, int bits) { return drawn_number(uint32_t(v), bits, 8); });
+  /// Lanes of `block` from `first` on, with the pixels from `pixel` on. `words`: their colors as RGBA8 words.
+  SOFTGL_MEMBER void strip(const FragmentBlock& block, int first, const uint32_t* words, const uint32_t* live,
+                           void* color, size_t pixel) const {
+    switch (ColorFormat(key.color_format)) {
+    case ColorFormat::Rgba8: {
+      uint32_t* target = static_cast<uint32_t*>(color) + pixel;
+      if (encoding.srgb)
+        srgb_bytes(block, first, live, target);
+      else
+        bytes(words, live, target);
+      return;
+    }
+    case ColorFormat::Rgba16: {
+      uint32_t* target = static_cast<uint32_t*>(color) + 2 * pixel;
+      if (encoding.numbers == ColorNumbers::Unsigned)
+        halves<UnsignedArithmetic>(block, first, live, target);
+      else if (encoding.bits[0] == 8 || encoding.bits[3] == 8)
+        halves<SignedArithmetic<8>>(block, first, live, target);
+      else
+        halves<SignedArithmetic<16>>(block, first, live, target);
+      return;
+    }
+    case ColorFormat::RgbaFloat: return floats(block, first, live, static_cast<float*>(color) + 4 * pixel);
+    case ColorFormat::Rgb565: return;
+    }
   }
-  case ColorFormat::Rgba16: {
-    if (e.numbers == ColorNumbers::Unsigned)
-      return store_integers<UnsignedArithmetic<16>>(
-          program, source, static_cast<uint16_t*>(color) + 4 * pixel,
-          [](int64_t v, int bits) { return drawn_number(uint32_t(v), bits, 16); });
-    int16_t* target = static_cast<int16_t*>(color) + 4 * pixel;
-    const auto same = [](int64_t v, int) { return v; };
-    if (e.bits[0] == 8 || e.bits[3] == 8)
-      return store_integers<SignedArithmetic<8>>(program, source, target, same);
-    return store_integers<SignedArithmetic<16>>(program, source, target, same);
+
+private:
+  SOFTGL_MEMBER bool keeps(int c) const { return key.color_mask >> c & 1; }
+
+  /// Nothing is left of what is there.
+  SOFTGL_MEMBER bool replaces_all(const uint32_t* live) const {
+    if (key.blend || key.logic_op || key.color_mask != 15) return false;
+    IntV all = splat(-1);
+    for (int i = 0; i < kStripLanes; i += kWidth) all &= load(live + i);
+    return !any(~all);
   }
-  case ColorFormat::RgbaFloat: {
-    float* target = static_cast<float*>(color) + 4 * pixel;
-    float out[4];
-    merge_floats(program, source, target, program.constants->blend_color, out);
+
+  /// The blended components that are kept of `strip`, in place of the source.
+  template <class A, class T = typename A::T>
+  SOFTGL_MEMBER void blend(StripColors<A>& strip, const float* constant) const {
+    T out[4][kStripVectors];
+    if constexpr (A::kSigned && !A::kFloat)
+      if (!blending.has_alpha && blending.few)
+        for (T& alpha : strip.source[3]) alpha = max_(alpha, splat(-A::kOne));
     for (int c = 0; c < 4; ++c)
-      if (key.color_mask >> c & 1) target[c] = drawn_float(out[c], e.bits[c]);
-    return;
+      if (keeps(c)) blend_component<A>(blending, c, strip, constant, out[c]);
+    for (int c = 0; c < 4; ++c)
+      for (int g = 0; g < kStripVectors; ++g)
+        if (keeps(c)) strip.source[c][g] = out[c][g];
   }
-  case ColorFormat::Rgb565: return;
+
+  void bytes(const uint32_t* words, const uint32_t* live, uint32_t* target) const {
+    // The component that is alone, if so.
+    const int only = encoding.bits[3] ? 3 : encoding.bits[0] ? 0 : encoding.bits[1] ? 1 : 2;
+    const FactorPair& pair = only == 3 ? blending.alpha : blending.rgb;
+    const bool mixed = key.blend && blending.alone && blending.equation[only == 3] == BlendEquation::Add;
+    const bool first = mixed && is_inverse(pair.source, pair.destination),
+               second = mixed && !first && is_inverse(pair.destination, pair.source);
+    for (int i = 0; i < kStripLanes; i += kWidth) {
+      const IntV there = load(target + i), source = load(words + i);
+      IntV drawn;
+      if (first)
+        drawn = mix_words(pair.source, there, source, source, there);
+      else if (second)
+        drawn = mix_words(pair.destination, source, there, source, there);
+      else
+        drawn = merger.blended(source, there);
+      IntV kept = IntV{};
+      for (int c = 0; c < 4; ++c)
+        if (keeps(c))
+          kept |= drawn_numbers<8>((IntV)((UintV)drawn >> (8 * c)) & 255, encoding.bits[c]) << (8 * c);
+      store(target + i, choose(load(live + i) & merger.mask, kept, there));
+    }
   }
-}
+
+  /// Bytes between those of `from` and `to`: the weight is a factor.
+  SOFTGL_MEMBER IntV mix_words(BlendFactor weight, IntV from, IntV to, IntV source, IntV target) const {
+    const Halves w = factor_of(weight, split(source), split(target), constants.blend_color_8),
+                 a = split(from), b = split(to);
+    auto mixed = [](ShortV weight, ShortV low, ShortV high) __attribute__((always_inline)) {
+      const ShortV scaled = weight + (weight >> 7); // up to 256
+      return ((low << 8) + scaled * (high - low) + 128) >> 8;
+    };
+    return join({mixed(w.rb, a.rb, b.rb), mixed(w.ga, a.ga, b.ga)});
+  }
+
+  /// Bytes of sRGB are blended as linear floats (GL_EXT_framebuffer_sRGB).
+  void srgb_bytes(const FragmentBlock& block, int first, const uint32_t* live, uint32_t* target) const {
+    StripColors<FloatArithmetic> strip;
+    float constant[4];
+    alignas(64) float number[kStripLanes];
+    for (int c = 0; c < 4; ++c) {
+      constant[c] = saturate(constants.blend_color[c]);
+      for (int g = 0; g < kStripVectors; ++g) {
+        const IntV byte = (IntV)((UintV)load(target + g * kWidth) >> (8 * c)) & 255;
+        strip.source[c][g] = unit_range(load(block.color[c] + first + g * kWidth));
+        strip.target[c][g] = to_float(byte) * (1.0f / 255.0f);
+        store(number + g * kWidth, to_float(byte));
+      }
+      if (c == 3) break;
+      for (float& v : number) v = srgb_to_linear(v);
+      for (int g = 0; g < kStripVectors; ++g) strip.target[c][g] = load(number + g * kWidth);
+    }
+    if (key.blend) blend<FloatArithmetic>(strip, constant);
+    IntV drawn[kStripVectors] = {};
+    for (int c = 0; c < 4; ++c) {
+      for (int g = 0; g < kStripVectors; ++g) store(number + g * kWidth, unit_range(strip.source[c][g]));
+      for (float& v : number) v = c == 3 ? v * 255.0f : linear_to_srgb(v);
+      for (int g = 0; g < kStripVectors; ++g) drawn[g] |= round_to_int(load(number + g * kWidth)) << (8 * c);
+    }
+    for (int g = 0; g < kStripVectors; ++g)
+      store(target + g * kWidth,
+            choose(load(live + g * kWidth) & merger.mask, drawn[g], load(target + g * kWidth)));
+  }
+
+  template <class A>
+  void halves(const FragmentBlock& block, int first, const uint32_t* live, uint32_t* target) const {
+    StripColors<A> strip;
+    const bool whole = replaces_all(live);
+    for (int g = 0; g < kStripVectors; ++g) {
+      IntV low = IntV{}, high = IntV{};
+      if (!whole) load_alternating(target + 2 * g * kWidth, low, high);
+      const IntV word[2] = {low, high};
+      for (int c = 0; c < 4; ++c) {
+        strip.source[c][g] = A::stored(load(block.color[c] + first + g * kWidth));
+        const IntV upper = c & 1 ? word[c / 2] : word[c / 2] << 16;
+        strip.target[c][g] = A::kSigned ? upper >> 16 : (IntV)((UintV)upper >> 16);
+      }
+    }
+    if (key.logic_op) {
+      for (int c = 0; c < 4; ++c)
+        for (int g = 0; g < kStripVectors; ++g)
+          strip.source[c][g] =
+              logic_words(unsigned(key.blend_source_rgb), strip.source[c][g], strip.target[c][g]);
+      if constexpr (!A::kSigned)
+        for (int c = 0; c < 4; ++c)
+          for (int g = 0; g < kStripVectors; ++g) strip.source[c][g] &= A::kOne;
+    } else if (key.blend) {
+      blend<A>(strip, constants.blend_color);
+    }
+    for (int c = 0; c < 4; ++c)
+      for (int g = 0; g < kStripVectors; ++g) {
+        IntV& v = strip.source[c][g];
+        if (!keeps(c))
+          v = strip.target[c][g];
+        else if constexpr (!A::kSigned)
+          v = drawn_numbers<16>(v, encoding.bits[c]);
+      }
+    for (int g = 0; g < kStripVectors; ++g) {
+      const IntV lives = load(live + g * kWidth);
+      auto pair = [&](int c) __attribute__((always_inline)) {
+        const IntV low = choose(lives, strip.source[c][g], strip.target[c][g]),
+                   high = choose(lives, strip.source[c + 1][g], strip.target[c + 1][g]);
+        return (low & 0xffff) | (high << 16);
+      };
+      store_alternating(target + 2 * g * kWidth, pair(0), pair(2));
+    }
+  }
+
+  /// Logic operations leave floats alone.
+  void floats(const FragmentBlock& block, int first, const uint32_t* live, float* target) const {
+    StripColors<FloatArithmetic> strip;
+    const bool whole = replaces_all(live);
+    for (int g = 0; g < kStripVectors; ++g) {
+      FloatV there[4] = {};
+      if (!whole) load_pixels(target + 4 * g * kWidth, there);
+      for (int c = 0; c < 4; ++c) {
+        strip.source[c][g] = load(block.color[c] + first + g * kWidth);
+        strip.target[c][g] = there[c];
+      }
+    }
+    if (key.blend) blend<FloatArithmetic>(strip, constants.blend_color);
+    for (int g = 0; g < kStripVectors; ++g) {
+      const IntV lives = load(live + g * kWidth);
+      FloatV out[4];
+      for (int c = 0; c < 4; ++c) {
+        out[c] = strip.target[c][g];
+        if (keeps(c)) out[c] = choose(lives, drawn_floats(strip.source[c][g], encoding.bits[c]), out[c]);
+      }
+      store_pixels(target + 4 * g * kWidth, out);
+    }
+  }
+};
+
+} // namespace
 
 } // namespace SOFTGL_ISA
 } // namespace softgl

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "shaders/fragment/fragment_blend.inl"
-#include "shaders/fragment/fragment_encode.inl"
 #include "shaders/fragment/fragment_stages.inl"
 
 namespace softgl {
@@ -117,30 +116,31 @@ struct Merger {
     return live;
   }
 
+  /// RGBA8 words after blending and logic operation.
+  SOFTGL_MEMBER IntV blended(IntV source, IntV target) const {
+    if (over) return blend_over(source, target);
+    if (sum) return add_bytes(source, target);
+    if (key.logic_op) return logic_words(unsigned(key.blend_source_rgb), source, target);
+    if (key.blend) return blend_words(key, *program.constants, source, target);
+    return source;
+  }
   /// RGBA8 words to `place`.
   SOFTGL_MEMBER void color(IntV live, IntV source, uint32_t* place) const {
     const IntV target = load(place);
-    if (over)
-      source = blend_over(source, target);
-    else if (sum)
-      source = add_bytes(source, target);
-    else if (key.logic_op)
-      source = logic_words(unsigned(key.blend_source_rgb), source, target);
-    else if (key.blend)
-      source = blend_words(key, *program.constants, source, target);
-    store(place, choose(live & mask, source, target));
+    store(place, choose(live & mask, blended(source, target), target));
   }
 };
 
 } // namespace
 
 /// 5-6-5 to RGBA8 and back: bits are repeated one way and cut the other (OSMesa 22.3.6). Alpha reads as 1.
-SOFTGL_INLINE uint32_t expand_565(uint32_t v) {
-  const uint32_t r = v >> 11 & 31, g = v >> 5 & 63, b = v & 31;
-  return (r << 3 | r >> 2) | (g << 2 | g >> 4) << 8 | (b << 3 | b >> 2) << 16 | 0xff000000u;
+/// `T`: uint32_t, or vectors of numbers that are not negative.
+template <class T> SOFTGL_INLINE T expand_565(T v) {
+  const T r = v >> 11 & 31, g = v >> 5 & 63, b = v & 31;
+  return (r << 3 | r >> 2) | (g << 2 | g >> 4) << 8 | (b << 3 | b >> 2) << 16 | T(int32_t(0xff000000) - T{});
 }
-SOFTGL_INLINE uint16_t cut_565(uint32_t c) {
-  return uint16_t((c & 0xf8) << 8 | (c >> 5 & 0x7e0) | (c >> 19 & 0x1f));
+template <class T> SOFTGL_INLINE T cut_565(T c) {
+  return (c & 0xf8) << 8 | (c >> 5 & 0x7e0) | (c >> 19 & 0x1f);
 }
 
 } // namespace SOFTGL_ISA

@@ -1,7 +1,7 @@
 // What both ways through a tile share: 8x8 blocks of pixels and planes at their columns.
 #pragma once
 
-#include "shaders/fragment/fragment_merge.inl"
+#include "shaders/fragment/fragment_encode.inl"
 #include "shaders/raster/raster_coverage.inl"
 #include "shaders/raster/raster_interpolate.inl"
 

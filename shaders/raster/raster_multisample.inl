@@ -25,6 +25,7 @@ static void merge_samples(const RasterDraw& draw, const TileTarget& tile, Fragme
                           const SampleBatch& batch) {
   const RasterConstants& r = *draw.raster;
   const Merger merger{*draw.program};
+  const EncodedMerger encoded{merger};
   const bool by_alpha = r.per_sample && r.alpha_to_coverage, one = r.per_sample && r.alpha_to_one;
   const int step = depth_step(DepthFormat(merger.key.depth_format));
   alignas(64) float alpha[kLanes];
@@ -47,7 +48,7 @@ static void merge_samples(const RasterDraw& draw, const TileTarget& tile, Fragme
         if (by_alpha) v &= covered_by_alpha(load(alpha + first + i), s);
         store(live + i, v);
       }
-      merge_strip(merger, samples, block, words, first, batch.pixels.pixel[k], live, depth + first);
+      merge_strip(merger, encoded, samples, block, words, first, batch.pixels.pixel[k], live, depth + first);
     }
   }
 }
@@ -70,7 +71,9 @@ namespace { // so that no member is visible outside
 struct SampleCoverage {
   TileEdges edges[kSamples];
   EdgeSteps<4> steps[kSamples];
+  TileEdges widest; // outside of these no sample is covered
   bool seen[kSamples];
+  bool any = false; // sample is seen
   bool per_sample;
   bool round;
   int64_t center_x, center_y, radius2; // of a round one, from the tile's corner
@@ -85,8 +88,19 @@ struct SampleCoverage {
                : per_sample ? (p.c[i] - int64_t(p.a[i]) * kSampleX[s] + int64_t(p.b[i]) * kSampleY[s]) >> 8
                             : p.c[i];
       seen[s] = clip_to_tile<4>(draw, p, c, tile.x, tile.y, edges[s]);
-      if (seen[s] && !edges[s].inside) edge_steps<4>(edges[s], steps[s]);
+      if (!seen[s]) continue;
+      if (!edges[s].inside) edge_steps<4>(edges[s], steps[s]);
+      if (any)
+        for (int i = 0; i < 4; ++i) widest.c[i] = widest.c[i] > edges[s].c[i] ? widest.c[i] : edges[s].c[i];
+      else
+        widest = edges[s];
+      any = true;
     }
+  }
+  /// Most blocks around a line.
+  SOFTGL_MEMBER bool misses_block(int x, int y) const {
+    int32_t e[4];
+    return !any || place_block<4>(widest, x, y, e) == BlockPlace::Outside;
   }
   /// Of the block at (x, y) of the tile.
   SOFTGL_MEMBER void of_block(int x, int y, uint64_t covered[kSamples]) const {
@@ -127,6 +141,7 @@ template <bool Depth> static void multisampled_primitive(const RasterDraw& draw,
   const Compare function = Compare(draw.program->key.depth_function);
   for (int by = y0 & ~7; by < y1; by += 8) {
     for (int bx = x0 & ~7; bx < x1; bx += 8) {
+      if (coverage.misses_block(bx, by)) continue;
       uint64_t covered[kSamples], any = 0;
       coverage.of_block(bx, by, covered);
       for (int s = 0; s < kSamples; ++s) {

@@ -14,7 +14,8 @@ static void merge_fragments(const TileTarget& tile, const FragmentProgram& progr
   auto* color = static_cast<uint32_t*>(tile.color);
   auto* halves = static_cast<uint16_t*>(tile.color);
   m.lanes = (count + 15) & ~15;
-  for (int32_t i = 0; i < count; ++i) m.target[i] = words ? color[pixel[i]] : expand_565(halves[pixel[i]]);
+  for (int32_t i = 0; i < count; ++i)
+    m.target[i] = words ? color[pixel[i]] : expand_565(uint32_t(halves[pixel[i]]));
   if (tile.depth_stencil)
     for (int32_t i = 0; i < count; ++i) m.depth_stencil[i] = tile.depth_stencil[pixel[i]];
   for (int32_t i = count; i < m.lanes; ++i)
@@ -29,7 +30,7 @@ static void merge_fragments(const TileTarget& tile, const FragmentProgram& progr
     if (words)
       color[pixel[i]] = m.target[i];
     else
-      halves[pixel[i]] = cut_565(m.target[i]);
+      halves[pixel[i]] = uint16_t(cut_565(m.target[i]));
   }
   if (tile.depth_stencil && (program.key.depth_write || program.key.stencil))
     for (int32_t i = 0; i < count; ++i) tile.depth_stencil[pixel[i]] = m.depth_stencil[i];
@@ -97,8 +98,8 @@ static void run_packed(const RasterDraw& draw, const TileTarget& tile, FragmentB
   memset(batch.used, 0, sizeof batch.used);
 }
 
-/// The depths of the pixels `covered` of a block, and which of them pass the depth test if it is early.
-/// Depths of vectors without a covered pixel are not set.
+/// The depths of the pixels `covered` of a block, and which of them pass depth and stencil test if those are
+/// early. Depths of vectors without a covered pixel are not set.
 SOFTGL_INLINE uint64_t test_block(const RasterDraw& draw, const TileTarget& tile, const RasterPrimitive& p,
                                   int bx, int by, uint64_t covered, uint32_t* depth) {
   constexpr uint64_t kAll = (uint64_t(1) << (kWidth - 1) << 1) - 1;
@@ -107,6 +108,7 @@ SOFTGL_INLINE uint64_t test_block(const RasterDraw& draw, const TileTarget& tile
   const float scale = depth_scale(key);
   const bool floats = DepthFormat(key.depth_format) == DepthFormat::Z32F, early = draw.early_depth;
   const uint32_t* stored = tile.depth_stencil + pixel_in_tile(bx, by);
+  const FragmentConstants& k = *draw.program->constants;
   const BlockPlane plane = block_plane(p.plane[kPlaneZ], tile.x + bx);
   const FloatV offset = splat(p.depth_offset);
   uint64_t live = covered;
@@ -117,7 +119,12 @@ SOFTGL_INLINE uint64_t test_block(const RasterDraw& draw, const TileTarget& tile
     const IntV word = floats ? depth_float(z) : depth_bits(z, scale);
     store(depth + i, word);
     if (!early) continue;
-    const IntV passes = compare_words(function, word, load(stored + i) & 0xffffff);
+    const IntV there = load(stored + i);
+    IntV passes = compare_words(function, word, there & 0xffffff);
+    if (key.stencil) // whose values stay
+      passes &= compare_words(Compare(key.stencil_function),
+                              splat(int32_t(k.stencil_reference & k.stencil_value_mask)),
+                              (IntV)((UintV)there >> 24) & int32_t(k.stencil_value_mask));
     live &= ~(uint64_t(~sign_bits(passes) & uint32_t(kAll)) << i);
   }
   return live;

@@ -43,10 +43,10 @@ static void pack_block(const RasterDraw& draw, const FragmentBlock& block, uint3
 }
 
 /// Merges a strip of `block` whose colors are final, lanes from `first` on, with the pixels from `pixel` on.
-/// `live` and `depth` are the strip's, and `words` as of pack_block().
-SOFTGL_INLINE void merge_strip(const Merger& merger, const TileTarget& tile, const FragmentBlock& block,
-                               const uint32_t* words, int first, int pixel, uint32_t* live,
-                               const uint32_t* depth) {
+/// `live` and `depth` are the strip's, and `words` as of pack_block(). `encoded`: of surfaces that need it.
+SOFTGL_INLINE void merge_strip(const Merger& merger, const EncodedMerger& encoded, const TileTarget& tile,
+                               const FragmentBlock& block, const uint32_t* words, int first, int pixel,
+                               uint32_t* live, const uint32_t* depth) {
   const auto format = ColorFormat(merger.key.color_format);
   IntV living = IntV{};
   for (int i = 0; i < kStripLanes; i += kWidth) {
@@ -66,31 +66,29 @@ SOFTGL_INLINE void merge_strip(const Merger& merger, const TileTarget& tile, con
     return;
   }
   if (format == ColorFormat::Rgb565) {
-    uint32_t expanded[kStripLanes];
     uint16_t* halves = static_cast<uint16_t*>(tile.color) + pixel;
-    for (int i = 0; i < kStripLanes; ++i) expanded[i] = expand_565(halves[i]);
-    for (int i = 0; i < kStripLanes; i += kWidth)
-      merger.color(load(live + i), load(words + first + i), expanded + i);
-    for (int i = 0; i < kStripLanes; ++i) halves[i] = cut_565(expanded[i]);
+    for (int i = 0; i < kStripLanes; i += kWidth) {
+      const IntV kept = load_halves(halves + i), there = expand_565(kept);
+      const IntV drawn = cut_565(
+          choose(load(live + i) & merger.mask, merger.blended(load(words + first + i), there), there));
+      store_halves(halves + i, (drawn << 16) >> 16);
+    }
     return;
   }
-  for (int i = 0; i < kStripLanes; ++i) {
-    if (!live[i]) continue;
-    const float color[4] = {block.color[0][first + i], block.color[1][first + i], block.color[2][first + i],
-                            block.color[3][first + i]};
-    store_encoded(merger.program, color, tile.color, size_t(pixel + i));
-  }
+  encoded.strip(block, first, words + first, live, tile.color, size_t(pixel));
 }
 
 /// Merges the strips of `block` whose colors are final.
 static void merge_strips(const RasterDraw& draw, const TileTarget& tile, FragmentBlock& block,
                          const StripBatch& batch) {
   const Merger merger{*draw.program};
+  const EncodedMerger encoded{merger};
   alignas(64) uint32_t words[kLanes];
   pack_block(draw, block, words);
   for (int s = 0; s < batch.strips; ++s) {
     const int first = s * kStripLanes;
-    merge_strip(merger, tile, block, words, first, batch.pixel[s], block.live + first, block.depth + first);
+    merge_strip(merger, encoded, tile, block, words, first, batch.pixel[s], block.live + first,
+                block.depth + first);
   }
 }
 

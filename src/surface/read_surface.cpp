@@ -123,11 +123,19 @@ namespace {
 template <class Stored>
 void unsigned_row_to_floats(const Surface& s, const void* row, int count, float (*rgba)[4]) {
   constexpr int kWide = int(sizeof(Stored) * 8);
+  const auto* from = static_cast<const Stored*>(row);
+  const auto stored_bits = [&](int k) { return s.encoding.bits[k] ? s.encoding.bits[k] : kWide; };
+  if (stored_bits(0) == kWide && stored_bits(1) == kWide && stored_bits(2) == kWide &&
+      stored_bits(3) == kWide) {
+    float* to = *rgba;
+    constexpr float kScale = 1.0f / float((1 << kWide) - 1);
+    for (int i = 0; i < 4 * count; ++i) to[i] = float(int32_t(from[i])) * kScale;
+    return;
+  }
   for (int k = 0; k < 4; ++k) {
-    const int bits = s.encoding.bits[k] ? s.encoding.bits[k] : kWide;
+    const int bits = stored_bits(k);
     for (int i = 0; i < count; ++i)
-      rgba[i][k] =
-          unorm_to_float(uint32_t(static_cast<const Stored*>(row)[4 * i + k]) >> (kWide - bits), bits);
+      rgba[i][k] = unorm_to_float(uint32_t(from[4 * i + k]) >> (kWide - bits), bits);
   }
 }
 
@@ -190,13 +198,11 @@ uint32_t float_to_depth(DepthFormat format, float depth) {
 }
 
 void spread_colors(const TexelFormat* texels, uint8_t (*rgba)[4], size_t count) {
-  if (!texels) return;
-  for (size_t i = 0; i < count; ++i) spread<uint8_t>(texels->base, rgba[i], 255);
+  if (texels) spread_row<uint8_t>(texels->base, rgba, int(count), 255);
 }
 
 void spread_colors(const TexelFormat* texels, float (*rgba)[4], size_t count) {
-  if (!texels) return;
-  for (size_t i = 0; i < count; ++i) spread<float>(texels->base, rgba[i], 1.0f);
+  if (texels) spread_row<float>(texels->base, rgba, int(count), 1.0f);
 }
 
 void read_rgba8(const Surface& s, int x, int y, int width, int height, uint8_t (*rgba)[4]) {

@@ -13,6 +13,9 @@ namespace softgl {
 void average_samples(const Surface& surface, int x, int y, int count, bool linear, unsigned char* row,
                      float (*sample)[4], float (*pixels)[4]);
 
+/// The same of a surface of bytes, as the bytes that are drawn of the means.
+void average_bytes(const Surface& surface, int x, int y, int count, uint8_t (*bytes)[4]);
+
 /// Sets the pixels of a tile of `to`, which has one sample a pixel, from those of `from`: colors are
 /// averaged, depths and stencil values are those of the first sample. Nothing of the tiles may wait to be
 /// written.

@@ -141,12 +141,17 @@ void gl::BufferData(Context& c, GLenum target, GLsizeiptr size, const void* data
   if (!bound->object) return set_error(c, GL_INVALID_OPERATION);
   if (size > kMaxBufferBytes) return set_error(c, GL_OUT_OF_MEMORY);
   BufferObject& buffer = *bound->object;
-  auto storage = std::make_shared<BufferStorage>(size_t(size));
-  if (data) {
-    populate_pages({storage->bytes, size_t(size)});
-    std::memcpy(storage->bytes, data, size_t(size));
+  if (data && buffer.storage.use_count() == 1 && buffer.storage->size == size_t(size)) {
+    // Memory that is there already costs a quarter of new one. `data` may be in it, where it is mapped.
+    std::memmove(buffer.storage->bytes, data, size_t(size));
+  } else {
+    auto storage = std::make_shared<BufferStorage>(size_t(size));
+    if (data) {
+      populate_pages({storage->bytes, size_t(size)});
+      std::memcpy(storage->bytes, data, size_t(size));
+    }
+    buffer.storage = std::move(storage);
   }
-  buffer.storage = std::move(storage);
   buffer.usage = usage;
   buffer.access = GL_READ_WRITE;
   unmap(buffer);

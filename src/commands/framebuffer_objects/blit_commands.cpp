@@ -94,21 +94,31 @@ float mix(int weight, float a, float b) { return float(weight) * (1.0f / 256.0f)
 /// Bilinear mixtures of groups of four components: across first, then along (as OSMesa 22.3.6 filters
 /// textures).
 template <class T, class Number> void mix_pixels(const Blit& blit, const T (*from)[4], T (*to)[4]) {
-  const auto width = size_t(blit.source_width());
-  for (int y = 0; y < blit.rows.count(); ++y) {
-    const auto j = size_t(y);
-    const T(*low)[4] = from + size_t(blit.rows.low[j] - blit.rows.source_first) * width;
-    const T(*high)[4] = from + size_t(blit.rows.high[j] - blit.rows.source_first) * width;
-    for (int x = 0; x < blit.columns.count(); ++x, ++to) {
-      const auto i = size_t(x);
-      const int left = blit.columns.low[i] - blit.columns.source_first,
-                right = blit.columns.high[i] - blit.columns.source_first;
-      for (int k = 0; k < 4; ++k) {
-        const int w = blit.columns.weight[i];
-        (*to)[k] = T(mix(blit.rows.weight[j], mix(w, Number(low[left][k]), Number(low[right][k])),
-                         mix(w, Number(high[left][k]), Number(high[right][k]))));
-      }
+  const auto width = size_t(blit.source_width()), numbers = 4 * size_t(blit.columns.count());
+  // Rows that are mixed across, which neighboring rows share.
+  std::vector<T> mixed[2] = {std::vector<T>(numbers), std::vector<T>(numbers)};
+  int32_t which[2] = {-1, -1};
+  const int32_t *lefts = blit.columns.low.data(), *rights = blit.columns.high.data(),
+                *weights = blit.columns.weight.data(), first = blit.columns.source_first;
+  const auto across = [&](int32_t row) {
+    const auto place = size_t(row & 1);
+    T* out = mixed[place].data();
+    if (which[place] == row) return out;
+    which[place] = row;
+    const T(*source)[4] = from + size_t(row - blit.rows.source_first) * width;
+    for (size_t i = 0; i < numbers / 4; ++i) {
+      const T *left = source[lefts[i] - first], *right = source[rights[i] - first];
+      const int w = weights[i];
+      for (size_t k = 0; k < 4; ++k) out[4 * i + k] = T(mix(w, Number(left[k]), Number(right[k])));
     }
+    return out;
+  };
+  for (int y = 0; y < blit.rows.count(); ++y, to += blit.columns.count()) {
+    const auto j = size_t(y);
+    const T *low = across(blit.rows.low[j]), *high = across(blit.rows.high[j]);
+    const int w = blit.rows.weight[j];
+    T* out = *to;
+    for (size_t i = 0; i < numbers; ++i) out[i] = T(mix(w, Number(low[i]), Number(high[i])));
   }
 }
 
@@ -123,22 +133,32 @@ bool converts_srgb(const Context& c, const Surface& from) {
   return from.encoding.srgb && c.state.color_buffer.framebuffer_srgb;
 }
 
-void blit_resolved_colors(Context& c, const Blit& blit, const BlitSamples& samples) {
-  Arena& arena = c.frame.arena();
-  const auto width = size_t(blit.source_width());
-  std::vector<unsigned char> row(width * 16);
-  std::vector<PixelFloats> sample(width);
-  auto* pixels = arena.allocate_array<PixelFloats>(blit.source_pixels());
-  for (int y = 0; y < blit.source_height(); ++y)
-    average_samples(samples.from, blit.columns.source_first, blit.rows.source_first + y, int(width),
-                    converts_srgb(c, samples.from), row.data(), &sample[0].rgba,
-                    &pixels[size_t(y) * width].rgba);
-  spread_colors(c.read->texels, &pixels[0].rgba, blit.source_pixels());
-  submit_copy(c, blit.image(PixelElement::Floats, pixels, arena), blit.box(), samples.to);
-}
-
 bool keeps_bytes(const ColorEncoding& e) {
   return std::all_of(e.bits, e.bits + 4, [](uint8_t bits) { return bits == 0 || bits == 8; });
+}
+
+void blit_resolved_colors(Context& c, const Blit& blit, const BlitSamples& samples) {
+  Arena& arena = c.frame.arena();
+  const Surface& s = samples.from;
+  const int x = blit.columns.source_first, y = blit.rows.source_first, width = blit.source_width();
+  const auto columns = size_t(width), rows = size_t(blit.source_height());
+  if (s.color_format == ColorFormat::Rgba8 && keeps_bytes(s.encoding) && !s.encoding.srgb) {
+    // The surface that is drawn to has bytes, too: then it is the same to round now.
+    auto* bytes = reinterpret_cast<uint8_t(*)[4]>(arena.allocate_array<uint32_t>(blit.source_pixels()));
+    for (size_t j = 0; j < rows; ++j) {
+      average_bytes(s, x, y + int(j), width, bytes + j * columns);
+      spread_colors(c.read->texels, bytes + j * columns, columns);
+    }
+    return submit_copy(c, blit.image(PixelElement::Bytes, bytes, arena), blit.box(), samples.to);
+  }
+  std::vector<unsigned char> row(columns * 16);
+  std::vector<PixelFloats> sample(columns);
+  auto* pixels = arena.allocate_array<PixelFloats>(blit.source_pixels());
+  for (size_t j = 0; j < rows; ++j)
+    average_samples(s, x, y + int(j), width, converts_srgb(c, s), row.data(), &sample[0].rgba,
+                    &pixels[j * columns].rgba);
+  spread_colors(c.read->texels, &pixels[0].rgba, blit.source_pixels());
+  submit_copy(c, blit.image(PixelElement::Floats, pixels, arena), blit.box(), samples.to);
 }
 
 void blit_colors(Context& c, const Blit& blit, const BlitSamples& samples) {

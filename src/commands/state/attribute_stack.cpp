@@ -65,10 +65,45 @@ size_t groups_size(GLbitfield mask) {
   return size;
 }
 
-// GL_ENABLE_BIT is every capability, in table order; those of texture units eight times.
-template <class Visit> void for_each_enable(Visit visit) {
-  for (const Capability& capability : capabilities())
-    for (int unit = 0; unit < (capability.per_unit() ? kMaxTextureUnits : 1); ++unit) visit(capability, unit);
+/// Where a capability is in a State: a bool, or bits of a uint32_t.
+struct EnablePlace {
+  size_t offset;
+  uint32_t bits; // 0: a bool
+  uint32_t dirty;
+  bool get(const std::byte* state) const {
+    if (bits == 0) return state[offset] != std::byte(0);
+    uint32_t mask;
+    std::memcpy(&mask, state + offset, sizeof mask);
+    return (mask & bits) != 0;
+  }
+  void set(std::byte* state, bool value) const {
+    if (bits == 0) {
+      state[offset] = std::byte(value);
+      return;
+    }
+    uint32_t mask;
+    std::memcpy(&mask, state + offset, sizeof mask);
+    mask = value ? mask | bits : mask & ~bits;
+    std::memcpy(state + offset, &mask, sizeof mask);
+  }
+};
+
+/// GL_ENABLE_BIT is every capability, in table order; those of texture units eight times.
+std::vector<EnablePlace> find_enables() {
+  std::vector<EnablePlace> enables;
+  State state;
+  const auto offset = [&](const void* member) {
+    return size_t(static_cast<const std::byte*>(member) - reinterpret_cast<const std::byte*>(&state));
+  };
+  for (const Capability& e : capabilities())
+    for (int unit = 0; unit < (e.per_unit() ? kMaxTextureUnits : 1); ++unit)
+      enables.push_back({e.flag ? offset(e.flag(state, state.texture.unit[unit])) : offset(e.mask(state)),
+                         e.flag ? 0 : e.bit, e.dirty});
+  return enables;
+}
+const std::vector<EnablePlace>& all_enables() {
+  static const std::vector<EnablePlace> enables = find_enables();
+  return enables;
 }
 
 void save_textures(Context& c, std::vector<SavedTexture>& saved) {
@@ -119,8 +154,7 @@ void PushAttrib(Context& c, GLbitfield mask) {
     if (group.mask & mask)
       saved.groups.insert(saved.groups.end(), state + group.offset, state + group.offset + group.size);
   if (mask & GL_ENABLE_BIT)
-    for_each_enable(
-        [&](const Capability& e, int unit) { saved.groups.push_back(std::byte(e.get(c.state, unit))); });
+    for (const EnablePlace& e : all_enables()) saved.groups.push_back(std::byte(e.get(state)));
   if (mask & GL_TEXTURE_BIT) save_textures(c, saved.textures);
   saved.draw_buffer = draw_buffer(c), saved.read_buffer = read_buffer(c);
   c.attribute_stack.server.push_back(std::move(saved));
@@ -141,11 +175,12 @@ void PopAttrib(Context& c) {
       c.dirty |= group.dirty;
     }
   if (saved.mask & GL_ENABLE_BIT)
-    for_each_enable([&](const Capability& e, int unit) {
+    for (const EnablePlace& e : all_enables()) {
       const bool value = bool(*from++);
-      if (e.get(c.state, unit) != value) c.dirty |= e.dirty;
-      e.set(c.state, unit, value);
-    });
+      if (e.get(state) == value) continue;
+      c.dirty |= e.dirty;
+      e.set(state, value);
+    }
   if (saved.mask & GL_TEXTURE_BIT) restore_textures(c, saved.textures);
   // Draw and read buffer are set in what is bound now, if it has such buffers (OSMesa 22.3.6).
   c.state.color_buffer.draw_buffer = window_draw_buffer;

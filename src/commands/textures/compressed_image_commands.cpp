@@ -77,8 +77,8 @@ void change_compressed(Context& c, GLenum target, GLint level, GLint x, GLint y,
   if (!whole_blocks(*image, x, y, width, height)) return set_error(c, GL_INVALID_OPERATION);
   if (width == 0 || height == 0) return;
   if (!find_unpack_memory(c, data, array_span(size_t(image_size), 1)) || !data) return;
+  TextureImage& changed = image_for_change(c, *object, t.face, level);
   mark_images(c, *object);
-  TextureImage& changed = object->writable(t.face, level);
   const size_t row =
       size_t(blocks_in_row(changed.format->block, width)) * size_t(block_bytes(changed.format->block));
   auto from = static_cast<const uint8_t*>(data);

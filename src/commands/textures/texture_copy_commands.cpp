@@ -97,16 +97,28 @@ void copy_colors(Context& c, int x, int y, int width, int height, TextureImage& 
   const PixelTransfer transfer = pixel_transfer(c);
   if (draws_copy(c, *image.format) && !transfer.changes_color())
     return draw_colors(c, x, y, width, height, image, to_x, to_y, to_z);
-  if (c.read->surface.color_format == ColorFormat::Rgba8) {
-    std::vector<uint8_t> pixels(size_t(width) * size_t(height) * 4);
-    read_rgba8(c.read->surface, x, y, width, height, reinterpret_cast<uint8_t(*)[4]>(pixels.data()));
+  const Surface& surface = c.read->surface;
+  if (surface.color_format == ColorFormat::Rgba8) {
+    uint8_t bits[4] = {8, 8, 8, 8}; // that are left of a byte
     if (image.format->layout == TexelLayout::Rgba8 && !transfer.changes_color())
-      for (size_t i = 0; i < pixels.size(); ++i)
-        pixels[i] = reduced_byte(pixels[i], image.format->bits[i & 3]);
+      for (int k = 0; k < 4; ++k)
+        if (image.format->bits[k]) bits[k] = image.format->bits[k];
+    const bool reduces = std::any_of(bits, bits + 4, [](uint8_t b) { return b != 8; });
     const PixelFormat f = describe_pixel_format(GL_RGBA, GL_UNSIGNED_BYTE);
-    for (int j = 0; j < height; ++j)
-      store_texels(*image.format, image.at(to_x, to_y + j, to_z), f,
-                   pixels.data() + size_t(j) * size_t(width) * 4, width, false, transfer);
+    std::vector<uint8_t> row(size_t(width) * 4); // a row at a time stays in the cache
+    const auto left = int(std::clamp(-int64_t(x), int64_t(0), int64_t(width))),
+               right = int(std::clamp(int64_t(surface.width) - x, int64_t(left), int64_t(width)));
+    for (int j = 0; j < height; ++j) {
+      const int64_t line = int64_t(y) + j;
+      if (line >= 0 && line < surface.height && left < right)
+        copy_color_row(surface, x + left, surface_row(surface, int(line)), right - left,
+                       row.data() + size_t(left) * 4);
+      else
+        std::fill(row.begin(), row.end(), uint8_t(0));
+      if (reduces)
+        for (size_t i = 0; i < row.size(); ++i) row[i] = reduced_byte(row[i], bits[i & 3]);
+      store_texels(*image.format, image.at(to_x, to_y + j, to_z), f, row.data(), width, false, transfer);
+    }
   } else {
     std::vector<float> pixels(size_t(width) * size_t(height) * 4);
     read_rgba_float(c.read->surface, x, y, width, height, reinterpret_cast<float(*)[4]>(pixels.data()));

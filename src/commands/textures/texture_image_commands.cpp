@@ -1,6 +1,7 @@
 // TexImage, TexSubImage and GetTexImage (GL 1.5, 3.8.1, 3.8.2, 6.1.4).
 
 #include "commands/buffers/pixel_buffers.h"
+#include "commands/framebuffer/flush.h"
 #include "commands/generated/commands.h"
 #include "commands/textures/texture_images.h"
 #include "context/context.h"
@@ -46,6 +47,18 @@ Refusal check_image_size(const ImageTarget& t, GLint level, GLsizei width, GLsiz
 void mark_images(Context& c, const TextureObject& object) {
   c.dirty |= kDirtyTextureObjects;
   if (is_attached(c, object)) framebuffers_changed(c);
+}
+
+TextureImage& image_for_change(Context& c, TextureObject& object, int face, int level) {
+  // A copy of 1 MB takes twice as long as to draw a small frame.
+  constexpr uint64_t kLarge = 256 * 1024;
+  const auto& image = object.image[face][level];
+  if (image.use_count() > 1 &&
+      image_bytes(*image->format, image->width, image->height, image->depth) >= kLarge) {
+    draw_what_waits(c);
+    store_drawn_texels(object);
+  }
+  return object.writable(face, level);
 }
 
 GLint granted_format(GLint internal_format) {
@@ -203,8 +216,9 @@ void change_image(Context& c, int dimensions, GLenum target, GLint level, GLint 
   if (!find_unpack_memory(c, pixels, image_span(c.client.pixel_store.unpack, layout, height, depth, f)) ||
       !pixels)
     return;
+  TextureImage& changed = image_for_change(c, *object, t.face, level);
   mark_images(c, *object);
-  store_box(c, object->writable(t.face, level), x, y, z, width, height, depth, f, layout,
+  store_box(c, changed, x, y, z, width, height, depth, f, layout,
             static_cast<const unsigned char*>(pixels) + layout.offset);
   regenerate_mipmaps(*object, t.face, level);
 }

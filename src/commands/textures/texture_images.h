@@ -31,6 +31,9 @@ std::shared_ptr<TextureImage> describe_image(const TexelFormat& format, GLint in
                                              GLsizei height, GLsizei depth, GLint border);
 /// Marks the state. Called before the first image changes: where memory ends, some of them have changed.
 void mark_images(Context& c, const TextureObject& object);
+/// The image for a change. A frame that still samples a large one is drawn first, so that no copy has to be
+/// made of it. Called before mark_images(). Throws std::bad_alloc.
+TextureImage& image_for_change(Context& c, TextureObject& object, int face, int level);
 /// After a change: regenerates mipmaps if that is asked for (3.8.8). Throws std::bad_alloc.
 void regenerate_mipmaps(TextureObject& object, int face, int level);
 
