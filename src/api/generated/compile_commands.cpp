@@ -221,6 +221,14 @@ void compile_Viewport(Context& c, GLint x, GLint y, GLsizei width, GLsizei heigh
     if (may_execute(c)) gl::Viewport(c, x, y, width, height);
   }
 }
+void compile_ClipControl(Context& c, GLenum origin, GLenum depth) {
+  const ClipControlArguments kept_call{origin, depth};
+  new (record(c, uint16_t(Opcode::ClipControl), sizeof kept_call)) ClipControlArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::ClipControl(c, origin, depth);
+  }
+}
 void compile_ClipPlane(Context& c, GLenum plane, const GLdouble* equation) {
   const ClipPlaneArguments kept_call{plane, static_cast<const GLdouble*>(keep_bytes(c, equation, 4 * sizeof(GLdouble)))};
   new (record(c, uint16_t(Opcode::ClipPlane), sizeof kept_call)) ClipPlaneArguments(kept_call);
@@ -714,6 +722,14 @@ void compile_ActiveStencilFaceEXT(Context& c, GLenum face) {
   if (execute_too(c)) {
     const ExecuteScope scope(c);
     if (may_execute(c)) gl::ActiveStencilFaceEXT(c, face);
+  }
+}
+void compile_DepthBoundsEXT(Context& c, GLclampd zmin, GLclampd zmax) {
+  const DepthBoundsEXTArguments kept_call{zmin, zmax};
+  new (record(c, uint16_t(Opcode::DepthBoundsEXT), sizeof kept_call)) DepthBoundsEXTArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::DepthBoundsEXT(c, zmin, zmax);
   }
 }
 void compile_DepthFunc(Context& c, GLenum func) {

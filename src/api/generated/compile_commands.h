@@ -33,6 +33,7 @@ void compile_PushMatrix(Context& c);
 void compile_PopMatrix(Context& c);
 void compile_DepthRange(Context& c, GLdouble n, GLdouble f);
 void compile_Viewport(Context& c, GLint x, GLint y, GLsizei width, GLsizei height);
+void compile_ClipControl(Context& c, GLenum origin, GLenum depth);
 void compile_ClipPlane(Context& c, GLenum plane, const GLdouble* equation);
 void compile_RasterPos(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w);
 void compile_WindowPos(Context& c, GLfloat x, GLfloat y, GLfloat z);
@@ -93,6 +94,7 @@ void compile_StencilFuncSeparate(Context& c, GLenum face, GLenum func, GLint ref
 void compile_StencilFuncSeparateATI(Context& c, GLenum frontfunc, GLenum backfunc, GLint ref, GLuint mask);
 void compile_StencilOpSeparate(Context& c, GLenum face, GLenum sfail, GLenum dpfail, GLenum dppass);
 void compile_ActiveStencilFaceEXT(Context& c, GLenum face);
+void compile_DepthBoundsEXT(Context& c, GLclampd zmin, GLclampd zmax);
 void compile_DepthFunc(Context& c, GLenum func);
 void compile_BlendFunc(Context& c, GLenum sfactor, GLenum dfactor);
 void compile_BlendFuncSeparate(Context& c, GLenum sfactorRGB, GLenum dfactorRGB, GLenum sfactorAlpha, GLenum dfactorAlpha);

@@ -479,6 +479,17 @@ SOFTGL_EXPORT void APIENTRY glClientActiveTextureARB(GLenum texture) try {
 } catch (...) {
   out_of_memory();
 }
+void APIENTRY glClipControl(GLenum origin, GLenum depth) try {
+  SOFTGL_TRACED(glClipControl, origin, depth);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_ClipControl(c, origin, depth);
+    if (!may_execute(c)) return;
+  }
+  gl::ClipControl(c, origin, depth);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glClipPlane(GLenum plane, const GLdouble* equation) try {
   SOFTGL_TRACED(glClipPlane, plane, equation);
   Context& c = *current_context;
@@ -900,6 +911,17 @@ SOFTGL_EXPORT void APIENTRY glDeleteVertexArrays(GLsizei n, const GLuint* arrays
   if ((!arrays && n > 0)) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::DeleteVertexArrays(c, n, arrays);
+} catch (...) {
+  out_of_memory();
+}
+void APIENTRY glDepthBoundsEXT(GLclampd zmin, GLclampd zmax) try {
+  SOFTGL_TRACED(glDepthBoundsEXT, zmin, zmax);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_DepthBoundsEXT(c, zmin, zmax);
+    if (!may_execute(c)) return;
+  }
+  gl::DepthBoundsEXT(c, zmin, zmax);
 } catch (...) {
   out_of_memory();
 }

@@ -52,6 +52,7 @@ DOOR(glClearIndex);
 DOOR(glClearStencil);
 DOOR(glClientActiveTexture);
 DOOR(glClientActiveTextureARB);
+DOOR(glClipControl);
 DOOR(glClipPlane);
 DOOR(glColor3b);
 DOOR(glColor3bv);
@@ -131,6 +132,7 @@ DOOR(glDeleteRenderbuffers);
 DOOR(glDeleteRenderbuffersEXT);
 DOOR(glDeleteTextures);
 DOOR(glDeleteVertexArrays);
+DOOR(glDepthBoundsEXT);
 DOOR(glDepthFunc);
 DOOR(glDepthMask);
 DOOR(glDepthRange);
@@ -756,6 +758,8 @@ const NamedDoor kNamedDoors[] = {
     {"glClearStencil", door_glClearStencil},
     {"glClientActiveTexture", door_glClientActiveTexture},
     {"glClientActiveTextureARB", door_glClientActiveTextureARB},
+    {"glClipControl", door_glClipControl},
+    {"glClipControlEXT", door_glClipControl},
     {"glClipPlane", door_glClipPlane},
     {"glColor3b", door_glColor3b},
     {"glColor3bv", door_glColor3bv},
@@ -846,6 +850,7 @@ const NamedDoor kNamedDoors[] = {
     {"glDeleteVertexArrays", door_glDeleteVertexArrays},
     {"glDeleteVertexArraysAPPLE", door_glDeleteVertexArrays},
     {"glDeleteVertexArraysOES", door_glDeleteVertexArrays},
+    {"glDepthBoundsEXT", door_glDepthBoundsEXT},
     {"glDepthFunc", door_glDepthFunc},
     {"glDepthMask", door_glDepthMask},
     {"glDepthRange", door_glDepthRange},

@@ -85,6 +85,7 @@ void PushMatrix(Context& c);
 void PopMatrix(Context& c);
 void DepthRange(Context& c, GLdouble n, GLdouble f);
 void Viewport(Context& c, GLint x, GLint y, GLsizei width, GLsizei height);
+void ClipControl(Context& c, GLenum origin, GLenum depth);
 void ClipPlane(Context& c, GLenum plane, const GLdouble* equation);
 void GetClipPlane(Context& c, GLenum plane, GLdouble* equation);
 void RasterPos(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w);
@@ -174,6 +175,7 @@ void StencilFuncSeparate(Context& c, GLenum face, GLenum func, GLint ref, GLuint
 void StencilFuncSeparateATI(Context& c, GLenum frontfunc, GLenum backfunc, GLint ref, GLuint mask);
 void StencilOpSeparate(Context& c, GLenum face, GLenum sfail, GLenum dpfail, GLenum dppass);
 void ActiveStencilFaceEXT(Context& c, GLenum face);
+void DepthBoundsEXT(Context& c, GLclampd zmin, GLclampd zmax);
 void DepthFunc(Context& c, GLenum func);
 void BlendFunc(Context& c, GLenum sfactor, GLenum dfactor);
 void BlendFuncSeparate(Context& c, GLenum sfactorRGB, GLenum dfactorRGB, GLenum sfactorAlpha, GLenum dfactorAlpha);

@@ -111,6 +111,10 @@ void play_command(Context& c, uint16_t opcode, const void* arguments) {
       const auto& r = *static_cast<const ViewportArguments*>(arguments);
       return gl::Viewport(c, r.x, r.y, r.width, r.height);
     }
+    case Opcode::ClipControl: {
+      const auto& r = *static_cast<const ClipControlArguments*>(arguments);
+      return gl::ClipControl(c, r.origin, r.depth);
+    }
     case Opcode::ClipPlane: {
       const auto& r = *static_cast<const ClipPlaneArguments*>(arguments);
       return gl::ClipPlane(c, r.plane, r.equation);
@@ -369,6 +373,10 @@ void play_command(Context& c, uint16_t opcode, const void* arguments) {
       const auto& r = *static_cast<const ActiveStencilFaceEXTArguments*>(arguments);
       return gl::ActiveStencilFaceEXT(c, r.face);
     }
+    case Opcode::DepthBoundsEXT: {
+      const auto& r = *static_cast<const DepthBoundsEXTArguments*>(arguments);
+      return gl::DepthBoundsEXT(c, r.zmin, r.zmax);
+    }
     case Opcode::DepthFunc: {
       const auto& r = *static_cast<const DepthFuncArguments*>(arguments);
       return gl::DepthFunc(c, r.func);
@@ -545,6 +553,7 @@ const char* opcode_name(uint16_t opcode) {
       "PopMatrix",
       "DepthRange",
       "Viewport",
+      "ClipControl",
       "ClipPlane",
       "RasterPos",
       "WindowPos",
@@ -605,6 +614,7 @@ const char* opcode_name(uint16_t opcode) {
       "StencilFuncSeparateATI",
       "StencilOpSeparate",
       "ActiveStencilFaceEXT",
+      "DepthBoundsEXT",
       "DepthFunc",
       "BlendFunc",
       "BlendFuncSeparate",

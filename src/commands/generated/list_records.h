@@ -36,6 +36,7 @@ enum class Opcode : uint16_t {
   PopMatrix,
   DepthRange,
   Viewport,
+  ClipControl,
   ClipPlane,
   RasterPos,
   WindowPos,
@@ -96,6 +97,7 @@ enum class Opcode : uint16_t {
   StencilFuncSeparateATI,
   StencilOpSeparate,
   ActiveStencilFaceEXT,
+  DepthBoundsEXT,
   DepthFunc,
   BlendFunc,
   BlendFuncSeparate,
@@ -131,7 +133,7 @@ enum class Opcode : uint16_t {
   PushAttrib,
   PopAttrib,
 };
-constexpr int kOpcodes = 120;
+constexpr int kOpcodes = 122;
 
 struct RectArguments { GLfloat x1; GLfloat y1; GLfloat x2; GLfloat y2; };
 struct EvalCoord1Arguments { GLfloat u; };
@@ -156,6 +158,7 @@ struct FrustumArguments { GLfloat left; GLfloat right; GLfloat bottom; GLfloat t
 struct OrthoArguments { GLfloat left; GLfloat right; GLfloat bottom; GLfloat top; GLfloat zNear; GLfloat zFar; };
 struct DepthRangeArguments { GLdouble n; GLdouble f; };
 struct ViewportArguments { GLint x; GLint y; GLsizei width; GLsizei height; };
+struct ClipControlArguments { GLenum origin; GLenum depth; };
 struct ClipPlaneArguments { GLenum plane; const GLdouble* equation; };
 struct RasterPosArguments { GLfloat x; GLfloat y; GLfloat z; GLfloat w; };
 struct WindowPosArguments { GLfloat x; GLfloat y; GLfloat z; };
@@ -216,6 +219,7 @@ struct StencilFuncSeparateArguments { GLenum face; GLenum func; GLint ref; GLuin
 struct StencilFuncSeparateATIArguments { GLenum frontfunc; GLenum backfunc; GLint ref; GLuint mask; };
 struct StencilOpSeparateArguments { GLenum face; GLenum sfail; GLenum dpfail; GLenum dppass; };
 struct ActiveStencilFaceEXTArguments { GLenum face; };
+struct DepthBoundsEXTArguments { GLclampd zmin; GLclampd zmax; };
 struct DepthFuncArguments { GLenum func; };
 struct BlendFuncArguments { GLenum sfactor; GLenum dfactor; };
 struct BlendFuncSeparateArguments { GLenum sfactorRGB; GLenum dfactorRGB; GLenum sfactorAlpha; GLenum dfactorAlpha; };

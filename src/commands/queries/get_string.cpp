@@ -18,7 +18,8 @@ namespace {
 /// Programs search for a name with a blank behind it, hence the blank at the end.
 constexpr const char* kExtensions =
     "GL_3DFX_texture_compression_FXT1 GL_ANGLE_texture_compression_dxt3 GL_ANGLE_texture_compression_dxt5 "
-    "GL_APPLE_packed_pixels GL_ARB_color_buffer_float GL_ARB_copy_buffer GL_ARB_depth_buffer_float "
+    "GL_APPLE_packed_pixels GL_ARB_clip_control GL_ARB_color_buffer_float GL_ARB_copy_buffer "
+    "GL_ARB_depth_buffer_float "
     "GL_ARB_depth_clamp GL_ARB_depth_texture GL_ARB_draw_elements_base_vertex GL_ARB_framebuffer_object "
     "GL_ARB_framebuffer_sRGB GL_ARB_half_float_pixel GL_ARB_half_float_vertex GL_ARB_map_buffer_range "
     "GL_ARB_multisample GL_ARB_multitexture GL_ARB_occlusion_query GL_ARB_pixel_buffer_object "
@@ -31,7 +32,8 @@ constexpr const char* kExtensions =
     "GL_ARB_vertex_buffer_object GL_ARB_window_pos GL_ATI_blend_equation_separate GL_ATI_separate_stencil "
     "GL_ATI_texture_env_combine3 GL_ATI_texture_float GL_EXT_abgr GL_EXT_bgra GL_EXT_blend_color "
     "GL_EXT_blend_equation_separate GL_EXT_blend_func_separate GL_EXT_blend_minmax GL_EXT_blend_subtract "
-    "GL_EXT_compiled_vertex_array GL_EXT_copy_texture GL_EXT_draw_range_elements GL_EXT_fog_coord "
+    "GL_EXT_compiled_vertex_array GL_EXT_copy_texture GL_EXT_depth_bounds_test GL_EXT_draw_range_elements "
+    "GL_EXT_fog_coord "
     "GL_EXT_framebuffer_blit GL_EXT_framebuffer_multisample GL_EXT_framebuffer_object "
     "GL_EXT_framebuffer_sRGB GL_EXT_multi_draw_arrays GL_EXT_packed_depth_stencil GL_EXT_packed_float "
     "GL_EXT_packed_pixels GL_EXT_pixel_buffer_object GL_EXT_point_parameters GL_EXT_provoking_vertex "
