@@ -13,6 +13,7 @@
 #include "context/matrix_stacks.h"
 #include "context/object_store.h"
 #include "context/occlusion_queries.h"
+#include "context/sampler_objects.h"
 #include "context/shading.h"
 #include "context/snapshot_cache.h"
 #include "context/state.h"
@@ -44,6 +45,7 @@ struct Context {
   std::shared_ptr<SharedObjects> shared =
       std::make_shared<SharedObjects>(); // textures, buffers, lists: may be shared
   std::shared_ptr<TextureObject> proxy_texture[kTextureTargets];
+  SamplerBindings samplers; // of the texture units
   OcclusionQueries queries;
   EvaluatorMaps evaluator_maps;
   ListCompiler lists;

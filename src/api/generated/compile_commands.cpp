@@ -636,6 +636,38 @@ void compile_PrioritizeTextures(Context& c, GLsizei n, const GLuint* textures, c
     if (may_execute(c)) gl::PrioritizeTextures(c, n, textures, priorities);
   }
 }
+void compile_BindSampler(Context& c, GLuint unit, GLuint sampler) {
+  const BindSamplerArguments kept_call{unit, sampler};
+  new (record(c, uint16_t(Opcode::BindSampler), sizeof kept_call)) BindSamplerArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::BindSampler(c, unit, sampler);
+  }
+}
+void compile_SamplerParameter(Context& c, GLuint sampler, GLenum pname, const GLfloat* param) {
+  const SamplerParameterArguments kept_call{sampler, pname, keep_values(c, param, count_of(kCountOf_texture, pname))};
+  new (record(c, uint16_t(Opcode::SamplerParameter), sizeof kept_call)) SamplerParameterArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::SamplerParameter(c, sampler, pname, param);
+  }
+}
+void compile_SamplerParameterIiv(Context& c, GLuint sampler, GLenum pname, const GLint* param) {
+  const SamplerParameterIivArguments kept_call{sampler, pname, static_cast<const GLint*>(keep_bytes(c, param, payload_size(count_of(kCountOf_texture,pname)*4)))};
+  new (record(c, uint16_t(Opcode::SamplerParameterIiv), sizeof kept_call)) SamplerParameterIivArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::SamplerParameterIiv(c, sampler, pname, param);
+  }
+}
+void compile_SamplerParameterIuiv(Context& c, GLuint sampler, GLenum pname, const GLuint* param) {
+  const SamplerParameterIuivArguments kept_call{sampler, pname, static_cast<const GLuint*>(keep_bytes(c, param, payload_size(count_of(kCountOf_texture,pname)*4)))};
+  new (record(c, uint16_t(Opcode::SamplerParameterIuiv), sizeof kept_call)) SamplerParameterIuivArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::SamplerParameterIuiv(c, sampler, pname, param);
+  }
+}
 void compile_ActiveTexture(Context& c, GLenum texture) {
   const ActiveTextureArguments kept_call{texture};
   new (record(c, uint16_t(Opcode::ActiveTexture), sizeof kept_call)) ActiveTextureArguments(kept_call);

@@ -83,6 +83,10 @@ void compile_TexEnv(Context& c, GLenum target, GLenum pname, const GLfloat* para
 void compile_TexGen(Context& c, GLenum coord, GLenum pname, const GLfloat* params);
 void compile_BindTexture(Context& c, GLenum target, GLuint texture);
 void compile_PrioritizeTextures(Context& c, GLsizei n, const GLuint* textures, const GLfloat* priorities);
+void compile_BindSampler(Context& c, GLuint unit, GLuint sampler);
+void compile_SamplerParameter(Context& c, GLuint sampler, GLenum pname, const GLfloat* param);
+void compile_SamplerParameterIiv(Context& c, GLuint sampler, GLenum pname, const GLint* param);
+void compile_SamplerParameterIuiv(Context& c, GLuint sampler, GLenum pname, const GLuint* param);
 void compile_ActiveTexture(Context& c, GLenum texture);
 void compile_Fog(Context& c, GLenum pname, const GLfloat* params);
 void compile_Scissor(Context& c, GLint x, GLint y, GLsizei width, GLsizei height);

@@ -170,6 +170,17 @@ SOFTGL_EXPORT void APIENTRY glBindRenderbufferEXT(GLenum target, GLuint renderbu
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glBindSampler(GLuint unit, GLuint sampler) try {
+  SOFTGL_TRACED(glBindSampler, unit, sampler);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_BindSampler(c, unit, sampler);
+    if (!may_execute(c)) return;
+  }
+  gl::BindSampler(c, unit, sampler);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glBindTexture(GLenum target, GLuint texture) try {
   SOFTGL_TRACED(glBindTexture, target, texture);
   Context& c = *current_context;
@@ -896,6 +907,15 @@ SOFTGL_EXPORT void APIENTRY glDeleteRenderbuffersEXT(GLsizei n, const GLuint* re
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glDeleteSamplers(GLsizei count, const GLuint* samplers) try {
+  SOFTGL_TRACED(glDeleteSamplers, count, samplers);
+  Context& c = *current_context;
+  if ((!samplers && count > 0)) [[unlikely]] return ignore_call(c);
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::DeleteSamplers(c, count, samplers);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glDeleteTextures(GLsizei n, const GLuint* textures) try {
   SOFTGL_TRACED(glDeleteTextures, n, textures);
   Context& c = *current_context;
@@ -1527,6 +1547,15 @@ SOFTGL_EXPORT void APIENTRY glGenRenderbuffersEXT(GLsizei n, GLuint* renderbuffe
   if ((!renderbuffers && n > 0)) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GenRenderbuffers(c, n, renderbuffers);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glGenSamplers(GLsizei count, GLuint* samplers) try {
+  SOFTGL_TRACED(glGenSamplers, count, samplers);
+  Context& c = *current_context;
+  if ((!samplers && count > 0)) [[unlikely]] return ignore_call(c);
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::GenSamplers(c, count, samplers);
 } catch (...) {
   out_of_memory();
 }

@@ -21,6 +21,7 @@ DOOR(glBindFramebuffer);
 DOOR(glBindFramebufferEXT);
 DOOR(glBindRenderbuffer);
 DOOR(glBindRenderbufferEXT);
+DOOR(glBindSampler);
 DOOR(glBindTexture);
 DOOR(glBindTextureEXT);
 DOOR(glBindVertexArray);
@@ -130,6 +131,7 @@ DOOR(glDeleteQueries);
 DOOR(glDeleteQueriesARB);
 DOOR(glDeleteRenderbuffers);
 DOOR(glDeleteRenderbuffersEXT);
+DOOR(glDeleteSamplers);
 DOOR(glDeleteTextures);
 DOOR(glDeleteVertexArrays);
 DOOR(glDepthBoundsEXT);
@@ -210,6 +212,7 @@ DOOR(glGenQueries);
 DOOR(glGenQueriesARB);
 DOOR(glGenRenderbuffers);
 DOOR(glGenRenderbuffersEXT);
+DOOR(glGenSamplers);
 DOOR(glGenTextures);
 DOOR(glGenVertexArrays);
 DOOR(glGenerateMipmap);
@@ -256,6 +259,10 @@ DOOR(glGetQueryiv);
 DOOR(glGetQueryivARB);
 DOOR(glGetRenderbufferParameteriv);
 DOOR(glGetRenderbufferParameterivEXT);
+DOOR(glGetSamplerParameterIiv);
+DOOR(glGetSamplerParameterIuiv);
+DOOR(glGetSamplerParameterfv);
+DOOR(glGetSamplerParameteriv);
 DOOR(glGetString);
 DOOR(glGetStringi);
 DOOR(glGetTexEnvfv);
@@ -294,6 +301,7 @@ DOOR(glIsQuery);
 DOOR(glIsQueryARB);
 DOOR(glIsRenderbuffer);
 DOOR(glIsRenderbufferEXT);
+DOOR(glIsSampler);
 DOOR(glIsTexture);
 DOOR(glIsVertexArray);
 DOOR(glLightModelf);
@@ -515,6 +523,12 @@ DOOR(glRotated);
 DOOR(glRotatef);
 DOOR(glSampleCoverage);
 DOOR(glSampleCoverageARB);
+DOOR(glSamplerParameterIiv);
+DOOR(glSamplerParameterIuiv);
+DOOR(glSamplerParameterf);
+DOOR(glSamplerParameterfv);
+DOOR(glSamplerParameteri);
+DOOR(glSamplerParameteriv);
 DOOR(glScaled);
 DOOR(glScalef);
 DOOR(glScissor);
@@ -722,6 +736,7 @@ const NamedDoor kNamedDoors[] = {
     {"glBindFramebufferEXT", door_glBindFramebufferEXT},
     {"glBindRenderbuffer", door_glBindRenderbuffer},
     {"glBindRenderbufferEXT", door_glBindRenderbufferEXT},
+    {"glBindSampler", door_glBindSampler},
     {"glBindTexture", door_glBindTexture},
     {"glBindTextureEXT", door_glBindTextureEXT},
     {"glBindVertexArray", door_glBindVertexArray},
@@ -845,6 +860,7 @@ const NamedDoor kNamedDoors[] = {
     {"glDeleteQueriesARB", door_glDeleteQueriesARB},
     {"glDeleteRenderbuffers", door_glDeleteRenderbuffers},
     {"glDeleteRenderbuffersEXT", door_glDeleteRenderbuffersEXT},
+    {"glDeleteSamplers", door_glDeleteSamplers},
     {"glDeleteTextures", door_glDeleteTextures},
     {"glDeleteTexturesEXT", door_glDeleteTextures},
     {"glDeleteVertexArrays", door_glDeleteVertexArrays},
@@ -935,6 +951,7 @@ const NamedDoor kNamedDoors[] = {
     {"glGenQueriesARB", door_glGenQueriesARB},
     {"glGenRenderbuffers", door_glGenRenderbuffers},
     {"glGenRenderbuffersEXT", door_glGenRenderbuffersEXT},
+    {"glGenSamplers", door_glGenSamplers},
     {"glGenTextures", door_glGenTextures},
     {"glGenTexturesEXT", door_glGenTextures},
     {"glGenVertexArrays", door_glGenVertexArrays},
@@ -992,6 +1009,14 @@ const NamedDoor kNamedDoors[] = {
     {"glGetQueryivARB", door_glGetQueryivARB},
     {"glGetRenderbufferParameteriv", door_glGetRenderbufferParameteriv},
     {"glGetRenderbufferParameterivEXT", door_glGetRenderbufferParameterivEXT},
+    {"glGetSamplerParameterIiv", door_glGetSamplerParameterIiv},
+    {"glGetSamplerParameterIivEXT", door_glGetSamplerParameterIiv},
+    {"glGetSamplerParameterIivOES", door_glGetSamplerParameterIiv},
+    {"glGetSamplerParameterIuiv", door_glGetSamplerParameterIuiv},
+    {"glGetSamplerParameterIuivEXT", door_glGetSamplerParameterIuiv},
+    {"glGetSamplerParameterIuivOES", door_glGetSamplerParameterIuiv},
+    {"glGetSamplerParameterfv", door_glGetSamplerParameterfv},
+    {"glGetSamplerParameteriv", door_glGetSamplerParameteriv},
     {"glGetString", door_glGetString},
     {"glGetStringi", door_glGetStringi},
     {"glGetTexEnvfv", door_glGetTexEnvfv},
@@ -1030,6 +1055,7 @@ const NamedDoor kNamedDoors[] = {
     {"glIsQueryARB", door_glIsQueryARB},
     {"glIsRenderbuffer", door_glIsRenderbuffer},
     {"glIsRenderbufferEXT", door_glIsRenderbufferEXT},
+    {"glIsSampler", door_glIsSampler},
     {"glIsTexture", door_glIsTexture},
     {"glIsTextureEXT", door_glIsTexture},
     {"glIsVertexArray", door_glIsVertexArray},
@@ -1267,6 +1293,16 @@ const NamedDoor kNamedDoors[] = {
     {"glRotatef", door_glRotatef},
     {"glSampleCoverage", door_glSampleCoverage},
     {"glSampleCoverageARB", door_glSampleCoverageARB},
+    {"glSamplerParameterIiv", door_glSamplerParameterIiv},
+    {"glSamplerParameterIivEXT", door_glSamplerParameterIiv},
+    {"glSamplerParameterIivOES", door_glSamplerParameterIiv},
+    {"glSamplerParameterIuiv", door_glSamplerParameterIuiv},
+    {"glSamplerParameterIuivEXT", door_glSamplerParameterIuiv},
+    {"glSamplerParameterIuivOES", door_glSamplerParameterIuiv},
+    {"glSamplerParameterf", door_glSamplerParameterf},
+    {"glSamplerParameterfv", door_glSamplerParameterfv},
+    {"glSamplerParameteri", door_glSamplerParameteri},
+    {"glSamplerParameteriv", door_glSamplerParameteriv},
     {"glScaled", door_glScaled},
     {"glScalef", door_glScalef},
     {"glScissor", door_glScissor},

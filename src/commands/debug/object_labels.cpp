@@ -21,6 +21,7 @@ std::shared_ptr<std::string> find_label(Context& c, GLenum identifier, GLuint na
   std::shared_ptr<std::string> label;
   switch (identifier) {
   case GL_BUFFER: label = label_of(c.shared->buffers.find(name)); break;
+  case GL_SAMPLER: label = label_of(c.shared->samplers.find(name)); break;
   case GL_TEXTURE: label = label_of(c.shared->textures.find(name)); break;
   case GL_DISPLAY_LIST: label = label_of(c.shared->lists.find(name)); break;
   case GL_RENDERBUFFER: label = label_of(c.shared->renderbuffers.find(name)); break;
@@ -30,8 +31,7 @@ std::shared_ptr<std::string> find_label(Context& c, GLenum identifier, GLuint na
   case GL_SHADER:
   case GL_PROGRAM:
   case GL_PROGRAM_PIPELINE:
-  case GL_TRANSFORM_FEEDBACK:
-  case GL_SAMPLER: break; // there are none
+  case GL_TRANSFORM_FEEDBACK: break; // there are none
   default: return set_error(c, GL_INVALID_ENUM, "identifier"), nullptr;
   }
   if (!label) set_error(c, GL_INVALID_VALUE, "name");

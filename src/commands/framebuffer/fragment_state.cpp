@@ -220,7 +220,7 @@ void DepthFunc(Context& c, GLenum func) {
 }
 
 void DepthBoundsEXT(Context& c, GLclampd zmin, GLclampd zmax) {
-  if (zmin > zmax) return set_error(c, GL_INVALID_VALUE);
+  if (zmin > zmax) return set_error(c, GL_INVALID_VALUE, "zmax");
   const auto clamp = [](double v) { return v > 0.0 ? (v > 1.0 ? 1.0 : v) : 0.0; };
   DepthState& depth = edit<&State::depth>(c);
   depth.least_bound = clamp(zmin);

@@ -329,6 +329,22 @@ void play_command(Context& c, uint16_t opcode, const void* arguments) {
       const auto& r = *static_cast<const PrioritizeTexturesArguments*>(arguments);
       return gl::PrioritizeTextures(c, r.n, r.textures, r.priorities);
     }
+    case Opcode::BindSampler: {
+      const auto& r = *static_cast<const BindSamplerArguments*>(arguments);
+      return gl::BindSampler(c, r.unit, r.sampler);
+    }
+    case Opcode::SamplerParameter: {
+      const auto& r = *static_cast<const SamplerParameterArguments*>(arguments);
+      return gl::SamplerParameter(c, r.sampler, r.pname, r.param);
+    }
+    case Opcode::SamplerParameterIiv: {
+      const auto& r = *static_cast<const SamplerParameterIivArguments*>(arguments);
+      return gl::SamplerParameterIiv(c, r.sampler, r.pname, r.param);
+    }
+    case Opcode::SamplerParameterIuiv: {
+      const auto& r = *static_cast<const SamplerParameterIuivArguments*>(arguments);
+      return gl::SamplerParameterIuiv(c, r.sampler, r.pname, r.param);
+    }
     case Opcode::ActiveTexture: {
       const auto& r = *static_cast<const ActiveTextureArguments*>(arguments);
       return gl::ActiveTexture(c, r.texture);
@@ -603,6 +619,10 @@ const char* opcode_name(uint16_t opcode) {
       "TexGen",
       "BindTexture",
       "PrioritizeTextures",
+      "BindSampler",
+      "SamplerParameter",
+      "SamplerParameterIiv",
+      "SamplerParameterIuiv",
       "ActiveTexture",
       "Fog",
       "Scissor",

@@ -86,6 +86,10 @@ enum class Opcode : uint16_t {
   TexGen,
   BindTexture,
   PrioritizeTextures,
+  BindSampler,
+  SamplerParameter,
+  SamplerParameterIiv,
+  SamplerParameterIuiv,
   ActiveTexture,
   Fog,
   Scissor,
@@ -133,7 +137,7 @@ enum class Opcode : uint16_t {
   PushAttrib,
   PopAttrib,
 };
-constexpr int kOpcodes = 122;
+constexpr int kOpcodes = 126;
 
 struct RectArguments { GLfloat x1; GLfloat y1; GLfloat x2; GLfloat y2; };
 struct EvalCoord1Arguments { GLfloat u; };
@@ -208,6 +212,10 @@ struct TexEnvArguments { GLenum target; GLenum pname; const GLfloat* params; };
 struct TexGenArguments { GLenum coord; GLenum pname; const GLfloat* params; };
 struct BindTextureArguments { GLenum target; GLuint texture; };
 struct PrioritizeTexturesArguments { GLsizei n; const GLuint* textures; const GLfloat* priorities; };
+struct BindSamplerArguments { GLuint unit; GLuint sampler; };
+struct SamplerParameterArguments { GLuint sampler; GLenum pname; const GLfloat* param; };
+struct SamplerParameterIivArguments { GLuint sampler; GLenum pname; const GLint* param; };
+struct SamplerParameterIuivArguments { GLuint sampler; GLenum pname; const GLuint* param; };
 struct ActiveTextureArguments { GLenum texture; };
 struct FogArguments { GLenum pname; const GLfloat* params; };
 struct ScissorArguments { GLint x; GLint y; GLsizei width; GLsizei height; };

@@ -26,9 +26,10 @@ void DepthRange(Context& c, GLdouble n, GLdouble f) {
 }
 
 void ClipControl(Context& c, GLenum origin, GLenum depth) {
-  if ((origin != GL_LOWER_LEFT && origin != GL_UPPER_LEFT) ||
-      (depth != GL_NEGATIVE_ONE_TO_ONE && depth != GL_ZERO_TO_ONE))
-    return set_error(c, GL_INVALID_ENUM);
+  if (const char* wrong =
+          first_wrong({{"origin", origin != GL_LOWER_LEFT && origin != GL_UPPER_LEFT},
+                       {"depth", depth != GL_NEGATIVE_ONE_TO_ONE && depth != GL_ZERO_TO_ONE}}))
+    return set_error(c, GL_INVALID_ENUM, wrong);
   edit<&State::clip_control>(c) = {origin, depth};
 }
 
