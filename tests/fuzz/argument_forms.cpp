@@ -36,7 +36,7 @@ constexpr Form kForms[] = {
     {"CompressedTexImage3D", ".LFvvvBSm"}, {"CompressedTexSubImage1D", ".LorFSm"},
     {"CompressedTexSubImage2D", ".LoorrFSm"}, {"CompressedTexSubImage3D", ".LooovvvFSm"},
     {"GetTexImage", ".L..x"}, {"GetCompressedTexImage", ".Lx"}, {"GetTexLevelParameterfv", ".L.x"},
-    {"GetTexLevelParameteriv", ".L.x"}, {"BindTexture", ".h"}, {"GenTextures", "d."}, {"GenSamplers", "d."},
+    {"GetTexLevelParameteriv", ".L.x"}, {"BindTexture", ".h"}, {"GenTextures", "d."}, {"CopyImageSubData", "h.Loooh.Looorrv"}, {"CopyImageSubDataNV", "h.Loooh.Looorrv"}, {"GenSamplers", "d."},
     {"DeleteSamplers", "d."}, {"IsSampler", "h"}, {"BindSampler", "ih"}, {"SamplerParameterf", "h.."},
     {"SamplerParameterfv", "h.."}, {"SamplerParameteri", "h.."}, {"SamplerParameteriv", "h.."},
     {"SamplerParameterIiv", "h.."}, {"SamplerParameterIuiv", "h.."}, {"GetSamplerParameterfv", "h.x"},

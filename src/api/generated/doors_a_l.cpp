@@ -691,6 +691,22 @@ SOFTGL_EXPORT void APIENTRY glCopyBufferSubData(GLenum readTarget, GLenum writeT
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glCopyImageSubData(GLuint srcName, GLenum srcTarget, GLint srcLevel, GLint srcX, GLint srcY, GLint srcZ, GLuint dstName, GLenum dstTarget, GLint dstLevel, GLint dstX, GLint dstY, GLint dstZ, GLsizei srcWidth, GLsizei srcHeight, GLsizei srcDepth) try {
+  SOFTGL_TRACED(glCopyImageSubData, srcName, srcTarget, srcLevel, srcX, srcY, srcZ, dstName, dstTarget, dstLevel, dstX, dstY, dstZ, srcWidth, srcHeight, srcDepth);
+  Context& c = *current_context;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::CopyImageSubData(c, srcName, srcTarget, srcLevel, srcX, srcY, srcZ, dstName, dstTarget, dstLevel, dstX, dstY, dstZ, srcWidth, srcHeight, srcDepth);
+} catch (...) {
+  out_of_memory();
+}
+void APIENTRY glCopyImageSubDataNV(GLuint srcName, GLenum srcTarget, GLint srcLevel, GLint srcX, GLint srcY, GLint srcZ, GLuint dstName, GLenum dstTarget, GLint dstLevel, GLint dstX, GLint dstY, GLint dstZ, GLsizei width, GLsizei height, GLsizei depth) try {
+  SOFTGL_TRACED(glCopyImageSubDataNV, srcName, srcTarget, srcLevel, srcX, srcY, srcZ, dstName, dstTarget, dstLevel, dstX, dstY, dstZ, width, height, depth);
+  Context& c = *current_context;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::CopyImageSubDataNV(c, srcName, srcTarget, srcLevel, srcX, srcY, srcZ, dstName, dstTarget, dstLevel, dstX, dstY, dstZ, width, height, depth);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glCopyPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum type) try {
   SOFTGL_TRACED(glCopyPixels, x, y, width, height, type);
   Context& c = *current_context;

@@ -108,6 +108,8 @@ DOOR(glCompressedTexSubImage2DARB);
 DOOR(glCompressedTexSubImage3D);
 DOOR(glCompressedTexSubImage3DARB);
 DOOR(glCopyBufferSubData);
+DOOR(glCopyImageSubData);
+DOOR(glCopyImageSubDataNV);
 DOOR(glCopyPixels);
 DOOR(glCopyTexImage1D);
 DOOR(glCopyTexImage2D);
@@ -830,6 +832,10 @@ const NamedDoor kNamedDoors[] = {
     {"glCompressedTexSubImage3DARB", door_glCompressedTexSubImage3DARB},
     {"glCopyBufferSubData", door_glCopyBufferSubData},
     {"glCopyBufferSubDataNV", door_glCopyBufferSubData},
+    {"glCopyImageSubData", door_glCopyImageSubData},
+    {"glCopyImageSubDataEXT", door_glCopyImageSubData},
+    {"glCopyImageSubDataNV", door_glCopyImageSubDataNV},
+    {"glCopyImageSubDataOES", door_glCopyImageSubData},
     {"glCopyPixels", door_glCopyPixels},
     {"glCopyTexImage1D", door_glCopyTexImage1D},
     {"glCopyTexImage1DEXT", door_glCopyTexImage1D},

@@ -111,6 +111,8 @@ enum class TracedCall : uint16_t {
   glCompressedTexSubImage3D,
   glCompressedTexSubImage3DARB,
   glCopyBufferSubData,
+  glCopyImageSubData,
+  glCopyImageSubDataNV,
   glCopyPixels,
   glCopyTexImage1D,
   glCopyTexImage2D,

@@ -164,6 +164,8 @@ void GenTextures(Context& c, GLsizei n, GLuint* textures);
 GLboolean IsTexture(Context& c, GLuint texture);
 GLboolean AreTexturesResident(Context& c, GLsizei n, const GLuint* textures, GLboolean* residences);
 void PrioritizeTextures(Context& c, GLsizei n, const GLuint* textures, const GLfloat* priorities);
+void CopyImageSubData(Context& c, GLuint srcName, GLenum srcTarget, GLint srcLevel, GLint srcX, GLint srcY, GLint srcZ, GLuint dstName, GLenum dstTarget, GLint dstLevel, GLint dstX, GLint dstY, GLint dstZ, GLsizei srcWidth, GLsizei srcHeight, GLsizei srcDepth);
+void CopyImageSubDataNV(Context& c, GLuint srcName, GLenum srcTarget, GLint srcLevel, GLint srcX, GLint srcY, GLint srcZ, GLuint dstName, GLenum dstTarget, GLint dstLevel, GLint dstX, GLint dstY, GLint dstZ, GLsizei width, GLsizei height, GLsizei depth);
 void GenSamplers(Context& c, GLsizei count, GLuint* samplers);
 void DeleteSamplers(Context& c, GLsizei count, const GLuint* samplers);
 GLboolean IsSampler(Context& c, GLuint sampler);

@@ -19,7 +19,7 @@ namespace {
 constexpr const char* kExtensions =
     "GL_3DFX_texture_compression_FXT1 GL_ANGLE_texture_compression_dxt3 GL_ANGLE_texture_compression_dxt5 "
     "GL_APPLE_packed_pixels GL_ARB_clip_control GL_ARB_color_buffer_float GL_ARB_copy_buffer "
-    ""
+    "GL_ARB_copy_image "
     "GL_ARB_depth_buffer_float "
     "GL_ARB_depth_clamp GL_ARB_depth_texture GL_ARB_draw_elements_base_vertex GL_ARB_framebuffer_object "
     "GL_ARB_framebuffer_sRGB GL_ARB_half_float_pixel GL_ARB_half_float_vertex GL_ARB_map_buffer_range "
@@ -48,7 +48,7 @@ constexpr const char* kExtensions =
     "GL_EXT_texture_rectangle GL_EXT_texture_sRGB GL_EXT_texture_sRGB_decode "
     "GL_EXT_texture_shared_exponent GL_EXT_texture_snorm GL_EXT_vertex_array GL_EXT_vertex_array_bgra "
     "GL_IBM_texture_mirrored_repeat GL_INGR_blend_func_separate GL_KHR_debug GL_MESA_pack_invert "
-    "GL_NV_blend_square GL_NV_copy_depth_to_color GL_NV_depth_clamp GL_NV_fog_distance "
+    "GL_NV_blend_square GL_NV_copy_depth_to_color GL_NV_copy_image GL_NV_depth_clamp GL_NV_fog_distance "
     "GL_NV_half_float "
     "GL_NV_light_max_exponent GL_NV_packed_depth_stencil GL_NV_primitive_restart GL_NV_texgen_reflection "
     "GL_NV_texture_env_combine4 GL_NV_texture_rectangle GL_SGIS_generate_mipmap "
