@@ -24,6 +24,7 @@ struct FragmentConstants {
   BlendEquation blend_equation[2]; // of rgb and of alpha, where the key says BlendEquation::Separate
   uint8_t stencil_reference, stencil_value_mask, stencil_write_mask;
   uint32_t least_depth, greatest_depth; // of the stage that clamps depths, in the depth buffer's integers
+  uint32_t least_bound, greatest_bound; // of the depth bounds test, in the depth buffer's integers
   const LightingConstants* lighting;    // null where fragments are not lit
   const TextureUnitConstants* texture[kMaxTextureUnits]; // null where a unit is off
   const CombinerProgram* combiner; // null where every environment has a stage of its own

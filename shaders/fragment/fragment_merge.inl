@@ -65,7 +65,8 @@ namespace { // so that no member is visible outside
 struct Merger {
   const FragmentProgram& program;
   const FragmentKey& key = program.key;
-  const bool tests = Compare(key.depth_function) != Compare::Always || key.depth_write || key.stencil;
+  const bool tests = Compare(key.depth_function) != Compare::Always || key.depth_write || key.stencil ||
+                     program.bounds_depth;
   const bool over = is_over(key), sum = is_sum(key),
              floats = DepthFormat(key.depth_format) == DepthFormat::Z32F;
   const IntV mask = splat(int32_t(word_mask(key)));
@@ -77,6 +78,7 @@ struct Merger {
     const Compare depth_function = Compare(key.depth_function);
     IntV words = load(place);
     const IntV depth = words & 0xffffff;
+    if (program.bounds_depth) live &= in_bounds(depth);
     if (key.stencil) {
       IntV s = (IntV)((UintV)words >> 24);
       live = test_both(live, compare_words(depth_function, z, depth), s);
@@ -87,6 +89,11 @@ struct Merger {
     if (key.depth_write) words = choose(live & 0xffffff, z, words);
     store(place, words);
     return live;
+  }
+
+  SOFTGL_MEMBER IntV in_bounds(IntV stored) const {
+    const FragmentConstants& k = *program.constants;
+    return (stored >= splat(int32_t(k.least_bound))) & (stored <= splat(int32_t(k.greatest_bound)));
   }
 
   /// Both tests, of stencil values `s`, which change; `nearer`: the depth test passes.
@@ -105,6 +112,7 @@ struct Merger {
   /// Of a plane of floats; its stencil values lie behind them.
   SOFTGL_MEMBER IntV float_depth_stencil(IntV live, IntV z, uint32_t* place) const {
     const IntV stored = load(place), nearer = compare_words(Compare(key.depth_function), z, stored);
+    if (program.bounds_depth) live &= in_bounds(stored);
     if (key.stencil) {
       IntV s = load(place + kTilePixels);
       live = test_both(live, nearer, s);

@@ -49,7 +49,7 @@ static void tile_fragments(const TileTarget& tile, const RasterDraw& draw, const
              less_equal = function == Compare::LessEqual && key.depth_write;
   if (ColorFormat(key.color_format) == ColorFormat::Rgba8 && !key.stencil && !key.blend && !key.logic_op &&
       draw.color_mask == ~uint32_t(0) && tile.depth_stencil && tile.one_stencil && (less || less_equal) &&
-      !tile.samples) {
+      !tile.samples && !program.bounds_depth) {
     auto* color = static_cast<uint32_t*>(tile.color);
     uint32_t* words = tile.depth_stencil;
     const SmallFragments f = fragments;

@@ -63,6 +63,7 @@ struct VertexProgram {
   bool fog, fog_from_attribute;
   FogDistance fog_distance; // Radial: needs the eye position
   bool depth_clamp;         // the near and the far plane clip nothing
+  bool depths_from_zero;    // the near plane is z = 0 instead of z = -w
   bool clamp_colors;        // GL_ARB_color_buffer_float
   bool point_attenuated;
   const TransformConstants* transform;

@@ -71,6 +71,8 @@ static inline void clip_masks(VertexBlock& b, const VertexProgram& p, int n) {
                (~mask_of(z[i] + w[i] >= 0.0f) & kClipNear) | (~mask_of(z[i] <= w[i]) & kClipFar)) &
               clipped;
   }
+  if (p.depths_from_zero && !p.depth_clamp)
+    SOFTGL_FOR_LANES(i, n) mask[i] = (mask[i] & ~kClipNear) | (~mask_of(z[i] >= 0.0f) & kClipNear);
   if (!planes) return;
   for (int j = 0; j < planes->count; ++j) {
     const float px = planes->plane[j][0], py = planes->plane[j][1], pz = planes->plane[j][2],

@@ -65,6 +65,7 @@ size_t count_of(CountTable table, GLenum pname) {
     case GL_TEXTURE_COMPARE_FUNC:
     case GL_GENERATE_MIPMAP:
     case GL_TEXTURE_MAX_ANISOTROPY_EXT:
+    case GL_TEXTURE_SRGB_DECODE_EXT:
     case GL_TEXTURE_COMPARE_FAIL_VALUE_ARB: return 1;
     default: return 0;
     }

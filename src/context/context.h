@@ -13,6 +13,7 @@
 #include "context/matrix_stacks.h"
 #include "context/object_store.h"
 #include "context/occlusion_queries.h"
+#include "context/sampler_objects.h"
 #include "context/shading.h"
 #include "context/snapshot_cache.h"
 #include "context/state.h"
@@ -46,6 +47,7 @@ struct Context {
   std::shared_ptr<TextureObject> proxy_texture[kTextureTargets];
   /// Of the names in TextureUnitState::bound, null for 0. A texture that another context deletes stays bound.
   std::shared_ptr<TextureObject> bound_texture[kMaxTextureUnits][kTextureTargets];
+  SamplerBindings samplers; // of the texture units
   OcclusionQueries queries;
   EvaluatorMaps evaluator_maps;
   ListCompiler lists;

@@ -138,6 +138,7 @@ struct TextureObject; // texture/texture_object.h
 struct BufferObject;  // vertex/buffer_objects.h
 struct DisplayList;   // lists/display_list.h
 struct Renderbuffer;  // framebuffer_objects.h
+struct SamplerObject; // sampler_objects.h
 
 /// What contexts may share. Queries are a context's own (occlusion_queries.h).
 struct SharedObjects {
@@ -146,6 +147,7 @@ struct SharedObjects {
   NameTable<BufferObject> buffers;
   NameTable<DisplayList> lists;
   NameTable<Renderbuffer> renderbuffers;
+  NameTable<SamplerObject> samplers;
 };
 
 } // namespace softgl

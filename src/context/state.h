@@ -71,6 +71,10 @@ struct TransformState {
   uint32_t clip_plane_enabled = 0;        // bit i = GL_CLIP_PLANEi
   Vec4 clip_plane[kMaxClipPlanes] = {};   // eye coordinates (2.11)
 };
+/// GL_ARB_clip_control; of GL_TRANSFORM_BIT.
+struct ClipControlState {
+  GLenum origin = GL_LOWER_LEFT, depth_mode = GL_NEGATIVE_ONE_TO_ONE;
+};
 struct ViewportState {
   GLint x = 0, y = 0;
   GLsizei width = 0, height = 0;
@@ -216,6 +220,8 @@ struct DepthState {
   bool test = false, mask = true;
   GLenum function = GL_LESS;
   double clear = 1;
+  bool bounds_test = false; // GL_EXT_depth_bounds_test
+  double least_bound = 0, greatest_bound = 1;
 };
 struct StencilFace {
   GLenum function = GL_ALWAYS, fail = GL_KEEP, depth_fail = GL_KEEP, depth_pass = GL_KEEP;
@@ -331,6 +337,7 @@ struct State {
   CurrentAttributes current;
   RasterPosition raster_position;
   TransformState transform;
+  ClipControlState clip_control;
   ViewportState viewport;
   FogState fog;
   LightingState lighting;
@@ -395,6 +402,8 @@ enum DirtyBit : uint32_t {
 /// The dirty bits of a group of State; none where no snapshot reads it.
 template <auto kGroup> constexpr uint32_t kDirtyBitsOf = 0;
 template <> inline constexpr uint32_t kDirtyBitsOf<&State::transform> = kDirtyTransform;
+// It moves vertices, and turns the front of polygons round.
+template <> inline constexpr uint32_t kDirtyBitsOf<&State::clip_control> = kDirtyTransform | kDirtyPolygon;
 template <> inline constexpr uint32_t kDirtyBitsOf<&State::viewport> = kDirtyViewport;
 template <> inline constexpr uint32_t kDirtyBitsOf<&State::fog> = kDirtyFog;
 template <> inline constexpr uint32_t kDirtyBitsOf<&State::lighting> =

@@ -23,6 +23,7 @@ Clipper::Clipper(const DrawRecord& draw, const ShadedVertices& vertices, Arena& 
   static constexpr float kVolume[6][4] = {{-1, 0, 0, 1}, {1, 0, 0, 1}, {0, -1, 0, 1},
                                           {0, 1, 0, 1},  {0, 0, 1, 1}, {0, 0, -1, 1}};
   std::memcpy(plane_, kVolume, sizeof kVolume);
+  if (draw.vertex->depths_from_zero) plane_[4][3] = 0;
   if (const ClipPlaneConstants* user = draw.vertex->clip_planes)
     for (int i = 0; i < user->count; ++i)
       std::memcpy(plane_[6 + user->index[i]], user->plane[i], sizeof(float[4]));

@@ -8,6 +8,7 @@
 #include "base/unit_range.h"
 #include "context/color_clamping.h"
 #include "context/context.h"
+#include "context/viewport_transform.h"
 #include "fragment/fragment_keys.h"
 #include "fragment/fragment_stages.h"
 #include "shaders/fragment/pixel_image.h"
@@ -101,6 +102,12 @@ void set_fog(const FogState& fog, FragmentKey& key, FragmentConstants& k) {
   }
 }
 
+/// The depth, in [0, 1], in the depth buffer's integers.
+uint32_t stored_depth(DepthFormat format, double depth) {
+  if (format == DepthFormat::Z32F) return std::bit_cast<uint32_t>(float(depth));
+  return static_cast<uint32_t>(std::nearbyint(depth * largest_depth(format)));
+}
+
 /// The encoding in which colors are stored now, and the key's part of it.
 void set_encoding(const Context& c, FragmentKey& key, FragmentConstants& k) {
   const Surface& surface = c.draw->surface;
@@ -144,6 +151,11 @@ const FragmentProgram* make_fragment_program(Context& context, Arena& arena, con
   if (s.depth.test && context.draw->depth_bits > 0) {
     key.depth_function = compare(s.depth.function);
     key.depth_write = s.depth.mask;
+  }
+  if (s.depth.bounds_test && context.draw->depth_bits > 0) {
+    program.bounds_depth = true;
+    k.least_bound = stored_depth(surface.depth_format, s.depth.least_bound);
+    k.greatest_bound = stored_depth(surface.depth_format, s.depth.greatest_bound);
   }
   if (tests_stencil(context)) set_stencil(s.stencil.front, key, k);
   if (c.blend) {
@@ -190,10 +202,10 @@ const FragmentProgram* make_fragment_program(Context& context, Arena& arena, con
 DepthLimits depth_limits(const Context& context) {
   const uint32_t largest = largest_depth(context.draw->surface.depth_format);
   if (!context.state.transform.depth_clamp) return {0, largest};
-  const ViewportState& v = context.state.viewport;
-  const auto scale = float(0.5 * (v.far_depth - v.near_depth)),
-             offset = float(0.5 * (v.near_depth + v.far_depth));
-  const auto [low, high] = std::minmax({offset - scale, offset + scale});
+  const ViewportTransform window = viewport_transform(context.state);
+  const float scale = window.scale[2], offset = window.offset[2];
+  const auto [low, high] =
+      std::minmax({depths_from_zero(context.state) ? offset : offset - scale, offset + scale});
   const bool floats = context.draw->surface.depth_format == DepthFormat::Z32F;
   const auto integer = [&](float depth) {
     if (floats) return std::bit_cast<uint32_t>(unit_range(depth));

@@ -4,6 +4,7 @@
 
 #include "context/context.h"
 #include "context/shading.h"
+#include "context/viewport_transform.h"
 #include "snapshot/drawn_box.h"
 #include "snapshot/polygons.h"
 
@@ -62,8 +63,9 @@ const RasterConstants* make_raster_constants(const Context& context, Arena& aren
   r.x0 = box.x0, r.y0 = box.y0;
   r.x1 = box.x1, r.y1 = box.y1;
   // Positive areas are counter-clockwise in GL's y-up sense where rows go down.
-  const bool positive_is_front = (s.polygon.front_face == GL_CCW) != surface.y_up;
-  r.top_edge_rule = surface.y_up;
+  const bool positive_is_front = counter_clockwise_is_front(s) != surface.y_up;
+  // An origin above turns the rule for pixels on an edge round, too (OSMesa 22.3.6).
+  r.top_edge_rule = surface.y_up != (s.clip_control.origin == GL_UPPER_LEFT);
   r.back = positive_is_front ? 0 : 1;
   r.cull = static_cast<uint8_t>((s.polygon.culls(!positive_is_front) ? 1 : 0) |
                                 (s.polygon.culls(positive_is_front) ? 2 : 0));

@@ -31,10 +31,10 @@ MEMBERS(CombinerStep, operation, result, a, b)
 MEMBERS(CombinerProgram, step_count, result, constant, step)
 MEMBERS(FragmentConstants, fog_color, fog_scale, fog_offset, alpha_reference, alpha_reference_8, blend_color,
         blend_color_8, encoding, blend_equation, stencil_reference, stencil_value_mask, stencil_write_mask,
-        least_depth, greatest_depth, lighting, texture, combiner, image)
+        least_depth, greatest_depth, least_bound, greatest_bound, lighting, texture, combiner, image)
 MEMBERS(FragmentStep, stage, unit)
-MEMBERS(FragmentProgram, key, constants, step_count, step, r_units, lod_units, writes_depth, reads_quads,
-        coverage)
+MEMBERS(FragmentProgram, key, constants, step_count, step, r_units, lod_units, writes_depth, bounds_depth,
+        reads_quads, coverage)
 MEMBERS(SmoothPrograms, point, line, polygon)
 MEMBERS(RasterConstants, x0, y0, x1, y1, cull, back, flat, two_sided, offset, point_sprite, sprite_units,
         sprite_lower_left, top_edge_rule, per_sample, sample_mask, alpha_to_coverage, alpha_to_one, samples,
@@ -46,9 +46,9 @@ MEMBERS(CoordinateConstants, mode, transform, plane, matrix)
 MEMBERS(PointConstants, size, minimum, maximum, attenuation)
 MEMBERS(PolygonConstants, mode, ccw_is_front, cull_front, cull_back, two_sided, offset)
 MEMBERS(VertexProgram, eye_position, eye_position_late, eye_unit, normal, normal_to_eye, normalize,
-        unit_normal, lit, fog, fog_from_attribute, fog_distance, depth_clamp, clamp_colors, point_attenuated,
-        transform, clip_planes, lighting, coordinates, reflection_z, point, polygons, line_stipple,
-        stipple_pattern, stipple_factor)
+        unit_normal, lit, fog, fog_from_attribute, fog_distance, depth_clamp, depths_from_zero, clamp_colors,
+        point_attenuated, transform, clip_planes, lighting, coordinates, reflection_z, point, polygons,
+        line_stipple, stipple_pattern, stipple_factor)
 MEMBERS(ShadedLayout, color, secondary, back_color, back_secondary, point, texcoord, normal, eye, tracked,
         material, slots)
 MEMBERS(LightConstants, positional, attenuated, spot, position, half_vector, attenuation, spot_direction,

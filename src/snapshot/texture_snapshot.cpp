@@ -39,7 +39,7 @@ TextureWrap wrap_mode(GLenum mode, int size) {
 /// OSMesa keeps the bias in 1/256, of the object and of the unit each.
 float quantized_bias(float bias) { return std::round(std::clamp(bias, -16.0f, 16.0f) * 256.0f) / 256.0f; }
 
-void set_level_of_detail(const TextureParameters& p, float unit_bias, TextureUnitConstants& t) {
+void set_level_of_detail(const SamplingParameters& p, float unit_bias, TextureUnitConstants& t) {
   t.min_linear = p.min_filter == GL_LINEAR || p.min_filter == GL_LINEAR_MIPMAP_NEAREST ||
                  p.min_filter == GL_LINEAR_MIPMAP_LINEAR;
   t.mag_linear = p.mag_filter == GL_LINEAR;
@@ -147,9 +147,8 @@ const TextureImage& level_zero(const TextureObject& object, int base_level) {
 }
 
 /// Of images with rows of texels without comparison; else the filter stays isotropic, as it may.
-void set_anisotropy(const TextureObject& object, int base_level, TextureUnitConstants& t) {
-  t.anisotropic = object.parameters.max_anisotropy >= 2 && t.shape != TextureShape::OneD &&
-                  !t.counts_texels && !t.compares;
+void set_anisotropy(const TextureObject& object, float most, int base_level, TextureUnitConstants& t) {
+  t.anisotropic = most >= 2 && t.shape != TextureShape::OneD && !t.counts_texels && !t.compares;
   const TextureImage& zero = level_zero(object, base_level);
   t.zero_width = zero.width, t.zero_height = zero.height;
   t.first_level = &zero == object.image[0][0].get() ? base_level : 0;
@@ -173,10 +172,13 @@ TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum&
   if (target == kTextureTargets) return nullptr;
   const auto object = bound_texture(c, unit, target);
   if (object->drawn_to) store_drawn_texels(*object);
-  const CompleteLevels levels = complete_levels(*object);
+  const SamplerObject* sampler = c.samplers[unit].get();
+  const SamplingParameters& p = sampler ? sampler->parameters : object->parameters;
+  const CompleteLevels levels = complete_levels(*object, p.min_filter);
   if (levels.count == 0) return nullptr; // incomplete: as if texturing were off (3.8.10)
+  if (target == kTextureRectangle && (repeats(p.wrap[0]) || repeats(p.wrap[1]) || repeats(p.wrap[2])))
+    return nullptr; // so is one that the sampler's wrap modes do not suit (GL_ARB_sampler_objects, 3.9.2)
   auto* t = arena.make<TextureUnitConstants>();
-  const TextureParameters& p = object->parameters;
   const TextureImage& image = *object->image[0][levels.first];
   t->shape = target == kTexture1D     ? TextureShape::OneD
              : target == kTexture3D   ? TextureShape::ThreeD
@@ -203,12 +205,10 @@ TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum&
     // Cube maps have no coordinate left to compare with.
     t->compares = p.compare_mode == GL_COMPARE_R_TO_TEXTURE && t->shape != TextureShape::Cube;
     t->compare_function = uint8_t(p.compare_function - GL_NEVER);
-    t->depth_components = p.depth_mode == GL_INTENSITY ? 15
-                          : p.depth_mode == GL_ALPHA   ? 8
-                          : p.depth_mode == GL_RED     ? 1
-                                                       : 7;
+    const GLenum mode = object->parameters.depth_mode;
+    t->depth_components = mode == GL_INTENSITY ? 15 : mode == GL_ALPHA ? 8 : mode == GL_RED ? 1 : 7;
   }
-  set_anisotropy(*object, levels.first, *t);
+  set_anisotropy(*object, p.max_anisotropy, levels.first, *t);
   fixed = fixed_point(*t, image.format->block);
   for (auto& face : object->image)
     for (int i = 0; i < levels.count; ++i)

@@ -5,6 +5,7 @@
 
 #include "context/color_clamping.h"
 #include "context/context.h"
+#include "context/viewport_transform.h"
 #include "shaders/fragment/fragment_program.h"
 #include "snapshot/polygons.h"
 
@@ -76,16 +77,14 @@ const TransformConstants* make_transform(Context& c, bool eye_space, Arena& aren
     k->normal_scale = eye_space ? 1.0f / std::sqrt(f) : std::sqrt(f);
   }
 
-  const ViewportState& v = c.state.viewport;
-  const float half_width = 0.5f * float(v.width), half_height = 0.5f * float(v.height);
-  k->window_scale[0] = half_width;
-  k->window_offset[0] = half_width + float(v.x);
+  const ViewportTransform window = viewport_transform(c.state);
+  std::memcpy(k->window_scale, window.scale, sizeof k->window_scale);
+  std::memcpy(k->window_offset, window.offset, sizeof k->window_offset);
   const Surface& surface = c.draw->surface;
-  k->window_scale[1] = surface.y_up ? half_height : -half_height;
-  k->window_offset[1] =
-      surface.y_up ? half_height + float(v.y) : float(surface.height) - (half_height + float(v.y));
-  k->window_scale[2] = float(0.5 * (v.far_depth - v.near_depth));
-  k->window_offset[2] = float(0.5 * (v.near_depth + v.far_depth));
+  if (!surface.y_up) {
+    k->window_scale[1] = -window.scale[1];
+    k->window_offset[1] = float(surface.height) - window.offset[1];
+  }
   return k;
 }
 
@@ -109,7 +108,7 @@ const ClipPlaneConstants* make_clip_planes(Context& c, Arena& arena) {
 const PolygonConstants* make_polygon_constants(const Context& c, Arena& arena) {
   const PolygonState& p = c.state.polygon;
   auto* k = arena.make<PolygonConstants>();
-  k->ccw_is_front = (p.front_face == GL_CCW) != c.draw->surface.y_up; // as rows go
+  k->ccw_is_front = counter_clockwise_is_front(c.state) != c.draw->surface.y_up; // as rows go
   k->mode[0] = polygon_mode(p.seen_mode(!k->ccw_is_front));
   k->mode[1] = polygon_mode(p.seen_mode(k->ccw_is_front));
   k->cull_front = p.culls(false);
@@ -184,6 +183,7 @@ const VertexProgram* make_vertex_program(const Context& c, const SnapshotCache& 
   p->fog_distance = fog_distance(s.fog.distance_mode);
   p->eye_position = p->fog && !p->fog_from_attribute && p->fog_distance == FogDistance::Radial;
   p->depth_clamp = s.transform.depth_clamp;
+  p->depths_from_zero = depths_from_zero(s);
   p->clamp_colors = clamps_vertex_colors(c);
   p->normal_to_eye = cache.eye_space;
   p->normalize = s.transform.normalize;

@@ -276,6 +276,9 @@ void store_texels(const TexelFormat& to, void* texels, const PixelFormat& from, 
 TexelRows::TexelRows(const TexelFormat& to, const PixelFormat& from, bool swap_bytes,
                      const PixelTransfer& transfer, uint64_t pixels)
     : to_(to), from_(from), swap_bytes_(swap_bytes), transfer_(transfer) {
+  constexpr uint64_t kWorthALook = 64;
+  takes_bytes_ = pixels >= kWorthALook && !transfer.changes_color() && bytes_.find(to, from);
+  if (takes_bytes_) return;
   // Each byte of a texel is made of one component of its pixel, or of none: so a word for each value of each
   // component tells all. Measured: 16 million luminances take 20 ms in place of 250.
   constexpr uint64_t kWorthATable = 4096;
@@ -296,6 +299,7 @@ TexelRows::TexelRows(const TexelFormat& to, const PixelFormat& from, bool swap_b
 void TexelRows::store(void* texels, const void* pixels, int count) const {
   const auto* p = static_cast<const uint8_t*>(pixels);
   auto* texel = static_cast<uint32_t*>(texels);
+  if (takes_bytes_) return bytes_.store(texel, p, count);
   switch (table_components_) {
   case 1:
     for (int i = 0; i < count; ++i) texel[i] = table_[0][p[i]];

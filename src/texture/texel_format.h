@@ -7,6 +7,7 @@
 
 #include "base/gl_types.h"
 #include "texture/block_compression.h"
+#include "texture/byte_texels.h"
 
 namespace softgl {
 
@@ -69,6 +70,8 @@ private:
   const PixelFormat& from_;
   bool swap_bytes_;
   const PixelTransfer& transfer_;
+  ByteTexels bytes_;
+  bool takes_bytes_ = false;
   int table_components_ = 0; // 0: there is no table
   uint32_t table_[2][256];   // a texel is the exclusive or of its pixel's components' words
 };

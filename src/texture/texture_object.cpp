@@ -110,8 +110,7 @@ void match_formats(TextureObject& object, const TextureImage& image) {
 
 bool uses_mipmaps(GLenum min_filter) { return min_filter != GL_NEAREST && min_filter != GL_LINEAR; }
 
-CompleteLevels complete_levels(const TextureObject& object) {
-  const TextureParameters& p = object.parameters;
+CompleteLevels complete_levels(const TextureObject& object, GLenum min_filter) {
   const int first = object.base_level(), max_level = object.max_level();
   if (first < 0 || first >= kMaxTextureLevels) return {};
   const TextureImage* base = object.image[0][first].get();
@@ -120,7 +119,7 @@ CompleteLevels complete_levels(const TextureObject& object) {
   if (faces == 6 && base->width != base->height) return {};
   const int size = std::max({base->width, base->height, base->depth});
   int last = first;
-  if (uses_mipmaps(p.min_filter)) {
+  if (uses_mipmaps(min_filter)) {
     if (object.target == kTextureRectangle || max_level < first) return {};
     for (int s = size; s > 1 && last < max_level; s >>= 1) ++last;
     if (last >= kMaxTextureLevels) return {};

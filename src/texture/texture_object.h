@@ -93,17 +93,23 @@ std::shared_ptr<TextureImage> make_image(const TexelFormat& format, GLint intern
 uint64_t image_bytes(const TexelFormat& format, int width, int height, int depth);
 constexpr uint64_t kMaxImageBytes = uint64_t(1) << 30;
 
-/// Table 3.19 and the level of detail bias; what GL_TEXTURE_BIT saves of an object.
-struct TextureParameters {
+/// What of a texture's parameters a sampler object may take the place of (GL_ARB_sampler_objects,
+/// table 6.23).
+struct SamplingParameters {
   GLenum wrap[3] = {GL_REPEAT, GL_REPEAT, GL_REPEAT}; // s, t, r
   GLenum min_filter = GL_NEAREST_MIPMAP_LINEAR, mag_filter = GL_LINEAR;
   Vec4 border_color{0, 0, 0, 0};
-  float priority = 1, min_lod = -1000, max_lod = 1000, lod_bias = 0;
-  GLint base_level = 0, max_level = 1000;
-  GLenum depth_mode = GL_LUMINANCE, compare_mode = GL_NONE, compare_function = GL_LEQUAL;
-  bool generate_mipmap = false;
+  float min_lod = -1000, max_lod = 1000, lod_bias = 0;
+  GLenum compare_mode = GL_NONE, compare_function = GL_LEQUAL;
   GLenum srgb_decode = GL_DECODE_EXT; // GL_EXT_texture_sRGB_decode
   float max_anisotropy = 1;           // GL_EXT_texture_filter_anisotropic
+};
+/// Table 3.19 and the level of detail bias; what GL_TEXTURE_BIT saves of an object.
+struct TextureParameters : SamplingParameters {
+  float priority = 1;
+  GLint base_level = 0, max_level = 1000;
+  GLenum depth_mode = GL_LUMINANCE;
+  bool generate_mipmap = false;
 };
 
 struct TextureObject {
@@ -145,11 +151,13 @@ void match_formats(TextureObject& object, const TextureImage& image);
 /// Sets all levels behind the base level from it (3.8.8, automatic mipmap generation).
 void generate_mipmaps(TextureObject& object, int face);
 
-/// What can be sampled: the levels of a complete texture (3.8.10). No levels: the texture is incomplete.
+/// What can be sampled with a filter: the levels of a complete texture (3.8.10). No levels: it is incomplete.
 struct CompleteLevels {
   int first = 0, count = 0;
 };
-CompleteLevels complete_levels(const TextureObject& object);
+CompleteLevels complete_levels(const TextureObject& object, GLenum min_filter);
 bool uses_mipmaps(GLenum min_filter);
+/// Wrap modes that rectangles do not have (GL_ARB_texture_rectangle).
+inline bool repeats(GLenum wrap) { return wrap == GL_REPEAT || wrap == GL_MIRRORED_REPEAT; }
 
 } // namespace softgl

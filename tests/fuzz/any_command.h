@@ -26,7 +26,7 @@ struct AnyCommand {
   uint64_t (*call)(const Gl& gl, const Argument* arguments);
 };
 
-constexpr int kMostParameters = 12;
+constexpr int kMostParameters = 15;
 
 /// All commands of support/gl_functions.inc, in its order.
 std::span<const AnyCommand> any_commands();

@@ -152,6 +152,8 @@ const FuzzCommand kCommands[] = {
   COMMAND(Ortho) const Float4 v{tame(r), tame(r), tame(r), tame(r)}; const float n = tame(r), f = tame(r); gl.Ortho(v[0], v[1], v[2], v[3], n, f); END
   COMMAND(Viewport) const int x = small(r), y = small(r), w = small(r), h = small(r); gl.Viewport(x, y, w, h); END
   COMMAND(Scissor) const int x = small(r), y = small(r), w = small(r), h = small(r); gl.Scissor(x, y, w, h); END
+  COMMAND(ClipControl) const GLenum o = mostly(r, {GL_LOWER_LEFT, GL_UPPER_LEFT}); gl.ClipControl(o, mostly(r, {GL_ZERO_TO_ONE, GL_NEGATIVE_ONE_TO_ONE})); END
+  COMMAND(DepthBoundsEXT) const float n = number(r), f = number(r); gl.DepthBoundsEXT(n, f); END
   COMMAND(DepthRange) const float n = number(r), f = number(r); gl.DepthRange(n, f); END
   COMMAND(DepthFunc) gl.DepthFunc(mostly(r, {GL_LESS, GL_LEQUAL, GL_ALWAYS})); END
   COMMAND(AlphaFunc) const GLenum f = mostly(r, {GL_LESS, GL_GREATER}); gl.AlphaFunc(f, number(r)); END

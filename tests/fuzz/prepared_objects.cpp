@@ -60,6 +60,12 @@ void prepare_objects(const Gl& gl, Choices& choices) {
     if (choices.chance(30)) gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
     if (choices.chance(30)) gl.BindFramebuffer(GL_READ_FRAMEBUFFER, 0);
   }
+  if (choices.chance(60)) {
+    GLuint samplers[3];
+    gl.GenSamplers(3, samplers);
+    if (on()) gl.BindSampler(0, 1);
+    if (on()) gl.SamplerParameteri(2, GL_TEXTURE_WRAP_S, GL_CLAMP);
+  }
   if (choices.chance(25)) {
     GLuint query = 0;
     gl.GenQueries(1, &query);

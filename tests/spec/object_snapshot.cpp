@@ -45,6 +45,12 @@ constexpr GLenum kTextureParameters[] = {
     GL_TEXTURE_MAG_FILTER,   GL_TEXTURE_BORDER_COLOR, GL_TEXTURE_PRIORITY,   GL_TEXTURE_MIN_LOD,
     GL_TEXTURE_MAX_LOD,      GL_TEXTURE_BASE_LEVEL,   GL_TEXTURE_MAX_LEVEL,  GL_TEXTURE_LOD_BIAS,
     GL_TEXTURE_COMPARE_MODE, GL_TEXTURE_COMPARE_FUNC, GL_DEPTH_TEXTURE_MODE, GL_GENERATE_MIPMAP};
+constexpr GLenum kSamplerParameters[] = {
+    GL_TEXTURE_WRAP_S,         GL_TEXTURE_WRAP_T,       GL_TEXTURE_WRAP_R,
+    GL_TEXTURE_MIN_FILTER,     GL_TEXTURE_MAG_FILTER,   GL_TEXTURE_BORDER_COLOR,
+    GL_TEXTURE_MIN_LOD,        GL_TEXTURE_MAX_LOD,      GL_TEXTURE_LOD_BIAS,
+    GL_TEXTURE_COMPARE_MODE,   GL_TEXTURE_COMPARE_FUNC, GL_TEXTURE_MAX_ANISOTROPY_EXT,
+    GL_TEXTURE_SRGB_DECODE_EXT};
 constexpr GLenum kImageParameters[] = {
     GL_TEXTURE_WIDTH,      GL_TEXTURE_HEIGHT,         GL_TEXTURE_DEPTH,      GL_TEXTURE_RED_SIZE,
     GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_LUMINANCE_SIZE, GL_TEXTURE_DEPTH_SIZE, GL_TEXTURE_COMPRESSED};
@@ -67,6 +73,18 @@ void add_textures(const Gl& gl, StateSnapshot& snapshot) {
       for (GLenum parameter : kImageParameters)
         line.add<GLint>(parameter,
                         [&](GLint* values) { gl.GetTexLevelParameteriv(image, level, parameter, values); });
+  }
+}
+
+void add_samplers(const Gl& gl, StateSnapshot& snapshot) {
+  for (GLuint sampler = 1; sampler < 4; ++sampler) {
+    Line line(gl, snapshot, "sampler " + std::to_string(sampler));
+    for (GLenum parameter : kSamplerParameters)
+      line.add<GLfloat>(parameter,
+                        [&](GLfloat* values) { gl.GetSamplerParameterfv(sampler, parameter, values); });
+    line.add<GLint>(GL_TEXTURE_BORDER_COLOR, [&](GLint* values) {
+      gl.GetSamplerParameterIiv(sampler, GL_TEXTURE_BORDER_COLOR, values);
+    });
   }
 }
 
@@ -111,8 +129,9 @@ void add_maps(const Gl& gl, StateSnapshot& snapshot) {
 void add_names(const Gl& gl, StateSnapshot& snapshot) {
   Line line(gl, snapshot, "names");
   for (GLuint name = 0; name < 8; ++name)
-    for (GLboolean is : {gl.IsTexture(name), gl.IsBuffer(name), gl.IsList(name), gl.IsQuery(name),
-                         gl.IsFramebuffer(name), gl.IsRenderbuffer(name), gl.IsVertexArray(name)})
+    for (GLboolean is :
+         {gl.IsTexture(name), gl.IsBuffer(name), gl.IsList(name), gl.IsQuery(name), gl.IsFramebuffer(name),
+          gl.IsRenderbuffer(name), gl.IsVertexArray(name), gl.IsSampler(name)})
       line.put(is ? "%d" : ".", int(name));
   line.add<GLint>(GL_CURRENT_QUERY,
                   [&](GLint* values) { gl.GetQueryiv(GL_SAMPLES_PASSED, GL_CURRENT_QUERY, values); });
@@ -132,6 +151,7 @@ void add_pixel_maps(const Gl& gl, StateSnapshot& snapshot) {
 
 void add_objects(const Gl& gl, StateSnapshot& snapshot) {
   add_textures(gl, snapshot);
+  add_samplers(gl, snapshot);
   add_buffers(gl, snapshot);
   add_framebuffers(gl, snapshot);
   add_maps(gl, snapshot);

@@ -175,7 +175,7 @@ StateCommand fragment_command(Random& r) {
     return ANY(GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX);
   };
   const auto face = [&] { return ANY(GL_FRONT, GL_BACK, GL_FRONT_AND_BACK); };
-  switch (r.integer(0, 30)) {
+  switch (r.integer(0, 31)) {
   case 0: {
     float v = number(r);
     return CALL(AlphaFunc, comparison(), v);
@@ -262,6 +262,11 @@ StateCommand fragment_command(Random& r) {
     GLenum f = face();
     return CALL(StencilMaskSeparate, f, GLuint(r.bits()));
   }
+  case 30: {
+    double least = r.chance(70) ? r.real(0, 1) : number(r),
+           greatest = r.chance(70) ? r.real(0, 1) : number(r);
+    return CALL(DepthBoundsEXT, least, greatest);
+  }
   case 29: return CALL(ActiveStencilFaceEXT, ANY(GL_FRONT, GL_FRONT, GL_BACK));
   default: {
     auto v = vector4(r);
@@ -272,8 +277,12 @@ StateCommand fragment_command(Random& r) {
 
 StateCommand raster_command(Random& r) {
   const GLenum face = ANY(GL_FRONT, GL_BACK, GL_FRONT_AND_BACK);
-  switch (r.integer(0, 13)) {
+  switch (r.integer(0, 14)) {
   case 0: return CALL(PointSize, number(r));
+  case 14: {
+    GLenum origin = ANY(GL_LOWER_LEFT, GL_UPPER_LEFT);
+    return CALL(ClipControl, origin, ANY(GL_NEGATIVE_ONE_TO_ONE, GL_ZERO_TO_ONE));
+  }
   case 1:
     return CALLV(PointParameterfv, vector4(r),
                  ANY(GL_POINT_SIZE_MIN, GL_POINT_SIZE_MAX, GL_POINT_FADE_THRESHOLD_SIZE,

@@ -217,6 +217,14 @@ void compile_Viewport(Context& c, GLint x, GLint y, GLsizei width, GLsizei heigh
     if (may_execute(c)) gl::Viewport(c, x, y, width, height);
   }
 }
+void compile_ClipControl(Context& c, GLenum origin, GLenum depth) {
+  const ClipControlArguments kept_call{origin, depth};
+  new (record(c, uint16_t(Opcode::ClipControl), sizeof kept_call)) ClipControlArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::ClipControl(c, origin, depth);
+  }
+}
 void compile_ClipPlane(Context& c, GLenum plane, const GLdouble* equation) {
   const ClipPlaneArguments kept_call{plane, static_cast<const GLdouble*>(keep_bytes(c, equation, 4 * sizeof(GLdouble)))};
   new (record(c, uint16_t(Opcode::ClipPlane), sizeof kept_call)) ClipPlaneArguments(kept_call);
@@ -632,6 +640,38 @@ void compile_PrioritizeTextures(Context& c, GLsizei n, const GLuint* textures, c
     if (may_execute(c)) gl::PrioritizeTextures(c, n, textures, priorities);
   }
 }
+void compile_BindSampler(Context& c, GLuint unit, GLuint sampler) {
+  const BindSamplerArguments kept_call{unit, sampler};
+  new (record(c, uint16_t(Opcode::BindSampler), sizeof kept_call)) BindSamplerArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::BindSampler(c, unit, sampler);
+  }
+}
+void compile_SamplerParameter(Context& c, GLuint sampler, GLenum pname, const GLfloat* param) {
+  const SamplerParameterArguments kept_call{sampler, pname, keep_values(c, param, count_of(kCountOf_texture, pname))};
+  new (record(c, uint16_t(Opcode::SamplerParameter), sizeof kept_call)) SamplerParameterArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::SamplerParameter(c, sampler, pname, param);
+  }
+}
+void compile_SamplerParameterIiv(Context& c, GLuint sampler, GLenum pname, const GLint* param) {
+  const SamplerParameterIivArguments kept_call{sampler, pname, static_cast<const GLint*>(keep_bytes(c, param, payload_size(count_of(kCountOf_texture,pname)*4)))};
+  new (record(c, uint16_t(Opcode::SamplerParameterIiv), sizeof kept_call)) SamplerParameterIivArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::SamplerParameterIiv(c, sampler, pname, param);
+  }
+}
+void compile_SamplerParameterIuiv(Context& c, GLuint sampler, GLenum pname, const GLuint* param) {
+  const SamplerParameterIuivArguments kept_call{sampler, pname, static_cast<const GLuint*>(keep_bytes(c, param, payload_size(count_of(kCountOf_texture,pname)*4)))};
+  new (record(c, uint16_t(Opcode::SamplerParameterIuiv), sizeof kept_call)) SamplerParameterIuivArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::SamplerParameterIuiv(c, sampler, pname, param);
+  }
+}
 void compile_ActiveTexture(Context& c, GLenum texture) {
   const ActiveTextureArguments kept_call{texture};
   new (record(c, uint16_t(Opcode::ActiveTexture), sizeof kept_call)) ActiveTextureArguments(kept_call);
@@ -718,6 +758,14 @@ void compile_ActiveStencilFaceEXT(Context& c, GLenum face) {
   if (execute_too(c)) {
     const ExecuteScope scope(c);
     if (may_execute(c)) gl::ActiveStencilFaceEXT(c, face);
+  }
+}
+void compile_DepthBoundsEXT(Context& c, GLclampd zmin, GLclampd zmax) {
+  const DepthBoundsEXTArguments kept_call{zmin, zmax};
+  new (record(c, uint16_t(Opcode::DepthBoundsEXT), sizeof kept_call)) DepthBoundsEXTArguments(kept_call);
+  if (execute_too(c)) {
+    const ExecuteScope scope(c);
+    if (may_execute(c)) gl::DepthBoundsEXT(c, zmin, zmax);
   }
 }
 void compile_DepthFunc(Context& c, GLenum func) {

@@ -33,6 +33,7 @@ void compile_PushMatrix(Context& c);
 void compile_PopMatrix(Context& c);
 void compile_DepthRange(Context& c, GLdouble n, GLdouble f);
 void compile_Viewport(Context& c, GLint x, GLint y, GLsizei width, GLsizei height);
+void compile_ClipControl(Context& c, GLenum origin, GLenum depth);
 void compile_ClipPlane(Context& c, GLenum plane, const GLdouble* equation);
 void compile_RasterPos(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w);
 void compile_WindowPos(Context& c, GLfloat x, GLfloat y, GLfloat z);
@@ -83,6 +84,10 @@ void compile_TexEnv(Context& c, GLenum target, GLenum pname, const GLfloat* para
 void compile_TexGen(Context& c, GLenum coord, GLenum pname, const GLfloat* params);
 void compile_BindTexture(Context& c, GLenum target, GLuint texture);
 void compile_PrioritizeTextures(Context& c, GLsizei n, const GLuint* textures, const GLfloat* priorities);
+void compile_BindSampler(Context& c, GLuint unit, GLuint sampler);
+void compile_SamplerParameter(Context& c, GLuint sampler, GLenum pname, const GLfloat* param);
+void compile_SamplerParameterIiv(Context& c, GLuint sampler, GLenum pname, const GLint* param);
+void compile_SamplerParameterIuiv(Context& c, GLuint sampler, GLenum pname, const GLuint* param);
 void compile_ActiveTexture(Context& c, GLenum texture);
 void compile_Fog(Context& c, GLenum pname, const GLfloat* params);
 void compile_Scissor(Context& c, GLint x, GLint y, GLsizei width, GLsizei height);
@@ -94,6 +99,7 @@ void compile_StencilFuncSeparate(Context& c, GLenum face, GLenum func, GLint ref
 void compile_StencilFuncSeparateATI(Context& c, GLenum frontfunc, GLenum backfunc, GLint ref, GLuint mask);
 void compile_StencilOpSeparate(Context& c, GLenum face, GLenum sfail, GLenum dpfail, GLenum dppass);
 void compile_ActiveStencilFaceEXT(Context& c, GLenum face);
+void compile_DepthBoundsEXT(Context& c, GLclampd zmin, GLclampd zmax);
 void compile_DepthFunc(Context& c, GLenum func);
 void compile_BlendFunc(Context& c, GLenum sfactor, GLenum dfactor);
 void compile_BlendFuncSeparate(Context& c, GLenum sfactorRGB, GLenum dfactorRGB, GLenum sfactorAlpha, GLenum dfactorAlpha);

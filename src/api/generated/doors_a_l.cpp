@@ -170,6 +170,17 @@ SOFTGL_EXPORT void APIENTRY glBindRenderbufferEXT(GLenum target, GLuint renderbu
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glBindSampler(GLuint unit, GLuint sampler) try {
+  SOFTGL_TRACED(glBindSampler, unit, sampler);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_BindSampler(c, unit, sampler);
+    if (!may_execute(c)) return;
+  }
+  gl::BindSampler(c, unit, sampler);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glBindTexture(GLenum target, GLuint texture) try {
   SOFTGL_TRACED(glBindTexture, target, texture);
   Context& c = *current_context;
@@ -479,6 +490,17 @@ SOFTGL_EXPORT void APIENTRY glClientActiveTextureARB(GLenum texture) try {
 } catch (...) {
   out_of_memory();
 }
+void APIENTRY glClipControl(GLenum origin, GLenum depth) try {
+  SOFTGL_TRACED(glClipControl, origin, depth);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_ClipControl(c, origin, depth);
+    if (!may_execute(c)) return;
+  }
+  gl::ClipControl(c, origin, depth);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glClipPlane(GLenum plane, const GLdouble* equation) try {
   SOFTGL_TRACED(glClipPlane, plane, equation);
   Context& c = *current_context;
@@ -666,6 +688,22 @@ SOFTGL_EXPORT void APIENTRY glCopyBufferSubData(GLenum readTarget, GLenum writeT
   Context& c = *current_context;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::CopyBufferSubData(c, readTarget, writeTarget, readOffset, writeOffset, size);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glCopyImageSubData(GLuint srcName, GLenum srcTarget, GLint srcLevel, GLint srcX, GLint srcY, GLint srcZ, GLuint dstName, GLenum dstTarget, GLint dstLevel, GLint dstX, GLint dstY, GLint dstZ, GLsizei srcWidth, GLsizei srcHeight, GLsizei srcDepth) try {
+  SOFTGL_TRACED(glCopyImageSubData, srcName, srcTarget, srcLevel, srcX, srcY, srcZ, dstName, dstTarget, dstLevel, dstX, dstY, dstZ, srcWidth, srcHeight, srcDepth);
+  Context& c = *current_context;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::CopyImageSubData(c, srcName, srcTarget, srcLevel, srcX, srcY, srcZ, dstName, dstTarget, dstLevel, dstX, dstY, dstZ, srcWidth, srcHeight, srcDepth);
+} catch (...) {
+  out_of_memory();
+}
+void APIENTRY glCopyImageSubDataNV(GLuint srcName, GLenum srcTarget, GLint srcLevel, GLint srcX, GLint srcY, GLint srcZ, GLuint dstName, GLenum dstTarget, GLint dstLevel, GLint dstX, GLint dstY, GLint dstZ, GLsizei width, GLsizei height, GLsizei depth) try {
+  SOFTGL_TRACED(glCopyImageSubDataNV, srcName, srcTarget, srcLevel, srcX, srcY, srcZ, dstName, dstTarget, dstLevel, dstX, dstY, dstZ, width, height, depth);
+  Context& c = *current_context;
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::CopyImageSubDataNV(c, srcName, srcTarget, srcLevel, srcX, srcY, srcZ, dstName, dstTarget, dstLevel, dstX, dstY, dstZ, width, height, depth);
 } catch (...) {
   out_of_memory();
 }
@@ -885,6 +923,15 @@ SOFTGL_EXPORT void APIENTRY glDeleteRenderbuffersEXT(GLsizei n, const GLuint* re
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glDeleteSamplers(GLsizei count, const GLuint* samplers) try {
+  SOFTGL_TRACED(glDeleteSamplers, count, samplers);
+  Context& c = *current_context;
+  if ((!samplers && count > 0)) [[unlikely]] return ignore_call(c);
+  if (c.guard && !may_execute(c)) [[unlikely]] return;
+  gl::DeleteSamplers(c, count, samplers);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glDeleteTextures(GLsizei n, const GLuint* textures) try {
   SOFTGL_TRACED(glDeleteTextures, n, textures);
   Context& c = *current_context;
@@ -900,6 +947,17 @@ SOFTGL_EXPORT void APIENTRY glDeleteVertexArrays(GLsizei n, const GLuint* arrays
   if ((!arrays && n > 0)) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::DeleteVertexArrays(c, n, arrays);
+} catch (...) {
+  out_of_memory();
+}
+void APIENTRY glDepthBoundsEXT(GLclampd zmin, GLclampd zmax) try {
+  SOFTGL_TRACED(glDepthBoundsEXT, zmin, zmax);
+  Context& c = *current_context;
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_DepthBoundsEXT(c, zmin, zmax);
+    if (!may_execute(c)) return;
+  }
+  gl::DepthBoundsEXT(c, zmin, zmax);
 } catch (...) {
   out_of_memory();
 }
@@ -1505,6 +1563,15 @@ SOFTGL_EXPORT void APIENTRY glGenRenderbuffersEXT(GLsizei n, GLuint* renderbuffe
   if ((!renderbuffers && n > 0)) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::GenRenderbuffers(c, n, renderbuffers);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glGenSamplers(GLsizei count, GLuint* samplers) try {
+  SOFTGL_TRACED(glGenSamplers, count, samplers);
+  Context& c = *current_context;
+  if ((!samplers && count > 0)) [[unlikely]] return ignore_call(c);
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::GenSamplers(c, count, samplers);
 } catch (...) {
   out_of_memory();
 }

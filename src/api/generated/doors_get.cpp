@@ -389,6 +389,42 @@ SOFTGL_EXPORT void APIENTRY glGetRenderbufferParameterivEXT(GLenum target, GLenu
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glGetSamplerParameterIiv(GLuint sampler, GLenum pname, GLint* params) try {
+  SOFTGL_TRACED(glGetSamplerParameterIiv, sampler, pname, params);
+  Context& c = *current_context;
+  if (!params) [[unlikely]] return ignore_call(c);
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::GetSamplerParameterIiv(c, sampler, pname, params);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glGetSamplerParameterIuiv(GLuint sampler, GLenum pname, GLuint* params) try {
+  SOFTGL_TRACED(glGetSamplerParameterIuiv, sampler, pname, params);
+  Context& c = *current_context;
+  if (!params) [[unlikely]] return ignore_call(c);
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::GetSamplerParameterIuiv(c, sampler, pname, params);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glGetSamplerParameterfv(GLuint sampler, GLenum pname, GLfloat* params) try {
+  SOFTGL_TRACED(glGetSamplerParameterfv, sampler, pname, params);
+  Context& c = *current_context;
+  if (!params) [[unlikely]] return ignore_call(c);
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::GetSamplerParameterfv(c, sampler, pname, params);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glGetSamplerParameteriv(GLuint sampler, GLenum pname, GLint* params) try {
+  SOFTGL_TRACED(glGetSamplerParameteriv, sampler, pname, params);
+  Context& c = *current_context;
+  if (!params) [[unlikely]] return ignore_call(c);
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
+  gl::GetSamplerParameteriv(c, sampler, pname, params);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT const GLubyte* APIENTRY glGetString(GLenum name) try {
   SOFTGL_TRACED(glGetString, name);
   Context& c = *current_context;
@@ -582,6 +618,15 @@ SOFTGL_EXPORT GLboolean APIENTRY glIsRenderbufferEXT(GLuint renderbuffer) try {
   Context& c = *current_context;
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
   return gl::IsRenderbuffer(c, renderbuffer);
+} catch (...) {
+  out_of_memory();
+  return 0;
+}
+SOFTGL_EXPORT GLboolean APIENTRY glIsSampler(GLuint sampler) try {
+  SOFTGL_TRACED(glIsSampler, sampler);
+  Context& c = *current_context;
+  if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return 0;
+  return gl::IsSampler(c, sampler);
 } catch (...) {
   out_of_memory();
   return 0;

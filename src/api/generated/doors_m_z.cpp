@@ -1263,6 +1263,84 @@ SOFTGL_EXPORT void APIENTRY glSampleCoverageARB(GLfloat value, GLboolean invert)
 } catch (...) {
   out_of_memory();
 }
+SOFTGL_EXPORT void APIENTRY glSamplerParameterIiv(GLuint sampler, GLenum pname, const GLint* param) try {
+  SOFTGL_TRACED(glSamplerParameterIiv, sampler, pname, param);
+  Context& c = *current_context;
+  if (!param) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_SamplerParameterIiv(c, sampler, pname, param);
+    if (!may_execute(c)) return;
+  }
+  gl::SamplerParameterIiv(c, sampler, pname, param);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glSamplerParameterIuiv(GLuint sampler, GLenum pname, const GLuint* param) try {
+  SOFTGL_TRACED(glSamplerParameterIuiv, sampler, pname, param);
+  Context& c = *current_context;
+  if (!param) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_SamplerParameterIuiv(c, sampler, pname, param);
+    if (!may_execute(c)) return;
+  }
+  gl::SamplerParameterIuiv(c, sampler, pname, param);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glSamplerParameterf(GLuint sampler, GLenum pname, GLfloat param) try {
+  SOFTGL_TRACED(glSamplerParameterf, sampler, pname, param);
+  Context& c = *current_context;
+  if (c.guard & kNoContext) [[unlikely]] return;
+  const Parameters values = scalar_parameter(kCountOf_texture, pname, param);
+  if (!values.valid) [[unlikely]] return bad_scalar_parameter(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_SamplerParameter(c, sampler, pname, values.v);
+    if (!may_execute(c)) return;
+  }
+  gl::SamplerParameter(c, sampler, pname, values.v);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glSamplerParameterfv(GLuint sampler, GLenum pname, const GLfloat* param) try {
+  SOFTGL_TRACED(glSamplerParameterfv, sampler, pname, param);
+  Context& c = *current_context;
+  if (!param) [[unlikely]] return ignore_call(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_SamplerParameter(c, sampler, pname, param);
+    if (!may_execute(c)) return;
+  }
+  gl::SamplerParameter(c, sampler, pname, param);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glSamplerParameteri(GLuint sampler, GLenum pname, GLint param) try {
+  SOFTGL_TRACED(glSamplerParameteri, sampler, pname, param);
+  Context& c = *current_context;
+  if (c.guard & kNoContext) [[unlikely]] return;
+  const Parameters values = scalar_parameter(kCountOf_texture, pname, param);
+  if (!values.valid) [[unlikely]] return bad_scalar_parameter(c);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_SamplerParameter(c, sampler, pname, values.v);
+    if (!may_execute(c)) return;
+  }
+  gl::SamplerParameter(c, sampler, pname, values.v);
+} catch (...) {
+  out_of_memory();
+}
+SOFTGL_EXPORT void APIENTRY glSamplerParameteriv(GLuint sampler, GLenum pname, const GLint* param) try {
+  SOFTGL_TRACED(glSamplerParameteriv, sampler, pname, param);
+  Context& c = *current_context;
+  if (!param) [[unlikely]] return ignore_call(c);
+  if (c.guard & kNoContext) [[unlikely]] return;
+  const Parameters values = vector_parameters(kCountOf_texture, pname, param);
+  if (c.guard) [[unlikely]] {
+    if (c.guard & kCompilingList) return compile_SamplerParameter(c, sampler, pname, values.v);
+    if (!may_execute(c)) return;
+  }
+  gl::SamplerParameter(c, sampler, pname, values.v);
+} catch (...) {
+  out_of_memory();
+}
 SOFTGL_EXPORT void APIENTRY glScaled(GLdouble x, GLdouble y, GLdouble z) try {
   SOFTGL_TRACED(glScaled, x, y, z);
   Context& c = *current_context;

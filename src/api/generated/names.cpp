@@ -21,6 +21,7 @@ DOOR(glBindFramebuffer);
 DOOR(glBindFramebufferEXT);
 DOOR(glBindRenderbuffer);
 DOOR(glBindRenderbufferEXT);
+DOOR(glBindSampler);
 DOOR(glBindTexture);
 DOOR(glBindTextureEXT);
 DOOR(glBindVertexArray);
@@ -52,6 +53,7 @@ DOOR(glClearIndex);
 DOOR(glClearStencil);
 DOOR(glClientActiveTexture);
 DOOR(glClientActiveTextureARB);
+DOOR(glClipControl);
 DOOR(glClipPlane);
 DOOR(glColor3b);
 DOOR(glColor3bv);
@@ -106,6 +108,8 @@ DOOR(glCompressedTexSubImage2DARB);
 DOOR(glCompressedTexSubImage3D);
 DOOR(glCompressedTexSubImage3DARB);
 DOOR(glCopyBufferSubData);
+DOOR(glCopyImageSubData);
+DOOR(glCopyImageSubDataNV);
 DOOR(glCopyPixels);
 DOOR(glCopyTexImage1D);
 DOOR(glCopyTexImage2D);
@@ -129,8 +133,10 @@ DOOR(glDeleteQueries);
 DOOR(glDeleteQueriesARB);
 DOOR(glDeleteRenderbuffers);
 DOOR(glDeleteRenderbuffersEXT);
+DOOR(glDeleteSamplers);
 DOOR(glDeleteTextures);
 DOOR(glDeleteVertexArrays);
+DOOR(glDepthBoundsEXT);
 DOOR(glDepthFunc);
 DOOR(glDepthMask);
 DOOR(glDepthRange);
@@ -208,6 +214,7 @@ DOOR(glGenQueries);
 DOOR(glGenQueriesARB);
 DOOR(glGenRenderbuffers);
 DOOR(glGenRenderbuffersEXT);
+DOOR(glGenSamplers);
 DOOR(glGenTextures);
 DOOR(glGenVertexArrays);
 DOOR(glGenerateMipmap);
@@ -255,6 +262,10 @@ DOOR(glGetQueryiv);
 DOOR(glGetQueryivARB);
 DOOR(glGetRenderbufferParameteriv);
 DOOR(glGetRenderbufferParameterivEXT);
+DOOR(glGetSamplerParameterIiv);
+DOOR(glGetSamplerParameterIuiv);
+DOOR(glGetSamplerParameterfv);
+DOOR(glGetSamplerParameteriv);
 DOOR(glGetString);
 DOOR(glGetStringi);
 DOOR(glGetTexEnvfv);
@@ -293,6 +304,7 @@ DOOR(glIsQuery);
 DOOR(glIsQueryARB);
 DOOR(glIsRenderbuffer);
 DOOR(glIsRenderbufferEXT);
+DOOR(glIsSampler);
 DOOR(glIsTexture);
 DOOR(glIsVertexArray);
 DOOR(glLabelObjectEXT);
@@ -517,6 +529,12 @@ DOOR(glRotated);
 DOOR(glRotatef);
 DOOR(glSampleCoverage);
 DOOR(glSampleCoverageARB);
+DOOR(glSamplerParameterIiv);
+DOOR(glSamplerParameterIuiv);
+DOOR(glSamplerParameterf);
+DOOR(glSamplerParameterfv);
+DOOR(glSamplerParameteri);
+DOOR(glSamplerParameteriv);
 DOOR(glScaled);
 DOOR(glScalef);
 DOOR(glScissor);
@@ -732,6 +750,7 @@ const NamedDoor kNamedDoors[] = {
     {"glBindFramebufferEXT", door_glBindFramebufferEXT},
     {"glBindRenderbuffer", door_glBindRenderbuffer},
     {"glBindRenderbufferEXT", door_glBindRenderbufferEXT},
+    {"glBindSampler", door_glBindSampler},
     {"glBindTexture", door_glBindTexture},
     {"glBindTextureEXT", door_glBindTextureEXT},
     {"glBindVertexArray", door_glBindVertexArray},
@@ -768,6 +787,8 @@ const NamedDoor kNamedDoors[] = {
     {"glClearStencil", door_glClearStencil},
     {"glClientActiveTexture", door_glClientActiveTexture},
     {"glClientActiveTextureARB", door_glClientActiveTextureARB},
+    {"glClipControl", door_glClipControl},
+    {"glClipControlEXT", door_glClipControl},
     {"glClipPlane", door_glClipPlane},
     {"glColor3b", door_glColor3b},
     {"glColor3bv", door_glColor3bv},
@@ -823,6 +844,10 @@ const NamedDoor kNamedDoors[] = {
     {"glCompressedTexSubImage3DARB", door_glCompressedTexSubImage3DARB},
     {"glCopyBufferSubData", door_glCopyBufferSubData},
     {"glCopyBufferSubDataNV", door_glCopyBufferSubData},
+    {"glCopyImageSubData", door_glCopyImageSubData},
+    {"glCopyImageSubDataEXT", door_glCopyImageSubData},
+    {"glCopyImageSubDataNV", door_glCopyImageSubDataNV},
+    {"glCopyImageSubDataOES", door_glCopyImageSubData},
     {"glCopyPixels", door_glCopyPixels},
     {"glCopyTexImage1D", door_glCopyTexImage1D},
     {"glCopyTexImage1DEXT", door_glCopyTexImage1D},
@@ -853,11 +878,13 @@ const NamedDoor kNamedDoors[] = {
     {"glDeleteQueriesARB", door_glDeleteQueriesARB},
     {"glDeleteRenderbuffers", door_glDeleteRenderbuffers},
     {"glDeleteRenderbuffersEXT", door_glDeleteRenderbuffersEXT},
+    {"glDeleteSamplers", door_glDeleteSamplers},
     {"glDeleteTextures", door_glDeleteTextures},
     {"glDeleteTexturesEXT", door_glDeleteTextures},
     {"glDeleteVertexArrays", door_glDeleteVertexArrays},
     {"glDeleteVertexArraysAPPLE", door_glDeleteVertexArrays},
     {"glDeleteVertexArraysOES", door_glDeleteVertexArrays},
+    {"glDepthBoundsEXT", door_glDepthBoundsEXT},
     {"glDepthFunc", door_glDepthFunc},
     {"glDepthMask", door_glDepthMask},
     {"glDepthRange", door_glDepthRange},
@@ -942,6 +969,7 @@ const NamedDoor kNamedDoors[] = {
     {"glGenQueriesARB", door_glGenQueriesARB},
     {"glGenRenderbuffers", door_glGenRenderbuffers},
     {"glGenRenderbuffersEXT", door_glGenRenderbuffersEXT},
+    {"glGenSamplers", door_glGenSamplers},
     {"glGenTextures", door_glGenTextures},
     {"glGenTexturesEXT", door_glGenTextures},
     {"glGenVertexArrays", door_glGenVertexArrays},
@@ -1000,6 +1028,14 @@ const NamedDoor kNamedDoors[] = {
     {"glGetQueryivARB", door_glGetQueryivARB},
     {"glGetRenderbufferParameteriv", door_glGetRenderbufferParameteriv},
     {"glGetRenderbufferParameterivEXT", door_glGetRenderbufferParameterivEXT},
+    {"glGetSamplerParameterIiv", door_glGetSamplerParameterIiv},
+    {"glGetSamplerParameterIivEXT", door_glGetSamplerParameterIiv},
+    {"glGetSamplerParameterIivOES", door_glGetSamplerParameterIiv},
+    {"glGetSamplerParameterIuiv", door_glGetSamplerParameterIuiv},
+    {"glGetSamplerParameterIuivEXT", door_glGetSamplerParameterIuiv},
+    {"glGetSamplerParameterIuivOES", door_glGetSamplerParameterIuiv},
+    {"glGetSamplerParameterfv", door_glGetSamplerParameterfv},
+    {"glGetSamplerParameteriv", door_glGetSamplerParameteriv},
     {"glGetString", door_glGetString},
     {"glGetStringi", door_glGetStringi},
     {"glGetTexEnvfv", door_glGetTexEnvfv},
@@ -1038,6 +1074,7 @@ const NamedDoor kNamedDoors[] = {
     {"glIsQueryARB", door_glIsQueryARB},
     {"glIsRenderbuffer", door_glIsRenderbuffer},
     {"glIsRenderbufferEXT", door_glIsRenderbufferEXT},
+    {"glIsSampler", door_glIsSampler},
     {"glIsTexture", door_glIsTexture},
     {"glIsTextureEXT", door_glIsTexture},
     {"glIsVertexArray", door_glIsVertexArray},
@@ -1278,6 +1315,16 @@ const NamedDoor kNamedDoors[] = {
     {"glRotatef", door_glRotatef},
     {"glSampleCoverage", door_glSampleCoverage},
     {"glSampleCoverageARB", door_glSampleCoverageARB},
+    {"glSamplerParameterIiv", door_glSamplerParameterIiv},
+    {"glSamplerParameterIivEXT", door_glSamplerParameterIiv},
+    {"glSamplerParameterIivOES", door_glSamplerParameterIiv},
+    {"glSamplerParameterIuiv", door_glSamplerParameterIuiv},
+    {"glSamplerParameterIuivEXT", door_glSamplerParameterIuiv},
+    {"glSamplerParameterIuivOES", door_glSamplerParameterIuiv},
+    {"glSamplerParameterf", door_glSamplerParameterf},
+    {"glSamplerParameterfv", door_glSamplerParameterfv},
+    {"glSamplerParameteri", door_glSamplerParameteri},
+    {"glSamplerParameteriv", door_glSamplerParameteriv},
     {"glScaled", door_glScaled},
     {"glScalef", door_glScalef},
     {"glScissor", door_glScissor},

@@ -22,6 +22,7 @@ using Label = std::shared_ptr<std::string>;
 bool find_label(Context& c, GLenum identifier, GLuint name, Label& label) {
   switch (identifier) {
   case GL_BUFFER: label = label_of(c.shared->buffers.find(name)); return true;
+  case GL_SAMPLER: label = label_of(c.shared->samplers.find(name)); return true;
   case GL_TEXTURE: label = label_of(c.shared->textures.find(name)); return true;
   case GL_DISPLAY_LIST: label = label_of(c.shared->lists.find(name)); return true;
   case GL_RENDERBUFFER: label = label_of(c.shared->renderbuffers.find(name)); return true;
@@ -31,8 +32,7 @@ bool find_label(Context& c, GLenum identifier, GLuint name, Label& label) {
   case GL_SHADER:
   case GL_PROGRAM:
   case GL_PROGRAM_PIPELINE:
-  case GL_TRANSFORM_FEEDBACK:
-  case GL_SAMPLER: return true; // there are none
+  case GL_TRANSFORM_FEEDBACK: return true; // there are none
   default: return false;
   }
 }

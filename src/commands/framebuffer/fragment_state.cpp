@@ -219,6 +219,14 @@ void DepthFunc(Context& c, GLenum func) {
   edit<&State::depth>(c).function = func;
 }
 
+void DepthBoundsEXT(Context& c, GLclampd zmin, GLclampd zmax) {
+  if (zmin > zmax) return set_error(c, GL_INVALID_VALUE, "zmax");
+  const auto clamp = [](double v) { return v > 0.0 ? (v > 1.0 ? 1.0 : v) : 0.0; };
+  DepthState& depth = edit<&State::depth>(c);
+  depth.least_bound = clamp(zmin);
+  depth.greatest_bound = clamp(zmax);
+}
+
 void BlendFuncSeparate(Context& c, GLenum source_rgb, GLenum destination_rgb, GLenum source_alpha,
                        GLenum destination_alpha) {
   if (const char* wrong = first_wrong({{"sfactorRGB", !is_blend_factor(source_rgb, true)},

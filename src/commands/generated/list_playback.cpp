@@ -111,6 +111,10 @@ void play_command(Context& c, uint16_t opcode, const void* arguments) {
       const auto& r = *static_cast<const ViewportArguments*>(arguments);
       return gl::Viewport(c, r.x, r.y, r.width, r.height);
     }
+    case Opcode::ClipControl: {
+      const auto& r = *static_cast<const ClipControlArguments*>(arguments);
+      return gl::ClipControl(c, r.origin, r.depth);
+    }
     case Opcode::ClipPlane: {
       const auto& r = *static_cast<const ClipPlaneArguments*>(arguments);
       return gl::ClipPlane(c, r.plane, r.equation);
@@ -329,6 +333,22 @@ void play_command(Context& c, uint16_t opcode, const void* arguments) {
       const auto& r = *static_cast<const PrioritizeTexturesArguments*>(arguments);
       return gl::PrioritizeTextures(c, r.n, r.textures, r.priorities);
     }
+    case Opcode::BindSampler: {
+      const auto& r = *static_cast<const BindSamplerArguments*>(arguments);
+      return gl::BindSampler(c, r.unit, r.sampler);
+    }
+    case Opcode::SamplerParameter: {
+      const auto& r = *static_cast<const SamplerParameterArguments*>(arguments);
+      return gl::SamplerParameter(c, r.sampler, r.pname, r.param);
+    }
+    case Opcode::SamplerParameterIiv: {
+      const auto& r = *static_cast<const SamplerParameterIivArguments*>(arguments);
+      return gl::SamplerParameterIiv(c, r.sampler, r.pname, r.param);
+    }
+    case Opcode::SamplerParameterIuiv: {
+      const auto& r = *static_cast<const SamplerParameterIuivArguments*>(arguments);
+      return gl::SamplerParameterIuiv(c, r.sampler, r.pname, r.param);
+    }
     case Opcode::ActiveTexture: {
       const auto& r = *static_cast<const ActiveTextureArguments*>(arguments);
       return gl::ActiveTexture(c, r.texture);
@@ -372,6 +392,10 @@ void play_command(Context& c, uint16_t opcode, const void* arguments) {
     case Opcode::ActiveStencilFaceEXT: {
       const auto& r = *static_cast<const ActiveStencilFaceEXTArguments*>(arguments);
       return gl::ActiveStencilFaceEXT(c, r.face);
+    }
+    case Opcode::DepthBoundsEXT: {
+      const auto& r = *static_cast<const DepthBoundsEXTArguments*>(arguments);
+      return gl::DepthBoundsEXT(c, r.zmin, r.zmax);
     }
     case Opcode::DepthFunc: {
       const auto& r = *static_cast<const DepthFuncArguments*>(arguments);
@@ -549,6 +573,7 @@ const char* opcode_name(uint16_t opcode) {
       "PopMatrix",
       "DepthRange",
       "Viewport",
+      "ClipControl",
       "ClipPlane",
       "RasterPos",
       "WindowPos",
@@ -599,6 +624,10 @@ const char* opcode_name(uint16_t opcode) {
       "TexGen",
       "BindTexture",
       "PrioritizeTextures",
+      "BindSampler",
+      "SamplerParameter",
+      "SamplerParameterIiv",
+      "SamplerParameterIuiv",
       "ActiveTexture",
       "Fog",
       "Scissor",
@@ -610,6 +639,7 @@ const char* opcode_name(uint16_t opcode) {
       "StencilFuncSeparateATI",
       "StencilOpSeparate",
       "ActiveStencilFaceEXT",
+      "DepthBoundsEXT",
       "DepthFunc",
       "BlendFunc",
       "BlendFuncSeparate",

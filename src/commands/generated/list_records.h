@@ -36,6 +36,7 @@ enum class Opcode : uint16_t {
   PopMatrix,
   DepthRange,
   Viewport,
+  ClipControl,
   ClipPlane,
   RasterPos,
   WindowPos,
@@ -86,6 +87,10 @@ enum class Opcode : uint16_t {
   TexGen,
   BindTexture,
   PrioritizeTextures,
+  BindSampler,
+  SamplerParameter,
+  SamplerParameterIiv,
+  SamplerParameterIuiv,
   ActiveTexture,
   Fog,
   Scissor,
@@ -97,6 +102,7 @@ enum class Opcode : uint16_t {
   StencilFuncSeparateATI,
   StencilOpSeparate,
   ActiveStencilFaceEXT,
+  DepthBoundsEXT,
   DepthFunc,
   BlendFunc,
   BlendFuncSeparate,
@@ -132,7 +138,7 @@ enum class Opcode : uint16_t {
   PushAttrib,
   PopAttrib,
 };
-constexpr int kOpcodes = 121;
+constexpr int kOpcodes = 127;
 
 struct RectArguments { GLfloat x1; GLfloat y1; GLfloat x2; GLfloat y2; };
 struct EvalCoord1Arguments { GLfloat u; };
@@ -157,6 +163,7 @@ struct FrustumArguments { GLfloat left; GLfloat right; GLfloat bottom; GLfloat t
 struct OrthoArguments { GLfloat left; GLfloat right; GLfloat bottom; GLfloat top; GLfloat zNear; GLfloat zFar; };
 struct DepthRangeArguments { GLdouble n; GLdouble f; };
 struct ViewportArguments { GLint x; GLint y; GLsizei width; GLsizei height; };
+struct ClipControlArguments { GLenum origin; GLenum depth; };
 struct ClipPlaneArguments { GLenum plane; const GLdouble* equation; };
 struct RasterPosArguments { GLfloat x; GLfloat y; GLfloat z; GLfloat w; };
 struct WindowPosArguments { GLfloat x; GLfloat y; GLfloat z; };
@@ -207,6 +214,10 @@ struct TexEnvArguments { GLenum target; GLenum pname; const GLfloat* params; };
 struct TexGenArguments { GLenum coord; GLenum pname; const GLfloat* params; };
 struct BindTextureArguments { GLenum target; GLuint texture; };
 struct PrioritizeTexturesArguments { GLsizei n; const GLuint* textures; const GLfloat* priorities; };
+struct BindSamplerArguments { GLuint unit; GLuint sampler; };
+struct SamplerParameterArguments { GLuint sampler; GLenum pname; const GLfloat* param; };
+struct SamplerParameterIivArguments { GLuint sampler; GLenum pname; const GLint* param; };
+struct SamplerParameterIuivArguments { GLuint sampler; GLenum pname; const GLuint* param; };
 struct ActiveTextureArguments { GLenum texture; };
 struct FogArguments { GLenum pname; const GLfloat* params; };
 struct ScissorArguments { GLint x; GLint y; GLsizei width; GLsizei height; };
@@ -218,6 +229,7 @@ struct StencilFuncSeparateArguments { GLenum face; GLenum func; GLint ref; GLuin
 struct StencilFuncSeparateATIArguments { GLenum frontfunc; GLenum backfunc; GLint ref; GLuint mask; };
 struct StencilOpSeparateArguments { GLenum face; GLenum sfail; GLenum dpfail; GLenum dppass; };
 struct ActiveStencilFaceEXTArguments { GLenum face; };
+struct DepthBoundsEXTArguments { GLclampd zmin; GLclampd zmax; };
 struct DepthFuncArguments { GLenum func; };
 struct BlendFuncArguments { GLenum sfactor; GLenum dfactor; };
 struct BlendFuncSeparateArguments { GLenum sfactorRGB; GLenum dfactorRGB; GLenum sfactorAlpha; GLenum dfactorAlpha; };

@@ -8,6 +8,7 @@
 #include "commands/generated/commands.h"
 #include "context/color_clamping.h"
 #include "context/context.h"
+#include "context/viewport_transform.h"
 #include "geometry/geometry.h"
 #include "shaders/fragment/fragment_key.h"
 #include "snapshot/feedback.h"
@@ -25,10 +26,11 @@ Vec4 transformed(const Matrix& matrix, const Vec4& v) {
   return out;
 }
 
-bool in_view(const Vec4& clip, const ClipPlaneConstants* planes, const TransformState& transform) {
+bool in_view(const State& s, const Vec4& clip, const ClipPlaneConstants* planes) {
   // GL_IBM_rasterpos_clip spares x and y, GL_ARB_depth_clamp z.
+  const TransformState& transform = s.transform;
   for (int i = transform.raster_position_unclipped ? 2 : 0; i < (transform.depth_clamp ? 2 : 3); ++i)
-    if (!(clip[i] <= clip.w && clip[i] >= -clip.w)) return false;
+    if (!(clip[i] <= clip.w && clip[i] >= (i == 2 && depths_from_zero(s) ? 0 : -clip.w))) return false;
   for (int i = 0; planes && i < planes->count; ++i) {
     const float* p = planes->plane[i];
     if (((clip.x * p[0] + clip.y * p[1]) + clip.z * p[2]) + clip.w * p[3] < 0) return false;
@@ -36,14 +38,11 @@ bool in_view(const Vec4& clip, const ClipPlaneConstants* planes, const Transform
   return true;
 }
 
-Vec4 window_position(const ViewportState& v, const Vec4& clip) {
-  const float half_width = 0.5f * float(v.width), half_height = 0.5f * float(v.height);
-  const float scale[3] = {half_width, half_height, float(0.5 * (v.far_depth - v.near_depth))};
-  const float offset[3] = {half_width + float(v.x), half_height + float(v.y),
-                           float(0.5 * (v.near_depth + v.far_depth))};
+Vec4 window_position(const State& s, const Vec4& clip) {
+  const ViewportTransform t = viewport_transform(s);
   const float inverse = clip.w == 0 ? 1.0f : 1.0f / clip.w;
   Vec4 window;
-  for (int i = 0; i < 3; ++i) window[i] = clip[i] * inverse * scale[i] + offset[i];
+  for (int i = 0; i < 3; ++i) window[i] = clip[i] * inverse * t.scale[i] + t.offset[i];
   window.w = clip.w;
   return window;
 }
@@ -99,9 +98,9 @@ void RasterPos(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
   const Vec4 clip = transformed(c.matrices.projection.top(), eye);
   const Arena::Mark mark = c.frame.arena().mark();
   const ClipPlaneConstants* planes = make_clip_planes(c, c.frame.arena());
-  position.valid = in_view(clip, planes, s.transform);
+  position.valid = in_view(s, clip, planes);
   if (position.valid) {
-    position.window = window_position(s.viewport, clip);
+    position.window = window_position(s, clip);
     if (s.transform.depth_clamp) {
       const auto [low, high] = std::minmax({float(s.viewport.near_depth), float(s.viewport.far_depth)});
       position.window.z = std::clamp(position.window.z, low, high);

@@ -30,6 +30,7 @@ const Group groups[] = {
      kDirtyMaterial},
     GROUP(GL_CURRENT_BIT, raster_position),
     GROUP(GL_TRANSFORM_BIT, transform),
+    GROUP(GL_TRANSFORM_BIT, clip_control),
     GROUP(GL_VIEWPORT_BIT, viewport),
     GROUP(GL_FOG_BIT, fog),
     GROUP(GL_LIGHTING_BIT, lighting),

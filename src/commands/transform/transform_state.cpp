@@ -1,4 +1,4 @@
-// Viewport, depth range and user clip planes (GL 1.5, 2.11.1 and 2.12).
+// Viewport, depth range, clip control and user clip planes (GL 1.5, 2.11.1 and 2.12; GL_ARB_clip_control).
 #include <algorithm>
 
 #include "commands/generated/commands.h"
@@ -23,6 +23,14 @@ void DepthRange(Context& c, GLdouble n, GLdouble f) {
   ViewportState& v = edit<&State::viewport>(c);
   v.near_depth = clamp(n);
   v.far_depth = clamp(f);
+}
+
+void ClipControl(Context& c, GLenum origin, GLenum depth) {
+  if (const char* wrong =
+          first_wrong({{"origin", origin != GL_LOWER_LEFT && origin != GL_UPPER_LEFT},
+                       {"depth", depth != GL_NEGATIVE_ONE_TO_ONE && depth != GL_ZERO_TO_ONE}}))
+    return set_error(c, GL_INVALID_ENUM, wrong);
+  edit<&State::clip_control>(c) = {origin, depth};
 }
 
 void ClipPlane(Context& c, GLenum plane, const GLdouble* equation) {
