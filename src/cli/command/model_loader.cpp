@@ -32,6 +32,7 @@ void refuse_triangles(const ObjModel& model, const std::string& name, uint64_t m
 LoadedModel load_model(const SourceText& text, unsigned threads, RemarkList& remarks, Warnings& warnings,
                        Warnings& notes, const LoadLimits& limits) {
   LoadedModel loaded;
+  loaded.library = MaterialLibrary(limits.strict_materials);
   loaded.model = read_obj(text, threads, remarks);
   ObjModel& model = loaded.model;
   if (model.face_count + model.segment_count + model.point_count == 0 && model.position_count > 0 &&

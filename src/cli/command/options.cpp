@@ -241,6 +241,8 @@ private:
   // For models of unknown origin.
   void add_limits(CLI::App& app) {
     RunLimits& limits = options_.limits;
+    app.add_flag("--strict-mtl", limits.load.strict_materials,
+                 "black stays black under a picture (Kd 0 0 0 with map_Kd)");
     app.add_flag("--allow-any-path", limits.load.any_path, "the model may name files outside of its folder");
     add_mebibytes(app, "--max-input", "refuse larger models [standard input: 256]", limits.input_bytes);
     add_number(app, "--max-triangles", "N", "refuse models of more triangles", limits.load.triangles, 1,
