@@ -5,6 +5,7 @@
 
 #include "image/image_writer.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <fstream>
@@ -122,4 +123,127 @@ TEST_CASE("model formats: black under a picture", "[models][formats]") {
             "k.mtl: material \"m\" has a picture and Kd 0 0 0; drawn as Kd 1 1 1"));
   CHECK(draw("k.obj", model).errors.empty());
   CHECK(green("newmtl m\nKd 0 0 0\n") < 5); // without a picture black is black
+}
+
+namespace {
+
+std::string little_endian(std::initializer_list<float> values) {
+  std::string bytes;
+  for (const float value : values) bytes.append(reinterpret_cast<const char*>(&value), 4);
+  return bytes;
+}
+
+std::string reversed_words(std::string bytes) {
+  for (size_t i = 0; i + 3 < bytes.size(); i += 4)
+    std::reverse(bytes.begin() + long(i), bytes.begin() + long(i) + 4);
+  return bytes;
+}
+
+// A tetrahedron, as the others are below.
+const std::string kTetrahedron = "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+constexpr float kPlaces[4][3] = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}};
+constexpr int kFaces[4][3] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+
+std::string text_stl() {
+  std::string text = "solid t\n";
+  for (const auto& face : kFaces) {
+    text += " facet normal 0 0 1\n  outer loop\n";
+    for (const int corner : face) {
+      text += "   vertex";
+      for (const float value : kPlaces[corner]) text += " " + std::to_string(value);
+      text += "\n";
+    }
+    text += "  endloop\n endfacet\n";
+  }
+  return text + "endsolid t\n";
+}
+
+std::string binary_stl() {
+  std::string bytes = std::string(80, 's') + std::string("\4\0\0\0", 4);
+  for (const auto& face : kFaces) {
+    bytes += little_endian({0, 0, 1});
+    for (const int corner : face)
+      bytes += little_endian({kPlaces[corner][0], kPlaces[corner][1], kPlaces[corner][2]});
+    bytes += std::string(2, '\0');
+  }
+  return bytes;
+}
+
+std::string ply(const std::string& format) {
+  std::string text = "ply\nformat " + format +
+                     " 1.0\ncomment c\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
+                     "z\nelement face 4\nproperty list int int vertex_indices\nend_header\n";
+  const bool ascii = format == "ascii";
+  std::string body;
+  for (const auto& place : kPlaces)
+    for (const float value : place) body += ascii ? std::to_string(value) + " " : little_endian({value});
+  for (const auto& face : kFaces) {
+    const int words[4] = {3, face[0], face[1], face[2]};
+    for (const int word : words)
+      body += ascii ? std::to_string(word) + " " : std::string(reinterpret_cast<const char*>(&word), 4);
+  }
+  return text + (format == "binary_big_endian" ? reversed_words(body) : body);
+}
+
+} // namespace
+
+TEST_CASE("model formats: STL and PLY are drawn as the same OBJ file", "[models][formats]") {
+  const std::vector<std::string> look = {"--up", "+Y", "--az", "30", "--el", "20"};
+  const ProgramRun obj = draw("t.obj", kTetrahedron, look);
+  CHECK(parse_ppm(obj.output).colors() > 2);
+  const std::pair<const char*, std::string> files[] = {
+      {"text.stl", text_stl()}, {"binary.stl", binary_stl()},           {"named.dat", binary_stl()},
+      {"a.ply", ply("ascii")},  {"l.ply", ply("binary_little_endian")}, {"b.ply", ply("binary_big_endian")}};
+  for (const auto& [name, bytes] : files) {
+    INFO(name);
+    const ProgramRun run = draw(name, bytes, look);
+    CHECK(run.errors.empty());
+    CHECK(run.output == obj.output);
+    CHECK(has(run_softgl({"info", write(name, bytes)}).output, "4 triangles from 4 faces, 4 vertices"));
+    for (size_t length = 0; length < bytes.size(); length += 37) { // whatever is cut off: drawn or refused
+      const ProgramRun cut = run_softgl({"info", write("cut" + std::string(name), bytes.substr(0, length))});
+      CHECK((cut.exit_code == 0 || cut.exit_code == 3));
+      if (cut.exit_code == 3) CHECK(has(cut.errors, "softgl: error: "));
+    }
+  }
+}
+
+TEST_CASE("model formats: what STL and PLY files get wrong", "[models][formats]") {
+  const ProgramRun cut = draw("cut.stl", binary_stl().substr(0, 84 + 50 * 3 + 20));
+  CHECK(cut.exit_code == 0);
+  CHECK(has(cut.errors, "cut.stl: the file is cut off: it has 3 of 4 triangles"));
+  const ProgramRun words =
+      draw("w.stl", "solid\nfacet\nvertex a b c\nvertex 0 0 0\nvertex 1 0 0\nendfacet\n" + text_stl());
+  CHECK(has(words.errors, "w.stl:3: a vertex needs three numbers; its facet is skipped"));
+  std::string index = ply("ascii");
+  index.replace(index.rfind("3 1 2 3"), 7, "3 1 2 9");
+  CHECK(has(draw("i.ply", index).errors,
+            "a face names a vertex that does not exist or is not finite (the file has 4)"));
+  CHECK(has(draw("h.ply", "ply\nformat ascii 1.0\nelement vertex 3\nend_header\n").errors,
+            "has no vertices with x, y and z"));
+  CHECK(has(draw("h.ply", "ply\nformat ascii 1.0\nelement vertex 3\n").errors, "has no end of its header"));
+  CHECK(has(draw("h.ply", "ply\nelement vertex 99999999999999999999\nend_header\n").errors,
+            "count that is no number"));
+}
+
+TEST_CASE("model formats: properties of PLY vertices", "[models][formats]") {
+  const auto middle = [](const std::string& type, const std::string& one, const std::string& zero) {
+    std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
+    for (const char* name : {"red", "green", "blue"}) text += "property " + type + " " + name + "\n";
+    text += "element other 1\nproperty list uchar int whatever\nelement face 1\nproperty list uchar int "
+            "vertex_index\nend_header\n";
+    for (const char* place : {"-1 -1 0 ", "1 -1 0 ", "1 1 0 ", "-1 1 0 "})
+      text += place + zero + " " + one + " " + zero + "\n";
+    const ProgramRun run = draw("c.ply", text + "2 7 8\n4 0 1 2 3\n");
+    INFO(run.errors);
+    const TestPicture picture = parse_ppm(run.output);
+    const uint8_t* p = picture.at(20, 20);
+    return std::array<int, 3>{p[0], p[1], p[2]};
+  };
+  const auto bytes = middle("uchar", "255", "0");
+  CHECK(bytes[0] == 0);
+  CHECK(bytes[1] > 150);
+  CHECK(middle("float", "1", "0") == bytes);
+  CHECK(middle("ushort", "65535", "0") == bytes);
 }

@@ -136,7 +136,10 @@ private:
 
   UpAxis guess_up_axis(const Mesh& mesh, const ModelFrame& frame, const LoadedModel& loaded,
                        const SourceText& text) {
-    const std::string_view comments(text.begin(), std::min<size_t>(text.size(), 4096));
+    const std::string_view comments =
+        loaded.report.format == std::string_view("STL")
+            ? "# STL"
+            : std::string_view(text.begin(), std::min<size_t>(text.size(), 4096));
     const UpEvidence evidence = up_evidence(mesh, frame, loaded.library.materials(), comments);
     notes_.add(text.name(), "what speaks for +Z (positive) and +Y: " + as_text(evidence));
     if (!z_is_up(evidence)) return UpAxis::kPlusY;
