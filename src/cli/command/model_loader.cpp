@@ -5,6 +5,8 @@
 #include "common/program_error.h"
 #include "mesh/face_triangulation.h"
 #include "obj/file_search.h"
+#include "obj/ply_reader.h"
+#include "obj/stl_reader.h"
 
 namespace softgl::cli {
 namespace {
@@ -32,7 +34,12 @@ void refuse_triangles(const ObjModel& model, const std::string& name, uint64_t m
 LoadedModel load_model(const SourceText& text, unsigned threads, RemarkList& remarks, Warnings& warnings,
                        Warnings& notes, const LoadLimits& limits) {
   LoadedModel loaded;
-  loaded.model = read_obj(text, threads, remarks);
+  loaded.library = MaterialLibrary(limits.strict_materials);
+  const bool ply = is_ply(text), stl = !ply && is_stl(text);
+  loaded.report.format = ply ? "PLY" : stl ? "STL" : "OBJ";
+  loaded.model = ply   ? read_ply(text, remarks)
+                 : stl ? read_stl(text, remarks)
+                       : read_obj(text, threads, remarks);
   ObjModel& model = loaded.model;
   if (model.face_count + model.segment_count + model.point_count == 0 && model.position_count > 0 &&
       remarks.empty()) {

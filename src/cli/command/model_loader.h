@@ -15,8 +15,9 @@ struct LoadedModel {
 
 // For models of unknown origin.
 struct LoadLimits {
-  bool any_path = false;  // a model may name files outside of its folder
-  uint64_t triangles = 0; // 0: any number
+  bool strict_materials = false; // what the material file says, even where exporters mean something else
+  bool any_path = false;         // a model may name files outside of its folder
+  uint64_t triangles = 0;        // 0: any number
 };
 
 // Remarks about the model's own text stay in `remarks`, so that later steps can add theirs; those about

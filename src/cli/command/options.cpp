@@ -80,7 +80,8 @@ void add_word(CLI::App& app, const char* names, const char* type, const char* de
 class CommandLine {
 public:
   CommandLine()
-      : app_("softgl draws OBJ models with the OpenGL fixed-function pipeline, on the CPU.", "softgl") {
+      : app_("softgl draws OBJ, PLY and STL models with the OpenGL fixed-function pipeline, on the CPU.",
+             "softgl") {
     app_.footer(kFooter);
     app_.set_version_flag("--version", std::string("softgl ") + SOFTGL_VERSION);
     app_.get_formatter()->column_width(26);
@@ -125,7 +126,8 @@ public:
 
 private:
   void add_files() {
-    app_.add_option("model", options_.model, "OBJ file; - for standard input")->type_name("MODEL.obj");
+    app_.add_option("model", options_.model, "OBJ, PLY or STL file, or .gz or .zst; - for standard input")
+        ->type_name("MODEL.obj");
     app_.add_option("-o,--output", options_.output,
                     "picture to write (.png .ppm .pam .jpg .bmp .tga); - for standard output")
         ->type_name("FILE");
@@ -241,6 +243,8 @@ private:
   // For models of unknown origin.
   void add_limits(CLI::App& app) {
     RunLimits& limits = options_.limits;
+    app.add_flag("--strict-mtl", limits.load.strict_materials,
+                 "black stays black under a picture (Kd 0 0 0 with map_Kd)");
     app.add_flag("--allow-any-path", limits.load.any_path, "the model may name files outside of its folder");
     add_mebibytes(app, "--max-input", "refuse larger models [standard input: 256]", limits.input_bytes);
     add_number(app, "--max-triangles", "N", "refuse models of more triangles", limits.load.triangles, 1,
@@ -258,7 +262,7 @@ private:
 
   void add_info() {
     info_ = app_.add_subcommand("info", "describe a model instead of drawing it");
-    info_->add_option("model", options_.model, "OBJ file; - for standard input")
+    info_->add_option("model", options_.model, "OBJ, PLY or STL file, or .gz or .zst; - for standard input")
         ->required()
         ->type_name("MODEL.obj");
     info_->add_flag("--json", options_.json, "as JSON");

@@ -12,6 +12,7 @@
 #include "command/figure.h"
 #include "command/model_loader.h"
 #include "command/options.h"
+#include "common/compressed_text.h"
 #include "common/program_error.h"
 #include "common/time_limit.h"
 #include "mesh/face_triangulation.h"
@@ -35,7 +36,7 @@ public:
       write(draw_figure(sphere, options_.render, warnings_));
       return kSuccess;
     }
-    const SourceText text = SourceText::open(options_.model, options_.limits.input_bytes);
+    const SourceText text = open_text(options_.model, options_.limits.input_bytes);
     RemarkList remarks;
     LoadedModel loaded = load_model(text, threads(), remarks, warnings_, notes_, options_.limits.load);
     times_.read = since(start);
@@ -135,7 +136,10 @@ private:
 
   UpAxis guess_up_axis(const Mesh& mesh, const ModelFrame& frame, const LoadedModel& loaded,
                        const SourceText& text) {
-    const std::string_view comments(text.begin(), std::min<size_t>(text.size(), 4096));
+    const std::string_view comments =
+        loaded.report.format == std::string_view("STL")
+            ? "# STL"
+            : std::string_view(text.begin(), std::min<size_t>(text.size(), 4096));
     const UpEvidence evidence = up_evidence(mesh, frame, loaded.library.materials(), comments);
     notes_.add(text.name(), "what speaks for +Z (positive) and +Y: " + as_text(evidence));
     if (!z_is_up(evidence)) return UpAxis::kPlusY;

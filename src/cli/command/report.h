@@ -12,6 +12,7 @@ namespace softgl::cli {
 
 struct ModelReport {
   std::string name;
+  const char* format = "OBJ"; // or PLY, STL
   uint64_t bytes = 0;
   uint64_t positions = 0, texcoords = 0, normals = 0;
   uint64_t faces = 0, triangles = 0, segments = 0, points = 0;

@@ -35,8 +35,8 @@ bool is_key(std::string_view word) {
 // One MTL file: statements in order, values of the material that the last newmtl began.
 class LibraryReader {
 public:
-  LibraryReader(const SourceText& text, const ModelFiles& files, const std::string& folder)
-      : text_(text), files_(files), folder_(folder) {}
+  LibraryReader(const SourceText& text, const ModelFiles& files, const std::string& folder, bool strict)
+      : text_(text), files_(files), folder_(folder), strict_(strict) {}
 
   void read() {
     const char* p = text_.begin();
@@ -238,6 +238,16 @@ private:
   void finish_material() {
     if (!current_) return;
     Material& material = *current_;
+    const float* diffuse = material.diffuse;
+    if (!strict_ && !material.diffuse_map.file.empty() && diffuse[0] + diffuse[1] + diffuse[2] == 0) {
+      // Exporters that write a picture leave the color at 0, and mean the picture.
+      std::fill_n(material.diffuse, 3, 1.0f);
+      if (material.ambient[0] + material.ambient[1] + material.ambient[2] == 0) has_ambient_ = false;
+      if (notes.count("black under a picture"))
+        notes.describe("black under a picture", nullptr,
+                       "material \"" + printable(material.name) +
+                           "\" has a picture and Kd 0 0 0; drawn as Kd 1 1 1 (--strict-mtl keeps it black)");
+    }
     if (!has_ambient_) std::copy_n(material.diffuse, 3, material.ambient);
     // d is the opacity, Tr = 1 - d. A lone `Tr 1` is what some exporters write for opaque.
     if (dissolve_)
@@ -253,6 +263,7 @@ private:
   const SourceText& text_;
   const ModelFiles& files_;
   const std::string& folder_;
+  const bool strict_;
   const char* statement_ = nullptr;
   std::string_view key_, arguments_;
   std::optional<Material> current_;
@@ -291,7 +302,7 @@ std::vector<std::string> library_names(std::string_view line, const ModelFiles& 
 
 void MaterialLibrary::read(const SourceText& text, const ModelFiles& files, const std::string& folder,
                            Warnings& warnings, Warnings& notes) {
-  LibraryReader reader(text, files, folder);
+  LibraryReader reader(text, files, folder, strict_);
   reader.read();
   if (reader.found.empty()) { // not a library: say nothing of what stands in it
     warnings.add(text.name(), "this file has no materials; ignored");

@@ -17,7 +17,8 @@ namespace softgl::cli {
 
 class MaterialLibrary {
 public:
-  MaterialLibrary() : materials_(1) {}
+  // `strict`: a diffuse color of black stays black where there is a diffuse picture.
+  explicit MaterialLibrary(bool strict = false) : strict_(strict), materials_(1) {}
 
   // Reads all libraries that the model names. Missing ones are warned of, never an error.
   void load_for(const ObjModel& model, const ModelFiles& files, RemarkList& model_remarks, Warnings& warnings,
@@ -33,6 +34,7 @@ public:
   uint32_t find(std::string_view name) const;
 
 private:
+  bool strict_;
   std::vector<Material> materials_;
   std::unordered_map<std::string, uint32_t> by_name_;
 };

@@ -1,6 +1,7 @@
 #include "obj/obj_chunk.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "obj/element_statements.h"
 #include "obj/vertex_statements.h"
@@ -32,7 +33,10 @@ public:
           other_statement();
         }
         break;
-      case '#': in_.finish_line(); continue;
+      case '#':
+        if (std::strncmp(in_.p, "#MRGB ", 6) == 0) painted_vertices();
+        in_.finish_line();
+        continue;
       case '\n':
       case '\r': break;
       default: other_statement();
@@ -60,6 +64,19 @@ private:
       vertices_.position(); // `v` alone still counts as a vertex
     } else {
       other_statement();
+    }
+  }
+
+  // For each vertex eight hexadecimal digits: a mask, red, green, blue.
+  void painted_vertices() {
+    const auto digit = [](char c) {
+      return c >= '0' && c <= '9' ? c - '0' : (c | 32) >= 'a' && (c | 32) <= 'f' ? (c | 32) - 'a' + 10 : -1;
+    };
+    for (const char* q = in_.p + 6;; q += 8) {
+      int values[8];
+      for (int i = 0; i < 8; ++i)
+        if ((values[i] = digit(q[i])) < 0) return; // the text ends with a zero byte
+      for (int i = 2; i < 8; i += 2) out_.painted.append(float(16 * values[i] + values[i + 1]) / 255.0f);
     }
   }
 

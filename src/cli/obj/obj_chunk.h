@@ -37,6 +37,7 @@ struct ObjChunk {
 
   GrowingArray<double> positions; // x y z; NaN where the file had no usable number
   GrowingArray<float> colors;     // r g b per position; empty, or NaN where a vertex has none
+  GrowingArray<float> painted;    // r g b of ZBrush's #MRGB comments
   GrowingArray<float> texcoords;  // u v
   GrowingArray<float> normals;    // x y z
 

@@ -110,6 +110,16 @@ void merge_colors(std::vector<ObjChunk>& chunks, ObjModel& model) {
   for (float& value : model.colors) value = value < 0 ? 0 : value * scale;
 }
 
+// ZBrush lists the colors of all vertices in comments, in the order of the vertices.
+void merge_painted(std::vector<ObjChunk>& chunks, ObjModel& model) {
+  GrowingArray<float> painted;
+  merge(chunks, &ObjChunk::painted, painted);
+  if (painted.empty() || !model.colors.empty()) return;
+  painted.truncate(std::min(painted.size(), 3 * size_t(model.position_count)));
+  painted.fill(3 * size_t(model.position_count) - painted.size(), std::numeric_limits<float>::quiet_NaN());
+  model.colors = std::move(painted);
+}
+
 void add_base(IndexList& list, uint64_t base) {
   for (const uint32_t place : list.relative) {
     int32_t& index = list.values[place];
@@ -295,6 +305,7 @@ ObjModel read_obj(const SourceText& text, unsigned threads, RemarkList& remarks)
     }
   }
   merge_colors(model.chunks, model);
+  merge_painted(model.chunks, model);
   merge(model.chunks, &ObjChunk::positions, model.positions);
   merge(model.chunks, &ObjChunk::texcoords, model.texcoords);
   merge(model.chunks, &ObjChunk::normals, model.normals);
@@ -316,9 +327,7 @@ const char* known_binary_kind(std::string_view start) {
   static constexpr struct {
     std::string_view bytes;
     const char* kind;
-  } kKinds[] = {{"\x1f\x8b", "compressed with gzip"},
-                {"\x28\xb5\x2f\xfd", "compressed with zstd"},
-                {"\xfd"
+  } kKinds[] = {{"\xfd"
                  "7zXZ",
                  "compressed with xz"},
                 {"BZh", "compressed with bzip2"},

@@ -145,8 +145,8 @@ double standing(const ModelFrame& frame, int axis) {
 
 // +1: programs whose models stand on the XY plane; -1: those that write Y up unless told otherwise.
 double exporter(std::string_view comments) {
-  for (const char* name : {"OBJ file written 2", "# Regions:", "Tinkercad", "FreeCAD", "OpenSCAD", "OpenFOAM",
-                           "Onshape", "netfabb", "AutoCAD", "CloudCompare"})
+  for (const char* name : {"# STL", "OBJ file written 2", "# Regions:", "Tinkercad", "FreeCAD", "OpenSCAD",
+                           "OpenFOAM", "Onshape", "netfabb", "AutoCAD", "CloudCompare"})
     if (comments.find(name) != comments.npos) return 1;
   for (const char* name : {"Blender", "3ds Max", "Maya", "CINEMA 4D", "ZBrush", "MilkShape", "SketchUp",
                            "Modo", "Houdini", "Unity", "Wings 3D", "Anim8or"})
