@@ -2,7 +2,9 @@
 #include "context/attribute_stack.h"
 #include "context/texture_bindings.h"
 
+#include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <type_traits>
 
 #include "commands/generated/commands.h"
@@ -24,7 +26,7 @@ struct Group {
 // clang-format off
 #define GROUP(bit, member) {bit, offsetof(State, member), sizeof(State::member), kDirtyBitsOf<&State::member>}
 // clang-format on
-const Group groups[] = {
+const Group groups_of_state[] = {
     {GL_CURRENT_BIT, offsetof(State, current), kMaterial0 * sizeof(Vec4), kDirtyCurrent},
     {GL_LIGHTING_BIT, offsetof(State, current) + kMaterial0 * sizeof(Vec4), kMaterialSlots * sizeof(Vec4),
      kDirtyMaterial},
@@ -61,7 +63,7 @@ const Group groups[] = {
 
 size_t groups_size(GLbitfield mask) {
   size_t size = 0;
-  for (const Group& group : groups)
+  for (const Group& group : groups_of_state)
     if (group.mask & mask) size += group.size;
   return size;
 }
@@ -90,32 +92,53 @@ struct EnablePlace {
 };
 
 /// GL_ENABLE_BIT is every capability, in table order; those of texture units eight times.
-std::vector<EnablePlace> find_enables() {
-  std::vector<EnablePlace> enables;
-  State state;
-  const auto offset = [&](const void* member) {
-    return size_t(static_cast<const std::byte*>(member) - reinterpret_cast<const std::byte*>(&state));
-  };
-  for (const Capability& e : capabilities())
-    for (int unit = 0; unit < (e.per_unit() ? kMaxTextureUnits : 1); ++unit)
-      enables.push_back({e.flag ? offset(e.flag(state, state.texture.unit[unit])) : offset(e.mask(state)),
-                         e.flag ? 0 : e.bit, e.dirty});
-  return enables;
-}
-const std::vector<EnablePlace>& all_enables() {
-  static const std::vector<EnablePlace> enables = find_enables();
-  return enables;
+struct Enables {
+  std::vector<EnablePlace> all;
+  uint32_t dirty = 0;
+  GLbitfield groups = 0; // where these are saved, all capabilities are
+  bool in_groups = true; // each is in one
+
+  Enables() {
+    State state;
+    const auto offset = [&](const void* member) {
+      return size_t(static_cast<const std::byte*>(member) - reinterpret_cast<const std::byte*>(&state));
+    };
+    for (const Capability& e : capabilities())
+      for (int unit = 0; unit < (e.per_unit() ? kMaxTextureUnits : 1); ++unit)
+        add({e.flag ? offset(e.flag(state, state.texture.unit[unit])) : offset(e.mask(state)),
+             e.flag ? 0 : e.bit, e.dirty});
+  }
+  void add(const EnablePlace& e) {
+    all.push_back(e);
+    dirty |= e.dirty;
+    const auto holds = [&](const Group& g) { return e.offset >= g.offset && e.offset < g.offset + g.size; };
+    const Group* group = std::find_if(std::begin(groups_of_state), std::end(groups_of_state), holds);
+    if (group == std::end(groups_of_state))
+      in_groups = false;
+    else
+      groups |= group->mask;
+  }
+  bool saved_by_groups(GLbitfield mask) const { return in_groups && (mask & groups) == groups; }
+};
+const Enables& enables() {
+  static const Enables table;
+  return table;
 }
 
 void save_textures(Context& c, std::vector<SavedTexture>& saved) {
+  saved.reserve(kTextureTargets);
   for (int unit = 0; unit < kMaxTextureUnits; ++unit)
     for (int target = 0; target < kTextureTargets; ++target) {
       // Units that nobody has touched keep the default objects: one copy of those, from unit 0, is enough.
       if (unit != 0 && c.state.texture.unit[unit].bound[target] == 0) continue;
-      auto object = bound_texture(c, unit, TextureTarget(target));
-      auto parameters = std::make_shared<const TextureParameters>(object->parameters);
-      saved.push_back({unit, TextureTarget(target), std::move(object), std::move(parameters)});
+      saved.push_back({unit, TextureTarget(target), bound_texture(c, unit, TextureTarget(target)), nullptr});
     }
+  // All parameters in one piece of memory.
+  const auto copies = std::make_shared<std::vector<TextureParameters>>(saved.size());
+  for (size_t i = 0; i < saved.size(); ++i) {
+    (*copies)[i] = saved[i].object->parameters;
+    saved[i].parameters = {copies, &(*copies)[i]};
+  }
 }
 
 void restore_textures(Context& c, const std::vector<SavedTexture>& saved) {
@@ -151,11 +174,11 @@ void PushAttrib(Context& c, GLbitfield mask) {
   saved.mask = mask;
   saved.groups.reserve(groups_size(mask) + 256);
   const std::byte* state = reinterpret_cast<const std::byte*>(&c.state);
-  for (const Group& group : groups)
+  for (const Group& group : groups_of_state)
     if (group.mask & mask)
       saved.groups.insert(saved.groups.end(), state + group.offset, state + group.offset + group.size);
-  if (mask & GL_ENABLE_BIT)
-    for (const EnablePlace& e : all_enables()) saved.groups.push_back(std::byte(e.get(state)));
+  if (mask & GL_ENABLE_BIT && !enables().saved_by_groups(mask))
+    for (const EnablePlace& e : enables().all) saved.groups.push_back(std::byte(e.get(state)));
   if (mask & GL_TEXTURE_BIT) save_textures(c, saved.textures);
   saved.draw_buffer = draw_buffer(c), saved.read_buffer = read_buffer(c);
   c.attribute_stack.server.push_back(std::move(saved));
@@ -169,14 +192,16 @@ void PopAttrib(Context& c) {
                window_read_buffer = c.state.pixel_mode.read_buffer;
   std::byte* state = reinterpret_cast<std::byte*>(&c.state);
   const std::byte* from = saved.groups.data();
-  for (const Group& group : groups)
+  for (const Group& group : groups_of_state)
     if (group.mask & saved.mask) {
       std::memcpy(state + group.offset, from, group.size);
       from += group.size;
       c.dirty |= group.dirty;
     }
-  if (saved.mask & GL_ENABLE_BIT)
-    for (const EnablePlace& e : all_enables()) {
+  if (enables().saved_by_groups(saved.mask))
+    c.dirty |= enables().dirty;
+  else if (saved.mask & GL_ENABLE_BIT)
+    for (const EnablePlace& e : enables().all) {
       const bool value = bool(*from++);
       if (e.get(state) == value) continue;
       c.dirty |= e.dirty;
