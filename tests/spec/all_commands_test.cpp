@@ -103,7 +103,7 @@ TEST_CASE("between Begin and End only the commands of 2.6.3 are accepted", "[spe
     CHECK(difference(brief, gl) == "");
     refused++;
   }
-  CHECK(refused == 272 + 71);
+  CHECK(refused == 272 + 89);
   CHECK(difference(before, gl, true) == "");
 }
 

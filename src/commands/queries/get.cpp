@@ -90,7 +90,7 @@ PixelKind preferred_reading(GLenum base, ColorFormat format, const ColorEncoding
   return {components, GL_UNSIGNED_BYTE};
 }
 
-/// How colors are best read (GL_OES_read_format): as they are stored.
+/// How colors are best read (GL_OES_read_format): as they are stored. GL_NONE where there are none.
 PixelKind preferred_reading(const Context& c) {
   const FramebufferObject* f = c.bindings.read.get();
   if (!f) {
@@ -101,7 +101,7 @@ PixelKind preferred_reading(const Context& c) {
     return kind;
   }
   const Attachment* a = f->complete() ? f->color_of(f->read_buffer) : nullptr;
-  if (!a || a->empty()) return {GL_RGBA, GL_UNSIGNED_BYTE};
+  if (!a || a->empty()) return {GL_NONE, GL_NONE};
   const RenderFormat format = a->format();
   return preferred_reading(format.texels ? format.texels->base : GL_RGBA, format.color, format.encoding);
 }
