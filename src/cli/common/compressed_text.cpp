@@ -114,7 +114,10 @@ bool starts_with(const SourceText& file, std::string_view bytes) {
 } // namespace
 
 SourceText open_text(const std::string& path, uint64_t most) {
-  SourceText file = SourceText::open(path, most);
+  return decompressed(SourceText::open(path, most), most);
+}
+
+SourceText decompressed(SourceText file, uint64_t most) {
   [[maybe_unused]] const uint64_t limit = most ? most : std::max<uint64_t>(64 * file.size(), 16 << 20);
   if (starts_with(file, "\x1f\x8b")) {
 #ifdef SOFTGL_HAVE_ZLIB

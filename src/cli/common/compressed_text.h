@@ -10,4 +10,7 @@ namespace softgl::cli {
 // and where the program was built without the library.
 SourceText open_text(const std::string& path, uint64_t most = 0);
 
+// The same for a file that is open already.
+SourceText decompressed(SourceText file, uint64_t most = 0);
+
 } // namespace softgl::cli

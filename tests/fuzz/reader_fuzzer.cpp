@@ -1,0 +1,64 @@
+// A program of libFuzzer for what reads files of unknown origin: models (OBJ, PLY, STL, compressed or not),
+// material libraries, pictures. SOFTGL_FUZZ_READER names one of the functions below.
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "command/model_loader.h"
+#include "common/compressed_text.h"
+#include "common/program_error.h"
+#include "image/picture_decoder.h"
+#include "mesh/mesh_builder.h"
+#include "mesh/model_frame.h"
+#include "mesh/normal_generator.h"
+
+using namespace softgl::cli;
+
+namespace {
+
+void require(bool good) {
+  if (!good) std::abort();
+}
+
+[[maybe_unused]] void read_model(SourceText text) {
+  RemarkList remarks;
+  Warnings warnings, notes;
+  try {
+    const SourceText source = decompressed(std::move(text));
+    LoadedModel loaded = load_model(source, 1, remarks, warnings, notes);
+    const ModelFrame frame = frame_model(loaded.model);
+    generate_normals(loaded.model, frame, {});
+    const Mesh mesh = build_mesh(loaded.model, frame, loaded.library, {}, remarks);
+    const size_t vertices = mesh.positions.size() / 3;
+    require(mesh.normals.size() == mesh.positions.size());
+    for (const uint32_t index : mesh.triangles) require(index < vertices);
+    for (const float value : mesh.positions) require(std::fabs(value) <= 1.0f);
+    for (const float value : mesh.normals) require(std::fabs(value) <= 1.001f);
+    for (const float value : mesh.texcoords) require(std::isfinite(value));
+    for (const float value : mesh.colors) require(value >= 0 && value <= 1);
+  } catch (const ProgramError& error) { require(error.code == kCannotRead); }
+}
+
+[[maybe_unused]] void read_materials(const SourceText& text) {
+  MaterialLibrary library;
+  Warnings warnings, notes;
+  library.read(text, ModelFiles("fuzz.mtl"), ".", warnings, notes);
+  for (const Material& material : library.materials())
+    require(material.opacity >= 0 && material.opacity <= 1 && material.shininess >= 0 &&
+            material.shininess <= 128);
+}
+
+[[maybe_unused]] void read_picture(const SourceText& text) {
+  DecodedPicture picture;
+  if (!decode_picture(text, picture).empty()) return;
+  require(picture.rgba.size() == size_t(4) * size_t(picture.width) * size_t(picture.height));
+  require(int64_t(picture.width) * picture.height <= kMostTexels);
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size) {
+  SOFTGL_FUZZ_READER(SourceText::from_string({reinterpret_cast<const char*>(bytes), size}, "fuzz"));
+  return 0;
+}
