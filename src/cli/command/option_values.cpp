@@ -232,4 +232,24 @@ Background parse_background(const std::string& text) {
   return background;
 }
 
+std::array<float, 4> parse_tolerance(const std::string& text) {
+  std::vector<double> values;
+  const bool numbers = parse_numbers(text, values);
+  if (values.size() == 1) values.resize(4, values[0]);
+  if (values.size() == 3) values.push_back(0);
+  const bool inside =
+      std::all_of(values.begin(), values.end(), [](double value) { return value >= 0 && value <= 255; });
+  if (!numbers || values.size() != 4 || !inside) refuse("a number from 0 to 255, r,g,b or r,g,b,a", text);
+  return {float(values[0]), float(values[1]), float(values[2]), float(values[3])};
+}
+
+double parse_count_or_percentage(const std::string& text) {
+  const bool percentage = !text.empty() && text.back() == '%';
+  std::vector<double> values;
+  if (!parse_numbers(text.substr(0, text.size() - percentage), values) || values.size() != 1 ||
+      values[0] < 0 || (percentage ? values[0] > 100 : values[0] != std::floor(values[0])))
+    refuse("a whole number or a percentage", text);
+  return values[0];
+}
+
 } // namespace softgl::cli

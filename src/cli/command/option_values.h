@@ -19,5 +19,8 @@ unsigned parse_terms(const std::string& text); // names of terms with commas bet
 // A reflectance: one number or r,g,b, each from 0 to 1, or a color.
 std::array<float, 3> parse_reflectance(const std::string& text);
 Background parse_background(const std::string& text);
+// One number for all channels, or r,g,b or r,g,b,a; each from 0 to 255.
+std::array<float, 4> parse_tolerance(const std::string& text);
+double parse_count_or_percentage(const std::string& text); // a whole number, or one from 0 to 100 and %
 
 } // namespace softgl::cli

@@ -1,14 +1,12 @@
 #include "command/options.h"
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <initializer_list>
 #include <string>
 #include <vector>
 
+#include "command/compare_options.h"
+#include "command/option_kinds.h"
 #include "command/option_values.h"
 #include "common/program_error.h"
 #include "scene/lighting_setup.h"
@@ -34,48 +32,6 @@ Exit codes: 0 done, 2 wrong usage, 3 model unreadable or without visible geometr
 4 picture cannot be written.
 Environment: SOFTGL_THREADS=n (as --threads), SOFTGL_ISA=baseline|v2|v3|v4 (instruction set of the kernels).)";
 
-// Runs a parser of option_values as a CLI11 check, so that its sentence names the option.
-template <class Parse> auto checked(Parse parse) {
-  return [parse](const auto& text) {
-    try {
-      parse(text);
-      return true;
-    } catch (const std::invalid_argument& mistake) { throw CLI::ValidationError(mistake.what()); }
-  };
-}
-
-CLI::Validator range(double low, double high) {
-  return CLI::Validator(
-      [low, high](std::string& text) -> std::string {
-        double value;
-        if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return {};
-        char sentence[128];
-        std::snprintf(sentence, sizeof sentence, "must be a number from %g to %g", low, high);
-        return sentence;
-      },
-      "");
-}
-
-CLI::Validator one_of(std::initializer_list<const char*> words) {
-  return CLI::IsMember(std::vector<std::string>(words.begin(), words.end()));
-}
-
-// An option whose text `use` parses.
-template <class Use>
-void add_parsed(CLI::App& app, const char* names, const char* type, const char* description, Use use) {
-  app.add_option_function<std::string>(names, checked(use), description)->type_name(type);
-}
-
-template <class Value> void add_number(CLI::App& app, const char* names, const char* type,
-                                       const char* description, Value& value, double low, double high) {
-  app.add_option(names, value, description)->check(range(low, high))->type_name(type);
-}
-
-void add_word(CLI::App& app, const char* names, const char* type, const char* description, std::string& word,
-              std::initializer_list<const char*> words) {
-  app.add_option(names, word, description)->check(one_of(words))->type_name(type);
-}
-
 // The command line by groups of options, and what follows from them together.
 class CommandLine {
 public:
@@ -98,6 +54,7 @@ public:
                16384);
     add_info();
     add_figure();
+    compare_ = add_compare(app_, options_.compare);
   }
 
   ParsedOptions parse(int argc, const char* const* argv) {
@@ -114,6 +71,10 @@ public:
     }
     if (*info_) {
       options_.command = ProgramOptions::kInfo;
+      return {options_, 0};
+    }
+    if (*compare_) {
+      options_.command = ProgramOptions::kCompare;
       return {options_, 0};
     }
     std::string mistake = *figure_ ? complete_figure() : std::string();
@@ -350,7 +311,7 @@ private:
   }
 
   CLI::App app_;
-  CLI::App *info_ = nullptr, *figure_ = nullptr;
+  CLI::App *info_ = nullptr, *figure_ = nullptr, *compare_ = nullptr;
   ProgramOptions options_;
   std::string png_ = "default", view_, shading_ = "gouraud", specular_ = "half", stats_;
   std::optional<double> azimuth_, elevation_;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "command/compare.h"
 #include "command/model_loader.h"
 #include "image/image_writer.h"
 #include "mesh/normal_generator.h"
@@ -31,7 +32,7 @@ struct RunLimits {
 };
 
 struct ProgramOptions {
-  enum Command { kRender, kInfo, kFigure } command = kRender;
+  enum Command { kRender, kInfo, kFigure, kCompare } command = kRender;
   std::string model; // empty for kFigure: a sphere
   std::string output;
   std::string format;
@@ -45,6 +46,7 @@ struct ProgramOptions {
   bool quiet = false, verbose = false, strict = false;
   bool json = false; // info --json
   bool stats = false;
+  CompareOptions compare;
 };
 
 // What main() is to do: options, or an end with that exit code (help, version, or a mistake already

@@ -30,6 +30,11 @@ public:
 
   int run() {
     const auto start = Clock::now();
+    if (options_.command == ProgramOptions::kCompare) {
+      CompareOptions compare = options_.compare;
+      compare.threads = threads();
+      return run_compare(compare);
+    }
     if (options_.command == ProgramOptions::kFigure && options_.model.empty()) {
       FigureSubject sphere = sphere_subject(options_.camera);
       override_reflectances(sphere.materials);

@@ -1,53 +1,32 @@
 #include "command/report.h"
 
-#include <cmath>
 #include <cstdio>
+
+#include "common/json_text.h"
 
 namespace softgl::cli {
 namespace {
 
-std::string number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.9g", value);
-  return text;
-}
-
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    const auto byte = uint8_t(c);
-    if (c == '"' || c == '\\')
-      (result += '\\') += c;
-    else if (byte < 32 || byte == 127) {
-      char escape[8];
-      std::snprintf(escape, sizeof escape, "\\u%04x", byte);
-      result += escape;
-    } else
-      result += c;
-  }
-  return result + "\"";
-}
-
 std::string triple(const double* values) {
-  return "[" + number(values[0]) + ", " + number(values[1]) + ", " + number(values[2]) + "]";
+  return "[" + json_number(values[0]) + ", " + json_number(values[1]) + ", " + json_number(values[2]) + "]";
 }
 
 std::string counts(const ModelReport& r) {
   const auto item = [](const char* name, uint64_t value) {
     return "  \"" + std::string(name) + "\": " + std::to_string(value) + ",\n";
   };
-  return "  \"file\": " + quoted(r.name) + ",\n" + item("bytes", r.bytes) + item("vertices", r.positions) +
-         item("texture_coordinates", r.texcoords) + item("normals", r.normals) + item("faces", r.faces) +
-         item("triangles", r.triangles) + item("line_segments", r.segments) + item("points", r.points) +
-         item("objects", r.objects) + item("groups", r.groups) + item("materials", r.materials) +
-         item("textures", r.textures);
+  return "  \"file\": " + json_string(r.name) + ",\n" + item("bytes", r.bytes) +
+         item("vertices", r.positions) + item("texture_coordinates", r.texcoords) +
+         item("normals", r.normals) + item("faces", r.faces) + item("triangles", r.triangles) +
+         item("line_segments", r.segments) + item("points", r.points) + item("objects", r.objects) +
+         item("groups", r.groups) + item("materials", r.materials) + item("textures", r.textures);
 }
 
 std::string warning_list(const Warnings& warnings) {
   std::string text = "  \"warning_count\": " + std::to_string(warnings.count()) + ",\n  \"warnings\": [";
   const char* separator = "\n    ";
   for (const std::string& sentence : warnings.sentences()) {
-    text += separator + quoted(sentence);
+    text += separator + json_string(sentence);
     separator = ",\n    ";
   }
   return text + (warnings.sentences().empty() ? "]" : "\n  ]");
@@ -70,14 +49,15 @@ std::string as_text(const ModelReport& r) {
   add(r.textures, "textures");
   if (r.vertex_colors) text += ", vertex colors";
   if (r.smoothing_groups) text += ", smoothing groups";
-  return text + "\n  from " + triple(r.low) + " to " + triple(r.high) + ", area " + number(r.area) + "\n";
+  return text + "\n  from " + triple(r.low) + " to " + triple(r.high) + ", area " + json_number(r.area) +
+         "\n";
 }
 
 std::string as_json(const ModelReport& r, const Warnings& warnings) {
   return "{\n" + counts(r) + "  \"vertex_colors\": " + (r.vertex_colors ? "true" : "false") +
          ",\n  \"smoothing_groups\": " + (r.smoothing_groups ? "true" : "false") +
          ",\n  \"low\": " + triple(r.low) + ",\n  \"high\": " + triple(r.high) +
-         ",\n  \"area\": " + number(r.area) + ",\n" + warning_list(warnings) + "\n}\n";
+         ",\n  \"area\": " + json_number(r.area) + ",\n" + warning_list(warnings) + "\n}\n";
 }
 
 std::string stats_as_json(const ModelReport& r, const RunTimes& t, int width, int height,
