@@ -7,6 +7,7 @@
 #include <set>
 
 #include "command/compare_report.h"
+#include "command/report.h"
 #include "common/parallel.h"
 #include "common/program_error.h"
 #include "image/image_writer.h"
@@ -138,7 +139,7 @@ private:
       return image_format_of(path).empty() ? path + ".png" : path;
     };
     results_.resize(names.size());
-    parallel_for(names.size(), options_.threads, [&](size_t i) {
+    parallel_for(names.size(), options_.threads, [&](size_t i, unsigned) {
       const std::string first = within(options_.first, names[i]), second = within(options_.second, names[i]);
       for (const std::string& path : {first, second})
         if (!fs::exists(path)) {
@@ -170,8 +171,7 @@ private:
       if (folders)
         text += std::to_string(same) + " of " + std::to_string(results_.size()) + " are the same\n";
     }
-    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-      throw ProgramError(kCannotWrite, "standard output: cannot write");
+    print_text(text, stdout);
   }
 
   int code() const {

@@ -165,6 +165,16 @@ void parse_size(const std::string& text, int& width, int& height) {
   height = int(h);
 }
 
+void parse_sheet(const std::string& text, int& columns, int& rows) {
+  rows = 0;
+  int unused;
+  if (text.find_first_of("xX,") == std::string::npos)
+    parse_size(text, columns, unused);
+  else
+    parse_size(text, columns, rows);
+  if (columns > 100 || rows > 100) refuse("a sheet of at most 100 columns and rows", text);
+}
+
 UpAxis parse_up_axis(const std::string& text) {
   const std::string name = lower(text);
   if (name == "auto") return UpAxis::kAuto;
@@ -172,6 +182,15 @@ UpAxis parse_up_axis(const std::string& text) {
   const std::string axis = name.substr(sign ? 1 : 0);
   if (axis.size() != 1 || axis[0] < 'x' || axis[0] > 'z') refuse("an axis such as +Y, -Z or auto", text);
   return UpAxis(2 * (axis[0] - 'x') + (name[0] == '-'));
+}
+
+std::vector<std::string> parse_views(const std::string& text) {
+  std::vector<std::string> names = split_list(text);
+  double unused;
+  for (const std::string& name : names)
+    if (!named_view(name, unused, unused))
+      refuse("a view: iso, front, back, left, right, top or bottom", name);
+  return names;
 }
 
 LightOptions parse_light(const std::string& text) {
@@ -250,6 +269,16 @@ double parse_count_or_percentage(const std::string& text) {
       values[0] < 0 || (percentage ? values[0] > 100 : values[0] != std::floor(values[0])))
     refuse("a whole number or a percentage", text);
   return values[0];
+}
+
+std::vector<std::string> split_list(const std::string& text) {
+  std::vector<std::string> parts;
+  for (size_t begin = 0; begin <= text.size();) {
+    const size_t comma = std::min(text.find(',', begin), text.size());
+    parts.push_back(text.substr(begin, comma - begin));
+    begin = comma + 1;
+  }
+  return parts;
 }
 
 } // namespace softgl::cli

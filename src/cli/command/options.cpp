@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "command/batch_options.h"
 #include "command/compare_options.h"
 #include "command/option_kinds.h"
 #include "command/option_values.h"
@@ -47,6 +48,7 @@ public:
     add_shading();
     add_lights();
     add_colors();
+    add_batch(app_, options_);
     add_effort();
     add_run(app_, "more about the model and what is left out");
     add_limits(app_);
@@ -87,10 +89,12 @@ public:
 
 private:
   void add_files() {
-    app_.add_option("model", options_.model, "OBJ, PLY or STL file, or .gz or .zst; - for standard input")
+    app_.add_option("model", options_.models,
+                    "OBJ, PLY or STL files, also .gz or .zst, or folders of them; - for standard input")
         ->type_name("MODEL.obj");
     app_.add_option("-o,--output", options_.output,
-                    "picture to write (.png .ppm .pam .jpg .bmp .tga); - for standard output")
+                    "picture to write (.png .ppm .pam .jpg .bmp .tga .gif .apng), - for standard output; "
+                    "{model}, {dir}, {view}, {frame} and {n} (its number) in the name stand for themselves")
         ->type_name("FILE");
     app_.add_option("--format", options_.format, "picture format where the file name does not say it")
         ->type_name("png|ppm|..");
@@ -102,11 +106,11 @@ private:
   }
 
   void add_view() {
-    CameraOptions& camera = options_.camera;
+    CameraOptions& camera = camera_;
     camera.up = UpAxis::kAuto;
-    add_word(app_, "--view", "NAME",
-             "iso (three-quarter view), front, back, left, right, top or bottom [iso]", view_,
-             {"iso", "front", "back", "left", "right", "top", "bottom"});
+    add_parsed(app_, "--view", "NAMES",
+               "iso (three-quarter view), front, back, left, right, top, bottom; several with commas [iso]",
+               [this](const std::string& text) { views_ = parse_views(text); });
     add_number(app_, "--az", "DEG", "degrees to the right of the named view, else of the front [35]",
                azimuth_, -1e6, 1e6);
     add_number(app_, "--el", "DEG", "degrees above the named view, else above the horizon [25]", elevation_,
@@ -117,7 +121,7 @@ private:
     app_.add_flag("--ortho", camera.orthographic, "parallel projection");
     add_parsed(app_, "--up", "AXIS",
                "axis of the model that points up: +Y, +Z, -X ..., or auto, which looks at the model [auto]",
-               [this](const std::string& text) { options_.camera.up = parse_up_axis(text); });
+               [this](const std::string& text) { camera_.up = parse_up_axis(text); });
   }
 
   void add_shading() {
@@ -223,8 +227,9 @@ private:
 
   void add_info() {
     info_ = app_.add_subcommand("info", "describe a model instead of drawing it");
-    info_->add_option("model", options_.model, "OBJ, PLY or STL file, or .gz or .zst; - for standard input")
+    info_->add_option("model", options_.models, "OBJ, PLY or STL file, or .gz or .zst; - for standard input")
         ->required()
+        ->expected(1)
         ->type_name("MODEL.obj");
     info_->add_flag("--json", options_.json, "as JSON");
     add_run(*info_, "more about what is left out");
@@ -237,7 +242,9 @@ private:
         "figure", "draw the terms of the light, exponents, Gouraud and Phong shading and both "
                   "specular vectors side by side, on one labelled sheet; takes the options "
                   "of a picture, --size being that of each part [400x400]");
-    figure_->add_option("model", options_.model, "OBJ file; without one a sphere")->type_name("MODEL.obj");
+    figure_->add_option("model", options_.models, "OBJ file; without one a sphere")
+        ->expected(0, 1)
+        ->type_name("MODEL.obj");
     figure_->fallthrough();
   }
 
@@ -253,25 +260,27 @@ private:
     RenderOptions& render = options_.render;
     if (render.background.transparent) return "a figure has no transparent background";
     if (!app_.count("--size")) render.width = render.height = kFigurePart;
-    if (options_.camera.up == UpAxis::kAuto && options_.model.empty()) options_.camera.up = UpAxis::kPlusY;
+    if (camera_.up == UpAxis::kAuto && options_.models.empty()) camera_.up = UpAxis::kPlusY;
+    if (views_.size() > 1 || options_.turntable || options_.sheet_columns) return "a figure is one picture";
     return {};
   }
 
   std::string complete_output() {
-    if (options_.model.empty() && !*figure_) return "no model given";
+    if (options_.models.empty() && !*figure_) return "no model given";
     if (options_.output.empty()) return "no output file given; -o PICTURE.png names one";
     std::string& format = options_.format;
     if (format.empty()) format = image_format_of(options_.output);
     if (format.empty() && options_.output != "-")
       return "cannot tell the picture format of \"" + options_.output +
-             "\"; known are png, ppm, pam, jpg, bmp and tga";
+             "\"; known are png, ppm, pam, jpg, bmp, tga, gif and apng";
     if (format.empty()) format = "png";
     if (!is_image_format(format)) return "unknown picture format \"" + format + "\"";
     options_.png = png_ == "fast"    ? PngEffort::kFast
                    : png_ == "small" ? PngEffort::kSmall
                                      : PngEffort::kDefault;
     options_.stats = !stats_.empty();
-    return {};
+    if (*figure_ && is_animation(format)) return "a figure is no animation";
+    return complete_batch(options_);
   }
 
   std::string complete_rendering() {
@@ -297,23 +306,28 @@ private:
 
   // The angles of a named view are where --az and --el count from; without one they count from the front.
   void complete_view() {
-    CameraOptions& camera = options_.camera;
-    camera.width = options_.render.width;
-    camera.height = options_.render.height;
-    double from_azimuth = 0, from_elevation = 0;
-    if (!view_.empty()) {
-      named_view(view_, from_azimuth, from_elevation);
-      camera.azimuth = from_azimuth;
-      camera.elevation = from_elevation;
+    camera_.width = options_.render.width;
+    camera_.height = options_.render.height;
+    if (views_.empty()) views_.emplace_back(azimuth_ || elevation_ ? "" : "iso");
+    for (const std::string& name : views_) {
+      CameraOptions camera = camera_;
+      double from_azimuth = 0, from_elevation = 0;
+      if (named_view(name, from_azimuth, from_elevation)) {
+        camera.azimuth = from_azimuth;
+        camera.elevation = from_elevation;
+      }
+      if (azimuth_) camera.azimuth = from_azimuth + *azimuth_;
+      if (elevation_) camera.elevation = from_elevation + *elevation_;
+      options_.views.push_back({name.empty() ? "view" : name, camera});
     }
-    if (azimuth_) camera.azimuth = from_azimuth + *azimuth_;
-    if (elevation_) camera.elevation = from_elevation + *elevation_;
   }
 
   CLI::App app_;
   CLI::App *info_ = nullptr, *figure_ = nullptr, *compare_ = nullptr;
   ProgramOptions options_;
-  std::string png_ = "default", view_, shading_ = "gouraud", specular_ = "half", stats_;
+  std::string png_ = "default", shading_ = "gouraud", specular_ = "half", stats_;
+  CameraOptions camera_;
+  std::vector<std::string> views_;
   std::optional<double> azimuth_, elevation_;
   int samples_ = 1;
 };

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "command/compare.h"
 #include "command/model_loader.h"
@@ -31,13 +32,22 @@ struct RunLimits {
   double seconds = 0;
 };
 
+struct NamedView {
+  std::string name;
+  CameraOptions camera;
+};
+
 struct ProgramOptions {
   enum Command { kRender, kInfo, kFigure, kCompare } command = kRender;
-  std::string model; // empty for kFigure: a sphere
+  std::vector<std::string> models; // and folders of models; none for kFigure: a sphere
   std::string output;
   std::string format;
   PngEffort png = PngEffort::kDefault;
-  CameraOptions camera;
+  std::vector<NamedView> views; // at least one
+  int turntable = 0;            // pictures of a turn around the model; 0: no turn
+  int frames_per_second = 25;
+  int sheet_columns = 0, sheet_rows = 0; // no columns: no sheet; no rows: as many as it takes
+  bool skip_existing = false, keep_going = false;
   RenderOptions render;
   NormalOptions normals;
   MaterialOptions materials;

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "common/json_text.h"
+#include "common/program_error.h"
 
 namespace softgl::cli {
 namespace {
@@ -75,6 +76,11 @@ std::string stats_as_json(const ModelReport& r, const RunTimes& t, int width, in
   return "{\n" + counts(r) + "  \"width\": " + std::to_string(width) +
          ",\n  \"height\": " + std::to_string(height) + ",\n  \"milliseconds\": {\n" + times +
          "  },\n  \"peak_kib\": " + std::to_string(t.peak_kib) + ",\n" + warning_list(warnings) + "\n}\n";
+}
+
+void print_text(const std::string& text, std::FILE* file) {
+  if (std::fwrite(text.data(), 1, text.size(), file) != text.size() || std::fflush(file) != 0)
+    throw ProgramError(kCannotWrite, "standard output: cannot write");
 }
 
 } // namespace softgl::cli

@@ -1,6 +1,7 @@
 // What the program says about a model: `softgl info` and --stats.
 #pragma once
 
+#include <cstdio>
 #include <string>
 
 #include "common/warnings.h"
@@ -32,5 +33,8 @@ std::string as_text(const ModelReport& report);
 std::string as_json(const ModelReport& report, const Warnings& warnings);
 std::string stats_as_json(const ModelReport& report, const RunTimes& times, int width, int height,
                           const Warnings& warnings);
+
+// Throws ProgramError (kCannotWrite).
+void print_text(const std::string& text, std::FILE* file);
 
 } // namespace softgl::cli

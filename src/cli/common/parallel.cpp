@@ -10,14 +10,14 @@
 
 namespace softgl::cli {
 
-void parallel_for(size_t count, unsigned threads, const std::function<void(size_t)>& work) {
+void parallel_for(size_t count, unsigned threads, const std::function<void(size_t, unsigned)>& work) {
   std::atomic<size_t> next{0}, end{count};
   std::mutex mutex;
   std::exception_ptr failure;
-  const auto run = [&] {
+  const auto run = [&](unsigned worker) {
     for (size_t i = next++; i < end; i = next++) {
       try {
-        work(i);
+        work(i, worker);
       } catch (...) {
         const std::scoped_lock lock(mutex);
         if (failure && i > end) continue;
@@ -28,10 +28,10 @@ void parallel_for(size_t count, unsigned threads, const std::function<void(size_
   };
   std::vector<std::thread> others;
   try {
-    for (size_t i = 1; i < std::min<size_t>(threads, count); ++i) others.emplace_back(run);
+    for (unsigned i = 1; i < std::min<size_t>(threads, count); ++i) others.emplace_back(run, i);
   } catch (const std::system_error&) { // fewer threads do the same work
   }
-  run();
+  run(0);
   for (std::thread& other : others) other.join();
   if (failure) std::rethrow_exception(failure);
 }

@@ -17,36 +17,39 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-class Renderer {
-public:
-  Renderer(const Mesh& mesh, const std::vector<Material>& materials, const ModelFrame& frame,
-           const Camera& camera, const RenderOptions& options, Warnings& warnings)
-      : mesh_(mesh), materials_(materials), frame_(frame), camera_(camera), options_(options),
-        warnings_(warnings) {}
+} // namespace
 
-  RenderResult run() {
-    RenderResult result;
-    const auto start = std::chrono::steady_clock::now();
-    width_ = options_.width * options_.samples_per_side;
-    height_ = options_.height * options_.samples_per_side;
+struct MeshRenderer::Resources {
+  Resources(uint8_t* pixels, int width, int height, const MeshRenderer& renderer, Warnings& warnings)
+      : context(pixels, width, height, 24), uploaded(renderer.mesh_, renderer.materials_, warnings) {}
+
+  GlContext context;
+  UploadedMesh uploaded;
+};
+
+// One picture.
+class MeshRenderer::Drawing {
+public:
+  Drawing(const MeshRenderer& renderer, const Camera& camera, const RenderOptions& options)
+      : mesh_(renderer.mesh_), materials_(renderer.materials_), frame_(renderer.frame_), camera_(camera),
+        options_(options), width_(options.width * options.samples_per_side),
+        height_(options.height * options.samples_per_side) {
     samples_.extend(size_t(4) * size_t(width_) * size_t(height_));
-    {
-      const GlContext context(samples_.data(), width_, height_, 24);
-      const UploadedMesh uploaded(mesh_, materials_, warnings_);
-      uploaded_ = &uploaded;
-      result.upload_seconds = seconds_since(start);
-      draw_all(result);
-    } // nobody writes to the samples any more
-    const auto average_start = std::chrono::steady_clock::now();
-    result.picture = average_samples(std::move(samples_), options_.width, options_.height,
-                                     options_.samples_per_side, options_.background.transparent);
-    result.average_seconds = seconds_since(average_start);
-    return result;
   }
 
-private:
+  // The renderer's context and objects, made if there are none yet.
+  void prepare(MeshRenderer& renderer, Warnings& warnings) {
+    if (renderer.resources_)
+      renderer.resources_->context.attach(samples_.data());
+    else
+      renderer.resources_ = std::make_unique<Resources>(samples_.data(), width_, height_, renderer, warnings);
+    uploaded_ = &renderer.resources_->uploaded;
+  }
+
   void draw_all(RenderResult& result) {
     const auto start = std::chrono::steady_clock::now();
+    glPushAttrib(GL_ALL_ATTRIB_BITS); // the next picture begins with the same state
+    glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
     draw();
     result.visible = anything_drawn();
     if (!result.visible && !mesh_.triangles.empty()) {
@@ -56,9 +59,20 @@ private:
       draw_edges();
       result.as_wireframe = result.visible = anything_drawn();
     }
+    glPopClientAttrib();
+    glPopAttrib();
     result.draw_seconds = seconds_since(start);
   }
 
+  // Nobody writes to the samples any more.
+  void average(RenderResult& result) {
+    const auto start = std::chrono::steady_clock::now();
+    result.picture = average_samples(std::move(samples_), options_.width, options_.height,
+                                     options_.samples_per_side, options_.background.transparent);
+    result.average_seconds = seconds_since(start);
+  }
+
+private:
   void clear() {
     // Alpha counts what is drawn: the background has none, whatever its color.
     const uint8_t* color = options_.background.color;
@@ -241,17 +255,25 @@ private:
   const ModelFrame& frame_;
   const Camera& camera_;
   const RenderOptions& options_;
-  Warnings& warnings_;
-  int width_ = 0, height_ = 0;
+  int width_, height_;
   GrowingArray<uint8_t> samples_; // RGBA rows from the top
   const UploadedMesh* uploaded_ = nullptr;
 };
 
-} // namespace
+MeshRenderer::MeshRenderer(const Mesh& mesh, const std::vector<Material>& materials, const ModelFrame& frame)
+    : mesh_(mesh), materials_(materials), frame_(frame) {}
 
-RenderResult render(const Mesh& mesh, const std::vector<Material>& materials, const ModelFrame& frame,
-                    const Camera& camera, const RenderOptions& options, Warnings& warnings) {
-  return Renderer(mesh, materials, frame, camera, options, warnings).run();
+MeshRenderer::~MeshRenderer() = default;
+
+RenderResult MeshRenderer::draw(const Camera& camera, const RenderOptions& options, Warnings& warnings) {
+  RenderResult result;
+  const auto start = std::chrono::steady_clock::now();
+  Drawing drawing(*this, camera, options);
+  drawing.prepare(*this, warnings);
+  result.upload_seconds = seconds_since(start);
+  drawing.draw_all(result);
+  drawing.average(result);
+  return result;
 }
 
 } // namespace softgl::cli

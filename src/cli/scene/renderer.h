@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
 #include "common/warnings.h"
@@ -32,8 +33,25 @@ struct RenderResult {
   double upload_seconds = 0, draw_seconds = 0, average_seconds = 0;
 };
 
-// Throws ProgramError if GL cannot draw a picture of that size.
-RenderResult render(const Mesh& mesh, const std::vector<Material>& materials, const ModelFrame& frame,
-                    const Camera& camera, const RenderOptions& options, Warnings& warnings);
+// Draws one mesh as often as asked. Buffers and textures are made with the first picture. All pictures of a
+// renderer have one size, and one thread draws them.
+class MeshRenderer {
+public:
+  // The arguments outlive it.
+  MeshRenderer(const Mesh& mesh, const std::vector<Material>& materials, const ModelFrame& frame);
+  ~MeshRenderer();
+
+  // `warnings` gets those about textures with the first picture. Throws ProgramError if GL cannot draw a
+  // picture of that size.
+  RenderResult draw(const Camera& camera, const RenderOptions& options, Warnings& warnings);
+
+private:
+  class Drawing;
+  struct Resources;
+  const Mesh& mesh_;
+  const std::vector<Material>& materials_;
+  const ModelFrame& frame_;
+  std::unique_ptr<Resources> resources_;
+};
 
 } // namespace softgl::cli
