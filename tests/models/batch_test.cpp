@@ -89,7 +89,8 @@ TEST_CASE("batch: two pictures of one name are an error before drawing", "[model
     CHECK(has(same.errors, "would be two pictures"));
   }
   CHECK_FALSE(fs::exists(folder() + "one.png"));
-  CHECK(has(run({a, "-o", folder() + "{name}.png"}).errors, "can have {dir}, {frame}, {model}, {n}, {view}"));
+  CHECK(has(run({a, "-o", folder() + "{name}.png"}).errors,
+            "can have {dir}, {frame}, {model}, {n}, {pass}, {view}"));
   CHECK(run({a, "-o", folder() + "x.gif", "--sheet", "2"}).exit_code == 2);
   CHECK(run({a, "-o", folder() + "x.png", "--sheet", "0x2"}).exit_code == 2);
   CHECK(run({a, "-o", folder() + "x.png", "--view", "front,,left"}).exit_code == 2);

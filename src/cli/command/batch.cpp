@@ -105,12 +105,14 @@ private:
                                 : fit_camera(model.mesh, view);
       if (!renderers[worker])
         renderers[worker] = std::make_unique<MeshRenderer>(model.mesh, model.materials, model.frame);
-      RenderResult result = renderers[worker]->draw(camera, options_.render, warnings[i]);
+      RenderOptions render = options_.render;
+      render.pass = options_.passes[job.pass];
+      RenderResult result = renderers[worker]->draw(camera, render, warnings[i]);
       judge(model, result, warnings[i]);
       refuse_warnings(model, outcome.warnings.count() + warnings[i].count());
       const auto write_start = Clock::now();
       arrived[i] = true;
-      outputs_.take(number, std::move(result.picture));
+      outputs_.take(number, std::move(result));
       const std::scoped_lock lock(mutex);
       outcome.times.upload += result.upload_seconds;
       outcome.times.draw += result.draw_seconds;

@@ -9,7 +9,8 @@ namespace softgl::cli {
 
 void add_batch(CLI::App& app, ProgramOptions& options);
 
-// After parsing: a sentence about a mistake, or nothing. The format is known.
-std::string complete_batch(const ProgramOptions& options);
+// After parsing: a sentence about a mistake, or nothing. The format is known. Sets how values are drawn for
+// it.
+std::string complete_batch(ProgramOptions& options);
 
 } // namespace softgl::cli

@@ -193,6 +193,19 @@ std::vector<std::string> parse_views(const std::string& text) {
   return names;
 }
 
+std::vector<Pass> parse_passes(const std::string& text) {
+  static const std::string what = "a list of passes, each once: color, depth, normal, uv, id, ambient, "
+                                  "diffuse, specular, emission, coverage";
+  std::vector<Pass> passes;
+  for (const std::string& name : split_list(text)) {
+    Pass pass;
+    if (!named_pass(lower(name), pass) || std::find(passes.begin(), passes.end(), pass) != passes.end())
+      refuse(what, text);
+    passes.push_back(pass);
+  }
+  return passes;
+}
+
 LightOptions parse_light(const std::string& text) {
   size_t end = std::min(text.find('/'), text.size());
   LightOptions light = parse_light_kind(text.substr(0, end));

@@ -17,6 +17,7 @@ void parse_size(const std::string& text, int& width, int& height); // WxH, W,H o
 void parse_sheet(const std::string& text, int& columns, int& rows);
 UpAxis parse_up_axis(const std::string& text);
 std::vector<std::string> parse_views(const std::string& text); // names that named_view() knows, with commas
+std::vector<Pass> parse_passes(const std::string& text);       // names with commas, each once
 // KIND[/PROPERTY:VALUE...], as LightOptions describes them.
 LightOptions parse_light(const std::string& text);
 unsigned parse_terms(const std::string& text); // names of terms with commas between them

@@ -10,6 +10,7 @@
 #include "command/option_kinds.h"
 #include "command/option_values.h"
 #include "common/program_error.h"
+#include "image/float_formats.h"
 #include "scene/lighting_setup.h"
 
 #ifndef SOFTGL_VERSION
@@ -92,9 +93,10 @@ private:
     app_.add_option("model", options_.models,
                     "OBJ, PLY or STL files, also .gz or .zst, or folders of them; - for standard input")
         ->type_name("MODEL.obj");
-    app_.add_option("-o,--output", options_.output,
-                    "picture to write (.png .ppm .pam .jpg .bmp .tga .gif .apng), - for standard output; "
-                    "{model}, {dir}, {view}, {frame} and {n} (its number) in the name stand for themselves")
+    app_.add_option(
+            "-o,--output", options_.output,
+            "picture to write (.png .ppm .pam .jpg .bmp .tga .gif .apng .pfm .exr), - for standard output; "
+            "{model}, {dir}, {view}, {pass}, {frame} and {n} (its number) in the name stand for themselves")
         ->type_name("FILE");
     app_.add_option("--format", options_.format, "picture format where the file name does not say it")
         ->type_name("png|ppm|..");
@@ -261,7 +263,9 @@ private:
     if (render.background.transparent) return "a figure has no transparent background";
     if (!app_.count("--size")) render.width = render.height = kFigurePart;
     if (camera_.up == UpAxis::kAuto && options_.models.empty()) camera_.up = UpAxis::kPlusY;
-    if (views_.size() > 1 || options_.turntable || options_.sheet_columns) return "a figure is one picture";
+    if (views_.size() > 1 || options_.turntable || options_.sheet_columns ||
+        options_.passes != std::vector{Pass::kColor})
+      return "a figure is one picture";
     return {};
   }
 
@@ -272,14 +276,15 @@ private:
     if (format.empty()) format = image_format_of(options_.output);
     if (format.empty() && options_.output != "-")
       return "cannot tell the picture format of \"" + options_.output +
-             "\"; known are png, ppm, pam, jpg, bmp, tga, gif and apng";
+             "\"; known are png, ppm, pam, jpg, bmp, tga, gif, apng, pfm and exr";
     if (format.empty()) format = "png";
     if (!is_image_format(format)) return "unknown picture format \"" + format + "\"";
     options_.png = png_ == "fast"    ? PngEffort::kFast
                    : png_ == "small" ? PngEffort::kSmall
                                      : PngEffort::kDefault;
     options_.stats = !stats_.empty();
-    if (*figure_ && is_animation(format)) return "a figure is no animation";
+    if (*figure_ && (is_animation(format) || is_float_format(format) || options_.bits == 16))
+      return "a figure is a picture of 8 bits, and no animation";
     return complete_batch(options_);
   }
 

@@ -42,9 +42,11 @@ struct ProgramOptions {
   std::vector<std::string> models; // and folders of models; none for kFigure: a sphere
   std::string output;
   std::string format;
+  int bits = 8; // of a PNG's channel
   PngEffort png = PngEffort::kDefault;
   std::vector<NamedView> views; // at least one
-  int turntable = 0;            // pictures of a turn around the model; 0: no turn
+  std::vector<Pass> passes = {Pass::kColor};
+  int turntable = 0; // pictures of a turn around the model; 0: no turn
   int frames_per_second = 25;
   int sheet_columns = 0, sheet_rows = 0; // no columns: no sheet; no rows: as many as it takes
   bool skip_existing = false, keep_going = false;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "image/float_formats.h"
 #include "scene/sheet.h"
 
 namespace softgl::cli {
@@ -33,21 +34,25 @@ OutputSet::OutputSet(const PicturePlan& plan, const ProgramOptions& options)
 
 OutputSet::~OutputSet() = default;
 
-void OutputSet::take(size_t job, Picture picture) {
-  encode(plan_.jobs[job], std::move(picture), pending_[plan_.jobs[job].output]);
+void OutputSet::take(size_t job, RenderResult result) {
+  encode(plan_.jobs[job], std::move(result), pending_[plan_.jobs[job].output]);
   arrive(job, true);
 }
 
 void OutputSet::leave(size_t job) { arrive(job, false); }
 
 // Each job has a place of its own.
-void OutputSet::encode(const PictureJob& job, Picture picture, Pending& pending) const {
+void OutputSet::encode(const PictureJob& job, RenderResult result, Pending& pending) const {
+  Picture& picture = result.picture;
+  if (options_.format == "gif" && picture.channels == 1) picture = as_rgb(picture);
   if (options_.sheet_columns)
     pending.pictures[job.slot] = std::move(picture);
   else if (options_.format == "gif")
     pending.gif[job.slot] = encode_gif_frame(picture);
   else if (options_.format == "apng")
     pending.png[job.slot] = encode_png_frame(picture, options_.png);
+  else if (is_float_format(options_.format))
+    pending.bytes = encode_floats(result.floats, options_.format);
   else
     pending.bytes = encode_image(picture, options_.format, options_.png);
 }
@@ -87,8 +92,8 @@ Picture OutputSet::compose(const PlannedOutput& output, Pending& pending, size_t
       picture.height = options_.render.height;
       picture.pixels.fill(3 * size_t(picture.width) * size_t(picture.height), 230);
       label += " failed";
-    } else if (picture.channels == 4) {
-      picture = over_white(picture);
+    } else if (picture.channels != 3) {
+      picture = as_rgb(picture);
     }
     rows.back().entries.push_back({std::move(picture), std::move(label)});
   }
@@ -100,6 +105,7 @@ std::string OutputSet::label_of(const PictureJob& job) const {
   std::string detail;
   const auto add = [&detail](const std::string& text) { detail += (detail.empty() ? "" : ", ") + text; };
   if (options_.views.size() > 1) add(options_.views[job.view].name);
+  if (options_.passes.size() > 1) add(name_of(options_.passes[job.pass]));
   if (options_.turntable) add(std::to_string(job.frame + 1) + " of " + std::to_string(options_.turntable));
   if (plan_.models.size() > 1 || detail.empty())
     return stem_of(plan_.models[job.model]) + (detail.empty() ? "" : "\n" + detail);

@@ -9,6 +9,7 @@
 #include "command/picture_plan.h"
 #include "image/gif_encoder.h"
 #include "image/png_encoder.h"
+#include "scene/renderer.h"
 
 namespace softgl::cli {
 
@@ -20,13 +21,13 @@ public:
   ~OutputSet();
 
   // Throws ProgramError if a file cannot be written.
-  void take(size_t job, Picture picture);
+  void take(size_t job, RenderResult result);
   void leave(size_t job);
 
 private:
   struct Pending;
 
-  void encode(const PictureJob& job, Picture picture, Pending& pending) const;
+  void encode(const PictureJob& job, RenderResult result, Pending& pending) const;
   void arrive(size_t job, bool with_picture);
   GrowingArray<uint8_t> assemble(const PlannedOutput& output, Pending& pending, size_t first_job) const;
   Picture compose(const PlannedOutput& output, Pending& pending, size_t first_job) const;

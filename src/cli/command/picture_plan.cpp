@@ -77,7 +77,9 @@ public:
     const size_t frames = size_t(std::max(1, options_.turntable));
     for (size_t model = 0; model < plan_.models.size(); ++model)
       for (size_t view = 0; view < options_.views.size(); ++view)
-        for (size_t frame = 0; frame < frames; ++frame) plan_.jobs.push_back({model, view, frame, 0, 0});
+        for (size_t pass = 0; pass < options_.passes.size(); ++pass)
+          for (size_t frame = 0; frame < frames; ++frame)
+            plan_.jobs.push_back({model, view, pass, frame, 0, 0});
     assign_outputs(frames);
     if (options_.output != "-") refuse_same_names();
     if (options_.skip_existing) leave_out_existing();
@@ -91,13 +93,13 @@ private:
     const size_t together = cells ? cells : is_animation(options_.format) ? frames : 1;
     for (size_t i = 0; i < plan_.jobs.size(); ++i) {
       PictureJob& job = plan_.jobs[i];
-      if (i % together == 0) plan_.outputs.push_back({name_of(job, i, cells > 0, together), 0});
+      if (i % together == 0) plan_.outputs.push_back({path_of(job, i, cells > 0, together), 0});
       job.output = plan_.outputs.size() - 1;
       job.slot = plan_.outputs.back().count++;
     }
   }
 
-  std::string name_of(const PictureJob& job, size_t number, bool sheet, size_t together) const {
+  std::string path_of(const PictureJob& job, size_t number, bool sheet, size_t together) const {
     if (options_.output == "-") return "-";
     const std::string& model = plan_.models[job.model];
     const size_t slash = model.rfind('/');
@@ -110,6 +112,7 @@ private:
     names["model"] = stem_of(model);
     names["dir"] = slash == std::string::npos ? "." : slash == 0 ? "/" : model.substr(0, slash);
     names["view"] = options_.views[job.view].name;
+    names["pass"] = name_of(options_.passes[job.pass]);
     names["n"] = padded(number / together + 1, digits_of(plan_.jobs.size() / together));
     if (together == 1) names["frame"] = padded(job.frame + 1, digits_of(size_t(options_.turntable)));
     return fill(options_.output, names);
@@ -120,6 +123,7 @@ private:
                                           [output](const PictureJob& j) { return j.output == output; });
     if (options_.sheet_columns) return "page " + std::to_string(output + 1);
     std::string text = plan_.models[job.model] + ", " + options_.views[job.view].name;
+    if (options_.passes.size() > 1) text += std::string(", ") + name_of(options_.passes[job.pass]);
     if (options_.turntable) text += ", frame " + std::to_string(job.frame + 1);
     return text;
   }
@@ -131,12 +135,13 @@ private:
       const auto [first, is_new] =
           seen.emplace(fs::path(plan_.outputs[i].path).lexically_normal().string(), i);
       if (!is_new)
-        throw ProgramError(kUsageError,
-                           plan_.outputs[i].path + " would be two pictures: " + describe(first->second) +
-                               " and " + describe(i) + "; " +
-                               (options_.sheet_columns
-                                    ? "{page} in the output name tells them apart"
-                                    : "{model}, {view}, {frame} or {n} in the output name tell them apart"));
+        throw ProgramError(
+            kUsageError,
+            plan_.outputs[i].path + " would be two pictures: " + describe(first->second) + " and " +
+                describe(i) + "; " +
+                (options_.sheet_columns
+                     ? "{page} in the output name tells them apart"
+                     : "{model}, {view}, {pass}, {frame} or {n} in the output name tell them apart"));
     }
   }
 

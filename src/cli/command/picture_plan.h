@@ -9,7 +9,7 @@
 namespace softgl::cli {
 
 struct PictureJob {
-  size_t model = 0, view = 0, frame = 0;
+  size_t model = 0, view = 0, pass = 0, frame = 0;
   size_t output = 0, slot = 0; // the file, and the place in it
 };
 
@@ -20,7 +20,7 @@ struct PlannedOutput {
 
 struct PicturePlan {
   std::vector<std::string> models;
-  std::vector<PictureJob> jobs; // by model, view, frame
+  std::vector<PictureJob> jobs; // by model, view, pass, frame
   std::vector<PlannedOutput> outputs;
 };
 

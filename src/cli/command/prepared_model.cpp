@@ -1,5 +1,6 @@
 #include "command/prepared_model.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "command/model_loader.h"
@@ -81,7 +82,8 @@ PreparedModel prepare_model(const std::string& path, const ProgramOptions& optio
   if (!flat) generate_normals(model, prepared.frame, options.normals);
   MeshOptions mesh_options;
   mesh_options.flat = flat;
-  mesh_options.with_texcoords = loaded.report.textures > 0 && !options.materials.color;
+  const bool uv = std::find(options.passes.begin(), options.passes.end(), Pass::kUv) != options.passes.end();
+  mesh_options.with_texcoords = uv || (loaded.report.textures > 0 && !options.materials.color);
   prepared.mesh = build_mesh(model, prepared.frame, loaded.library, mesh_options, remarks);
   warnings.add(remarks, text);
   prepared.up = options.views.front().camera.up;

@@ -26,7 +26,8 @@
 namespace softgl::cli {
 namespace {
 
-constexpr const char* kFormats[] = {"png", "ppm", "pam", "jpg", "jpeg", "bmp", "tga", "raw", "gif", "apng"};
+constexpr const char* kFormats[] = {"png", "ppm", "pam", "jpg",  "jpeg", "bmp",
+                                    "tga", "raw", "gif", "apng", "pfm",  "exr"};
 
 void append_bytes(void* context, void* data, int size) {
   static_cast<GrowingArray<uint8_t>*>(context)->append(static_cast<const uint8_t*>(data), size_t(size));
@@ -34,12 +35,20 @@ void append_bytes(void* context, void* data, int size) {
 
 } // namespace
 
-Picture over_white(const Picture& picture) {
+Picture as_rgb(const Picture& picture) {
   Picture result;
   result.width = picture.width;
   result.height = picture.height;
+  if (picture.channels == 3) {
+    result.pixels.append(picture.pixels.data(), picture.pixels.size());
+    return result;
+  }
   const size_t count = size_t(picture.width) * size_t(picture.height);
   uint8_t* out = result.pixels.extend(3 * count);
+  if (picture.channels == 1) {
+    for (size_t i = 0; i < count; ++i) std::fill_n(out + 3 * i, 3, picture.pixels[i]);
+    return result;
+  }
   for (size_t i = 0; i < count; ++i) {
     const uint8_t* p = &picture.pixels[4 * i];
     for (size_t c = 0; c < 3; ++c) out[3 * i + c] = uint8_t((p[c] * p[3] + 255 * (255 - p[3]) + 127) / 255);
@@ -75,8 +84,8 @@ std::string image_format_of(const std::string& path) {
 
 GrowingArray<uint8_t> encode_image(const Picture& picture, const std::string& format, PngEffort effort) {
   if (format == "png") return encode_png(picture, effort);
-  if (picture.channels == 4 && !has_alpha(format))
-    return encode_image(over_white(picture), format, effort);
+  if (picture.channels == 1) return encode_image(as_rgb(picture), format, effort);
+  if (picture.channels == 4 && !has_alpha(format)) return encode_image(as_rgb(picture), format, effort);
   GrowingArray<uint8_t> out;
   if (format == "raw") {
     out.append(picture.pixels.data(), picture.pixels.size());

@@ -60,7 +60,7 @@ uint64_t filter_row(const uint8_t* row, const uint8_t* above, size_t size, size_
 }
 
 GrowingArray<uint8_t> filtered(const Picture& picture, PngEffort effort) {
-  const auto bytes = size_t(picture.channels);
+  const auto bytes = size_t(picture.channels) * size_t(picture.bits / 8);
   const size_t row_size = size_t(picture.width) * bytes;
   GrowingArray<uint8_t> rows, candidate;
   rows.room((row_size + 1) * size_t(picture.height));
@@ -95,9 +95,14 @@ void append_start(GrowingArray<uint8_t>& out, const Picture& picture) {
   GrowingArray<uint8_t> header;
   append_number(header, uint32_t(picture.width));
   append_number(header, uint32_t(picture.height));
-  const uint8_t kind[] = {8, uint8_t(picture.channels == 4 ? 6 : 2), 0, 0, 0};
+  const uint8_t color = picture.channels == 4 ? 6 : picture.channels == 1 ? 0 : 2;
+  const uint8_t kind[] = {uint8_t(picture.bits), color, 0, 0, 0};
   header.append(kind, sizeof kind);
   append_chunk(out, "IHDR", header.data(), header.size());
+  for (const PictureNote& note : picture.notes) {
+    const std::string text = note.name + '\0' + note.text;
+    append_chunk(out, "tEXt", reinterpret_cast<const uint8_t*>(text.data()), text.size());
+  }
 }
 
 GrowingArray<uint8_t> compressed(const Picture& picture, PngEffort effort) {

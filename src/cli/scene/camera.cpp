@@ -140,4 +140,9 @@ Camera fit_camera(const Mesh& mesh, const CameraOptions& options) {
                               : fit_perspective(mesh, axes, box, options);
 }
 
+double Camera::distance_of(double depth) const {
+  const double z = 2 * depth - 1; // of normalized device coordinates
+  return projection[11] != 0 ? projection[14] / (projection[10] + z) : (z - projection[14]) / -projection[10];
+}
+
 } // namespace softgl::cli

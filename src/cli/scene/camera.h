@@ -29,6 +29,9 @@ struct Camera {
   double view[16];       // column-major, a rotation and a translation
   double projection[16]; // column-major
   double eye[3];         // direction from the model to the camera, in model coordinates
+
+  // From the camera's plane, of what has this window depth: 0 is the near plane, 1 the far one.
+  double distance_of(double depth) const;
 };
 
 // Part of the picture left free on each side of the tighter dimension.

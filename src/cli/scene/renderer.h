@@ -6,10 +6,11 @@
 #include <string>
 
 #include "common/warnings.h"
-#include "image/picture.h"
+#include "image/float_picture.h"
 #include "mesh/mesh_builder.h"
 #include "scene/camera.h"
 #include "scene/lighting_options.h"
+#include "scene/pass.h"
 
 namespace softgl::cli {
 
@@ -18,15 +19,20 @@ struct Background {
   bool transparent = false;
 };
 
+enum class Values { kBytes, kWords, kFloats };
+
 struct RenderOptions {
   int width = 1024, height = 1024;
   int samples_per_side = 1; // 2: 4 samples per pixel
   LightingOptions lighting;
-  Background background;
+  Background background; // black for passes that are terms of the light, so that their sum is the color
+  Pass pass = Pass::kColor;
+  Values values = Values::kBytes; // kFloats: colors may go beyond 1
 };
 
 struct RenderResult {
-  Picture picture;
+  Picture picture; // or, for kFloats:
+  FloatPicture floats;
   bool visible = false;      // something was drawn
   bool as_wireframe = false; // the surfaces do not show, so their edges were drawn
   bool transparent = false;  // and they would show if they were opaque

@@ -26,6 +26,7 @@ public:
   void bind_triangles() const { glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer_); }
   // Material, lighting, texture and color array of one material's triangles.
   void use_material(uint32_t number) const;
+  void use_texture(uint32_t number) const; // with its coordinates
 
 private:
   struct PreparedMaterial {
@@ -43,7 +44,6 @@ private:
   void upload_vertices();
   void prepare_material(uint32_t number, Warnings& warnings);
   Uploaded upload_texture(const Material& material, bool clamp, Warnings& warnings);
-  void use_texture(uint32_t number) const;
 
   const Mesh& mesh_;
   const std::vector<Material>& materials_;
