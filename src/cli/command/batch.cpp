@@ -9,12 +9,15 @@
 #include <optional>
 #include <sys/resource.h>
 
+#include "command/camera_file.h"
 #include "command/output_set.h"
 #include "command/picture_plan.h"
 #include "command/prepared_model.h"
 #include "common/parallel.h"
 #include "common/program_error.h"
 #include "common/progress.h"
+#include "image/comparison.h"
+#include "scene/placed_camera.h"
 #include "scene/turntable_camera.h"
 
 namespace softgl::cli {
@@ -100,13 +103,13 @@ private:
       const PictureJob& job = plan_.jobs[number];
       CameraOptions view = options_.views[job.view].camera;
       view.up = model.up;
-      const Camera camera = options_.turntable
-                                ? turntable_camera(model.mesh, view, int(job.frame), options_.turntable)
-                                : fit_camera(model.mesh, view);
+      const Camera camera = camera_of(model, view, job);
       if (!renderers[worker])
-        renderers[worker] = std::make_unique<MeshRenderer>(model.mesh, model.materials, model.frame);
+        renderers[worker] =
+            std::make_unique<MeshRenderer>(model.mesh, model.materials, model.frame, options_.render.srgb);
       RenderOptions render = options_.render;
       render.pass = options_.passes[job.pass];
+      render.up = model.up;
       RenderResult result = renderers[worker]->draw(camera, render, warnings[i]);
       judge(model, result, warnings[i]);
       refuse_warnings(model, outcome.warnings.count() + warnings[i].count());
@@ -142,6 +145,15 @@ private:
     add_warnings();
     const auto first = std::find_if(errors.begin(), errors.end(), [](const auto& error) { return !!error; });
     if (first != errors.end()) throw ProgramError(**first);
+  }
+
+  Camera camera_of(const PreparedModel& model, const CameraOptions& view, const PictureJob& job) const {
+    if (options_.turntable) return turntable_camera(model.mesh, view, int(job.frame), options_.turntable);
+    const Camera camera =
+        view.placement ? place_camera(model.mesh, view, model.frame) : fit_camera(model.mesh, view);
+    if (!options_.place.output.empty() && job.pass == 0)
+      write_camera(options_.place.output, placement_of(camera, model.frame));
+    return camera;
   }
 
   void judge(const PreparedModel& model, const RenderResult& result, Warnings& warnings) const {
@@ -233,7 +245,17 @@ private:
 
 } // namespace
 
-int draw_pictures(const ProgramOptions& options, unsigned threads) {
+int draw_pictures(const ProgramOptions& given, unsigned threads) {
+  ProgramOptions options = given;
+  Background& background = options.render.background;
+  if (!background.file.empty())
+    background.picture = std::make_shared<const Picture>(as_opaque_picture(read_picture(background.file)));
+  if (!options.place.file.empty()) {
+    CameraOptions& camera = options.views.front().camera;
+    camera.placement = read_camera(options.place.file);
+    camera.orthographic = camera.placement->height > 0;
+    if (camera.placement->field_of_view > 0) camera.field_of_view = camera.placement->field_of_view;
+  }
   PictureRun run(options, threads);
   if (run.pictures_at_once() > 1) ::setenv("SOFTGL_THREADS", "1", 1); // before GL is first used
   return run.run();

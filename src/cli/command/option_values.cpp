@@ -61,11 +61,13 @@ constexpr float kDefaultCutoff = 30; // degrees, of a spot that does not say
 
 LightOptions parse_light_kind(const std::string& text) {
   static const std::string what =
-      "a light: key, headlight, x,y,z, model:x,y,z, at:x,y,z or an axis such as +Y";
+      "a light: key, headlight, three-point, x,y,z, model:x,y,z, at:x,y,z or an axis such as +Y";
   LightOptions light;
   if (text == "key") return light;
   light.kind = LightOptions::kHeadlight;
   if (text == "headlight" || text == "head") return light;
+  light.kind = LightOptions::kThreePoint;
+  if (text == "three-point") return light;
   light.kind = LightOptions::kDirection;
   std::string rest = text;
   if (text.rfind("model:", 0) == 0) {
@@ -184,6 +186,12 @@ UpAxis parse_up_axis(const std::string& text) {
   return UpAxis(2 * (axis[0] - 'x') + (name[0] == '-'));
 }
 
+std::array<double, 3> parse_triple(const std::string& text) {
+  std::vector<double> values;
+  if (!parse_numbers(text, values) || values.size() != 3) refuse("three numbers, x,y,z", text);
+  return {values[0], values[1], values[2]};
+}
+
 std::vector<std::string> parse_views(const std::string& text) {
   std::vector<std::string> names = split_list(text);
   double unused;
@@ -259,8 +267,14 @@ Background parse_background(const std::string& text) {
     background.transparent = true;
     return background;
   }
-  const std::array<uint8_t, 3> color = parse_color(text);
+  if (text.rfind("picture:", 0) == 0) {
+    background.file = text.substr(8);
+    return background;
+  }
+  const size_t colon = std::min(text.find(':'), text.size());
+  const std::array<uint8_t, 3> color = parse_color(text.substr(0, colon));
   for (size_t i = 0; i < 3; ++i) background.color[i] = color[i];
+  if (colon < text.size()) background.below = parse_color(text.substr(colon + 1));
   return background;
 }
 

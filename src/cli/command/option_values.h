@@ -16,6 +16,7 @@ void parse_size(const std::string& text, int& width, int& height); // WxH, W,H o
 // COLUMNSxROWS, or COLUMNS alone: `rows` is then 0.
 void parse_sheet(const std::string& text, int& columns, int& rows);
 UpAxis parse_up_axis(const std::string& text);
+std::array<double, 3> parse_triple(const std::string& text);   // x,y,z
 std::vector<std::string> parse_views(const std::string& text); // names that named_view() knows, with commas
 std::vector<Pass> parse_passes(const std::string& text);       // names with commas, each once
 // KIND[/PROPERTY:VALUE...], as LightOptions describes them.
@@ -23,6 +24,7 @@ LightOptions parse_light(const std::string& text);
 unsigned parse_terms(const std::string& text); // names of terms with commas between them
 // A reflectance: one number or r,g,b, each from 0 to 1, or a color.
 std::array<float, 3> parse_reflectance(const std::string& text);
+// A color, two with : between (top and bottom), transparent, or picture:FILE, which is not read here.
 Background parse_background(const std::string& text);
 // One number for all channels, or r,g,b or r,g,b,a; each from 0 to 255.
 std::array<float, 4> parse_tolerance(const std::string& text);

@@ -7,6 +7,7 @@
 
 #include "command/batch_options.h"
 #include "command/compare_options.h"
+#include "command/look_options.h"
 #include "command/option_kinds.h"
 #include "command/option_values.h"
 #include "common/program_error.h"
@@ -46,9 +47,11 @@ public:
     app_.option_defaults()->always_capture_default(false);
     add_files();
     add_view();
+    add_camera_place(app_, options_);
     add_shading();
     add_lights();
     add_colors();
+    add_look(app_, options_);
     add_batch(app_, options_);
     add_effort();
     add_run(app_, "more about the model and what is left out");
@@ -85,6 +88,8 @@ public:
     if (mistake.empty()) mistake = complete_rendering();
     if (!mistake.empty()) return refuse(mistake);
     complete_view();
+    mistake = complete_look(options_);
+    if (!mistake.empty()) return refuse(mistake);
     return {options_, 0};
   }
 
@@ -102,9 +107,9 @@ private:
         ->type_name("png|ppm|..");
     add_word(app_, "--png", "HOW", "effort for PNG files: fast, default or small", png_,
              {"fast", "default", "small"});
-    add_parsed(app_, "-s,--size", "WxH", "size of the picture [1024x1024]", [this](const std::string& text) {
-      parse_size(text, options_.render.width, options_.render.height);
-    });
+    add_parsed(
+        app_, "-s,--size,--resolution", "WxH", "size of the picture [1024x1024]",
+        [this](const std::string& text) { parse_size(text, options_.render.width, options_.render.height); });
   }
 
   void add_view() {
@@ -119,7 +124,8 @@ private:
                -1e6, 1e6);
     add_number(app_, "--roll", "DEG", "degrees the camera is turned clockwise [0]", camera.roll, -1e6, 1e6);
     add_number(app_, "--zoom", "FACTOR", "magnification after fitting [1]", camera.zoom, 1e-3, 1e3);
-    add_number(app_, "--fov", "DEG", "vertical field of view in degrees [30]", camera.field_of_view, 1, 150);
+    add_number(app_, "--fov,--camera-view-angle", "DEG", "vertical field of view in degrees [30]",
+               camera.field_of_view, 1, 150);
     app_.add_flag("--ortho", camera.orthographic, "parallel projection");
     add_parsed(app_, "--up", "AXIS",
                "axis of the model that points up: +Y, +Z, -X ..., or auto, which looks at the model [auto]",
@@ -154,7 +160,8 @@ private:
               for (const std::string& text : texts)
                 options_.render.lighting.lights.push_back(parse_light(text));
             }),
-            "key, headlight, x,y,z (direction as seen), model:x,y,z or +Y (direction in the model's axes), "
+            "key, headlight, three-point, x,y,z (direction as seen), model:x,y,z or +Y (direction in the "
+            "model's axes), "
             "at:x,y,z (place in "
             "the model); then /color:COLOR, and for a place "
             "/spot:x,y,z/cutoff:DEG/exponent:N/attenuation:C,L,Q; may be "
@@ -181,9 +188,10 @@ private:
     add_reflectance("--ks", "specular reflectance of all materials", materials.specular);
     add_number(app_, "--ns", "N", "specular exponent of all materials, 0 to 128", materials.shininess, 0,
                128);
-    add_parsed(app_, "--bg", "COLOR",
-               "background: #rrggbb, name, r,g,b from 0 to 1, or transparent [#2e333a]",
-               [this](const std::string& text) { options_.render.background = parse_background(text); });
+    add_parsed(
+        app_, "--bg,--bg-color", "COLOR",
+        "background: #rrggbb, name, r,g,b from 0 to 1, TOP:BOTTOM, picture:FILE or transparent [#2e333a]",
+        [this](const std::string& text) { options_.render.background = parse_background(text); });
     add_parsed(app_, "--color,--colour", "COLOR", "one color for the whole model instead of its materials",
                [this](const std::string& text) {
                  parse_color(text); // three numbers or a name; one number is no color
@@ -260,7 +268,12 @@ private:
   std::string complete_figure() {
     options_.command = ProgramOptions::kFigure;
     RenderOptions& render = options_.render;
-    if (render.background.transparent) return "a figure has no transparent background";
+    if (render.background.transparent || render.background.below || !render.background.file.empty())
+      return "a figure's background has one color";
+    if (render.srgb || render.ground || render.lines.edges != Edges::kNone ||
+        render.lines.style != LineOptions::kSurface || options_.place.eye || !options_.place.file.empty() ||
+        !options_.place.output.empty())
+      return "a figure has no lines, no ground, no --srgb and no place of the camera";
     if (!app_.count("--size")) render.width = render.height = kFigurePart;
     if (camera_.up == UpAxis::kAuto && options_.models.empty()) camera_.up = UpAxis::kPlusY;
     if (views_.size() > 1 || options_.turntable || options_.sheet_columns ||
@@ -298,7 +311,7 @@ private:
                                                        : Shading::kGouraud;
     lighting.reflection_vector = specular_ == "reflection";
     if (gl_lights_of(lighting) > kMostLights)
-      return "--light: GL has 8 lights, and the key light takes two of them";
+      return "--light: GL has 8 lights, and the key light takes two of them, three-point three";
     const int most = options_.limits.picture_side;
     if (most && std::max(render.width, render.height) > most)
       return "--size asks for more pixels a side than --max-size " + std::to_string(most) + " allows";

@@ -37,6 +37,11 @@ struct NamedView {
   CameraOptions camera;
 };
 
+struct CameraPlaceOptions {
+  std::optional<std::array<double, 3>> eye, target, view_up;
+  std::string file, output; // JSON
+};
+
 struct ProgramOptions {
   enum Command { kRender, kInfo, kFigure, kCompare } command = kRender;
   std::vector<std::string> models; // and folders of models; none for kFigure: a sphere
@@ -45,6 +50,7 @@ struct ProgramOptions {
   int bits = 8; // of a PNG's channel
   PngEffort png = PngEffort::kDefault;
   std::vector<NamedView> views; // at least one
+  CameraPlaceOptions place;
   std::vector<Pass> passes = {Pass::kColor};
   int turntable = 0; // pictures of a turn around the model; 0: no turn
   int frames_per_second = 25;

@@ -5,6 +5,8 @@
 
 #include "command/model_loader.h"
 #include "common/compressed_text.h"
+#include "image/srgb.h"
+#include "mesh/edge_table.h"
 #include "mesh/face_triangulation.h"
 #include "scene/up_axis.h"
 
@@ -45,6 +47,22 @@ UpAxis guess_up_axis(const PreparedModel& prepared, const LoadedModel& loaded, c
   return UpAxis::kPlusZ;
 }
 
+void add_edges(Edges edges, const GrowingArray<uint32_t>& ends, PreparedModel& prepared) {
+  if (edges == Edges::kSharp) prepared.mesh.edge_positions = sharp_edges(prepared.mesh, kDefaultCreaseAngle);
+  for (size_t i = 0; edges == Edges::kAll && i < ends.size(); ++i)
+    prepared.mesh.edge_positions.append(&prepared.frame.positions[3 * size_t(ends[i])], 3);
+}
+
+// From stored values to light.
+void decode_colors(Mesh& mesh, std::vector<Material>& materials) {
+  for (Material& material : materials)
+    for (float* color : {material.ambient, material.diffuse, material.specular, material.emission})
+      for (size_t i = 0; i < 3; ++i) color[i] = from_srgb(color[i]);
+  for (GrowingArray<float>* colors : {&mesh.colors, &mesh.segment_colors, &mesh.point_colors})
+    for (size_t i = 0; i < colors->size(); ++i)
+      if (i % 4 < 3) (*colors)[i] = from_srgb((*colors)[i]); // alpha is none
+}
+
 } // namespace
 
 void override_reflectances(const MaterialOptions& chosen, std::vector<Material>& materials) {
@@ -68,7 +86,8 @@ PreparedModel prepare_model(const std::string& path, const ProgramOptions& optio
   const auto start = Clock::now();
   const SourceText text = open_text(path, options.limits.input_bytes);
   RemarkList remarks;
-  LoadedModel loaded = load_model(text, threads, remarks, warnings, notes, options.limits.load);
+  LoadedModel loaded = load_model(text, threads, remarks, warnings, notes, options.limits.load,
+                                  options.render.lines.edges == Edges::kAll);
   times.read += since(start);
   const auto prepare_start = Clock::now();
   ObjModel& model = loaded.model;
@@ -89,6 +108,8 @@ PreparedModel prepare_model(const std::string& path, const ProgramOptions& optio
   prepared.up = options.views.front().camera.up;
   if (prepared.up == UpAxis::kAuto) prepared.up = guess_up_axis(prepared, loaded, text, warnings, notes);
   notes.add(text.name(), std::string("up is ") + name_of(prepared.up));
+  add_edges(options.render.lines.edges, loaded.edges, prepared);
+  if (options.render.srgb) decode_colors(prepared.mesh, loaded.library.materials());
   prepared.report = std::move(loaded.report);
   prepared.materials = std::move(loaded.library.materials());
   times.prepare += since(prepare_start);

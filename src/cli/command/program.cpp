@@ -64,17 +64,23 @@ private:
     const ModelFrame frame = frame_model(loaded.model);
     note_bounds(frame, loaded.report);
     loaded.report.area = surface_area(loaded.model);
-    build_mesh_for_remarks(loaded, frame, remarks);
+    measure_surface(loaded, frame, remarks);
     warnings_.add(remarks, text);
     print_text(options_.json ? as_json(loaded.report, warnings_) : as_text(loaded.report), stdout);
     return options_.strict && warnings_.count() > 0 ? kCannotRead : kSuccess;
   }
 
   // Materials are only looked up while the mesh is built.
-  static void build_mesh_for_remarks(LoadedModel& loaded, const ModelFrame& frame, RemarkList& remarks) {
+  static void measure_surface(LoadedModel& loaded, const ModelFrame& frame, RemarkList& remarks) {
     MeshOptions mesh_options;
     mesh_options.flat = true;
-    build_mesh(loaded.model, frame, loaded.library, mesh_options, remarks);
+    const Mesh mesh = build_mesh(loaded.model, frame, loaded.library, mesh_options, remarks);
+    ModelReport& report = loaded.report;
+    report.surface = report_surface(mesh, frame);
+    for (const MaterialPart& part : report.surface->parts) {
+      const std::string& name = loaded.library.materials()[part.material].name;
+      report.material_names.push_back(name.empty() ? "(default)" : printable(name));
+    }
   }
 
   int figure() {

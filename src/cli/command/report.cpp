@@ -33,6 +33,34 @@ std::string warning_list(const Warnings& warnings) {
   return text + (warnings.sentences().empty() ? "]" : "\n  ]");
 }
 
+std::string surface_as_text(const ModelReport& r) {
+  const SurfaceReport& s = *r.surface;
+  std::string text = "  " + std::to_string(s.edges) + " edges, " + std::to_string(s.open_edges) + " open, " +
+                     std::to_string(s.crowded_edges) + " of more than two triangles; " +
+                     (s.open_edges || s.crowded_edges ? "not closed" : "volume " + json_number(s.volume)) +
+                     "\n";
+  for (size_t i = 0; i < s.parts.size(); ++i)
+    text += "  " + r.material_names[i] + ": " + std::to_string(s.parts[i].triangles) + " triangles, area " +
+            json_number(s.parts[i].area) + "\n";
+  return text;
+}
+
+// The volume is null where the surface encloses none.
+std::string surface_as_json(const ModelReport& r) {
+  if (!r.surface) return {};
+  const SurfaceReport& s = *r.surface;
+  const bool closed = s.edges > 0 && s.open_edges == 0 && s.crowded_edges == 0;
+  std::string text = "  \"volume\": " + (closed ? json_number(s.volume) : "null") +
+                     ",\n  \"edges\": " + std::to_string(s.edges) +
+                     ",\n  \"open_edges\": " + std::to_string(s.open_edges) +
+                     ",\n  \"crowded_edges\": " + std::to_string(s.crowded_edges) + ",\n  \"parts\": [";
+  for (size_t i = 0; i < s.parts.size(); ++i)
+    text += std::string(i ? "," : "") + "\n    {\"material\": " + json_string(r.material_names[i]) +
+            ", \"triangles\": " + std::to_string(s.parts[i].triangles) +
+            ", \"area\": " + json_number(s.parts[i].area) + "}";
+  return text + (s.parts.empty() ? "],\n" : "\n  ],\n");
+}
+
 } // namespace
 
 std::string as_text(const ModelReport& r) {
@@ -50,15 +78,16 @@ std::string as_text(const ModelReport& r) {
   add(r.textures, "textures");
   if (r.vertex_colors) text += ", vertex colors";
   if (r.smoothing_groups) text += ", smoothing groups";
-  return text + "\n  from " + triple(r.low) + " to " + triple(r.high) + ", area " + json_number(r.area) +
-         "\n";
+  text += "\n  from " + triple(r.low) + " to " + triple(r.high) + ", area " + json_number(r.area) + "\n";
+  return r.surface ? text + surface_as_text(r) : text;
 }
 
 std::string as_json(const ModelReport& r, const Warnings& warnings) {
   return "{\n" + counts(r) + "  \"vertex_colors\": " + (r.vertex_colors ? "true" : "false") +
          ",\n  \"smoothing_groups\": " + (r.smoothing_groups ? "true" : "false") +
          ",\n  \"low\": " + triple(r.low) + ",\n  \"high\": " + triple(r.high) +
-         ",\n  \"area\": " + json_number(r.area) + ",\n" + warning_list(warnings) + "\n}\n";
+         ",\n  \"area\": " + json_number(r.area) + ",\n" + surface_as_json(r) + warning_list(warnings) +
+         "\n}\n";
 }
 
 std::string stats_as_json(const ModelReport& r, const RunTimes& t, int width, int height,

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstdio>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "common/warnings.h"
 #include "mesh/model_frame.h"
+#include "mesh/surface_report.h"
 #include "obj/material_library.h"
 #include "obj/obj_reader.h"
 
@@ -21,6 +24,8 @@ struct ModelReport {
   bool vertex_colors = false, smoothing_groups = false;
   double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
   double area = 0;
+  std::optional<SurfaceReport> surface;    // `softgl info` only
+  std::vector<std::string> material_names; // of its parts
 };
 
 struct RunTimes {

@@ -5,10 +5,14 @@
 #include <optional>
 
 #include "image/sample_average.h"
+#include "image/srgb.h"
+#include "scene/background.h"
 #include "scene/data_pass.h"
 #include "scene/float_target.h"
 #include "scene/gl_context.h"
+#include "scene/ground.h"
 #include "scene/lighting_setup.h"
+#include "scene/line_overlay.h"
 #include "scene/mesh_drawing.h"
 #include "scene/uploaded_mesh.h"
 
@@ -52,7 +56,8 @@ template <class Colors> FloatPicture coverage_of(const Colors& picture, float la
 
 struct MeshRenderer::Resources {
   Resources(uint8_t* pixels, int width, int height, const MeshRenderer& renderer, Warnings& warnings)
-      : context(pixels, width, height, 24), uploaded(renderer.mesh_, renderer.materials_, warnings) {}
+      : context(pixels, width, height, 24),
+        uploaded(renderer.mesh_, renderer.materials_, renderer.linear_, warnings) {}
 
   GlContext context;
   UploadedMesh uploaded;
@@ -68,8 +73,13 @@ public:
     samples_.extend(size_t(4) * size_t(width_) * size_t(height_));
     options_.lighting.terms = terms_of(options.pass, options.lighting.terms);
     Background& background = options_.background;
-    if (is_term(options.pass)) std::fill_n(background.color, 3, uint8_t(0));
+    if (is_term(options.pass)) {
+      std::fill_n(background.color, 3, uint8_t(0));
+      background.below.reset();
+      background.picture.reset();
+    }
     if (options.pass == Pass::kCoverage) background.transparent = true;
+    if (options.pass != Pass::kColor) options_.ground = false;
   }
 
   // The renderer's context and objects, made if there are none yet.
@@ -101,13 +111,19 @@ public:
 private:
   void draw_colors(RenderResult& result) {
     std::optional<FloatTarget> target;
-    if (options_.values != Values::kBytes)
+    // Many faint shadows, and light that is encoded in the end, need more than bytes.
+    if (options_.values != Values::kBytes || options_.ground || options_.srgb)
       target.emplace(width_, height_, options_.values != Values::kFloats);
     MeshDrawing drawing(mesh_, materials_, *uploaded_, camera_, float(options_.samples_per_side));
     if (is_term(options_.pass) && options_.pass != Pass::kEmission) drawing.blacken_unlit();
     set_state();
     draw(drawing);
     result.visible = anything_drawn(target);
+    if (result.visible && options_.ground) {
+      draw_ground_shadow(mesh_, *uploaded_, camera_, options_.up);
+      draw_rest(drawing);
+      anything_drawn(target);
+    }
     if (!result.visible && !mesh_.triangles.empty()) {
       drawing.draw_silhouette();
       GlContext::finish();
@@ -128,12 +144,19 @@ private:
     if (in_floats) {
       FloatPicture picture =
           average_float_samples(float_samples_, options_.width, options_.height, side, transparent);
+      if (options_.srgb && !coverage && options_.values != Values::kFloats) encode(picture);
       deliver(coverage ? coverage_of(picture, 1) : std::move(picture), result);
     } else {
       result.picture =
           average_samples(std::move(samples_), options_.width, options_.height, side, transparent);
       if (coverage) result.picture = quantize(coverage_of(result.picture, 255), 8);
     }
+  }
+
+  static void encode(FloatPicture& picture) {
+    const auto channels = size_t(picture.channels);
+    for (size_t i = 0; i < picture.values.size(); ++i)
+      if (i % channels < 3) picture.values[i] = to_srgb(picture.values[i]);
   }
 
   void deliver(FloatPicture picture, RenderResult& result) const {
@@ -143,14 +166,19 @@ private:
       result.picture = quantize(picture, options_.values == Values::kWords ? 16 : 8);
   }
 
+  float stored(uint8_t value) const {
+    return options_.srgb ? from_srgb(float(value) / 255) : float(value) / 255;
+  }
+
   void clear() {
     // Alpha counts what is drawn: the background has none, whatever its color.
     const uint8_t* color = options_.background.color;
     if (options_.background.transparent)
       glClearColor(0, 0, 0, 0);
     else
-      glClearColor(float(color[0]) / 255, float(color[1]) / 255, float(color[2]) / 255, 0);
+      glClearColor(stored(color[0]), stored(color[1]), stored(color[2]), 0);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    draw_background(options_.background, width_, height_, options_.srgb);
   }
 
   void set_state() {
@@ -166,17 +194,43 @@ private:
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     glAlphaFunc(GL_GREATER, 0);
-    if (!mesh_.segment_positions.empty() && !mesh_.triangles.empty()) {
+    const LineOptions& lines = options_.lines;
+    const bool any_lines = !mesh_.segment_positions.empty() || lines.edges != Edges::kNone ||
+                           lines.style != LineOptions::kSurface;
+    if (any_lines && !mesh_.triangles.empty()) {
       glEnable(GL_POLYGON_OFFSET_FILL); // lines on a surface are to be seen
       glPolygonOffset(1, 1);
     }
   }
 
-  void draw(const MeshDrawing& drawing) const {
-    const bool any_blended = !mesh_.triangles.empty() && !drawing.draw_opaque();
+  void draw(const MeshDrawing& drawing) {
+    const LineOptions& lines = options_.lines;
+    if (lines.style == LineOptions::kSurface)
+      any_blended_ = !mesh_.triangles.empty() && !drawing.draw_opaque();
+    else if (!lines.hidden)
+      draw_depth_only(mesh_, *uploaded_);
+    draw_rest(drawing);
+  }
+
+  // Again after the ground, which is behind it.
+  void draw_rest(const MeshDrawing& drawing) const {
+    const LineOptions& lines = options_.lines;
     drawing.draw_segments_and_points();
-    if (any_blended) drawing.draw_blended();
+    if (any_blended_) drawing.draw_blended();
+    if (lines.style != LineOptions::kSurface || lines.edges != Edges::kNone)
+      draw_lines(mesh_, *uploaded_, lines, line_color(), float(options_.samples_per_side));
     GlContext::finish();
+  }
+
+  // Seen on the surface, or on the background where there is none.
+  std::array<float, 3> line_color() const {
+    std::array<float, 3> color = options_.lines.color.value_or(std::array<float, 3>{0.1f, 0.1f, 0.1f});
+    const uint8_t* behind = options_.background.color;
+    const bool dark = 0.299 * behind[0] + 0.587 * behind[1] + 0.114 * behind[2] < 128;
+    if (!options_.lines.color && options_.lines.style != LineOptions::kSurface && dark) color.fill(0.85f);
+    if (options_.srgb)
+      for (float& value : color) value = from_srgb(value);
+    return color;
   }
 
   bool anything_drawn(const std::optional<FloatTarget>& target) {
@@ -196,10 +250,12 @@ private:
   GrowingArray<uint8_t> samples_; // RGBA rows from the top
   GrowingArray<float> float_samples_;
   const UploadedMesh* uploaded_ = nullptr;
+  bool any_blended_ = false;
 };
 
-MeshRenderer::MeshRenderer(const Mesh& mesh, const std::vector<Material>& materials, const ModelFrame& frame)
-    : mesh_(mesh), materials_(materials), frame_(frame) {}
+MeshRenderer::MeshRenderer(const Mesh& mesh, const std::vector<Material>& materials, const ModelFrame& frame,
+                           bool linear)
+    : mesh_(mesh), materials_(materials), frame_(frame), linear_(linear) {}
 
 MeshRenderer::~MeshRenderer() = default;
 

@@ -10,14 +10,10 @@
 #include "mesh/mesh_builder.h"
 #include "scene/camera.h"
 #include "scene/lighting_options.h"
+#include "scene/look.h"
 #include "scene/pass.h"
 
 namespace softgl::cli {
-
-struct Background {
-  uint8_t color[3] = {0x2e, 0x33, 0x3a};
-  bool transparent = false;
-};
 
 enum class Values { kBytes, kWords, kFloats };
 
@@ -26,6 +22,11 @@ struct RenderOptions {
   int samples_per_side = 1; // 2: 4 samples per pixel
   LightingOptions lighting;
   Background background; // black for passes that are terms of the light, so that their sum is the color
+  LineOptions lines;
+  bool ground = false;        // the model's shadow below it, in pictures of the color
+  UpAxis up = UpAxis::kPlusY; // of the ground
+  bool srgb =
+      false; // the mesh's colors are light already; the background's are not, and the picture is encoded
   Pass pass = Pass::kColor;
   Values values = Values::kBytes; // kFloats: colors may go beyond 1
 };
@@ -43,8 +44,9 @@ struct RenderResult {
 // renderer have one size, and one thread draws them.
 class MeshRenderer {
 public:
-  // The arguments outlive it.
-  MeshRenderer(const Mesh& mesh, const std::vector<Material>& materials, const ModelFrame& frame);
+  // The arguments outlive it. `linear`: textures are decoded from sRGB.
+  MeshRenderer(const Mesh& mesh, const std::vector<Material>& materials, const ModelFrame& frame,
+               bool linear = false);
   ~MeshRenderer();
 
   // `warnings` gets those about textures with the first picture. Throws ProgramError if GL cannot draw a
@@ -57,6 +59,7 @@ private:
   const Mesh& mesh_;
   const std::vector<Material>& materials_;
   const ModelFrame& frame_;
+  bool linear_;
   std::unique_ptr<Resources> resources_;
 };
 

@@ -15,8 +15,9 @@ namespace softgl::cli {
 
 class UploadedMesh {
 public:
-  // `mesh` and `materials` outlive it. Pictures that cannot be read are warned of and left out.
-  UploadedMesh(const Mesh& mesh, const std::vector<Material>& materials, Warnings& warnings);
+  // `mesh` and `materials` outlive it. `linear`: textures are decoded from sRGB. Pictures that cannot be read
+  // are warned of and left out.
+  UploadedMesh(const Mesh& mesh, const std::vector<Material>& materials, bool linear, Warnings& warnings);
 
   bool blended(uint32_t material) const { return prepared_[material].blended; }
 
@@ -47,6 +48,7 @@ private:
 
   const Mesh& mesh_;
   const std::vector<Material>& materials_;
+  bool linear_;
   std::vector<PreparedMaterial> prepared_;
   std::map<TextureKey, Uploaded> textures_;
   GLuint vertex_buffer_ = 0, index_buffer_ = 0;
