@@ -42,7 +42,7 @@ std::string boxes(const std::string& name = "boxes.obj") {
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 ProgramRun run(std::vector<std::string> arguments) {
-  arguments.insert(arguments.end(), {"--size", "48x36"});
+  arguments.insert(arguments.end(), {"--size", "48x36", "--up", "+Y"});
   return run_softgl(arguments);
 }
 

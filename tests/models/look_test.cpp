@@ -35,7 +35,7 @@ std::string cube() {
 
 TestPicture draw(const std::string& model, std::vector<std::string> options) {
   options.insert(options.begin(), model);
-  options.insert(options.end(), {"-o", "-", "--format", "ppm", "--size", "82x42"});
+  options.insert(options.end(), {"-o", "-", "--format", "ppm", "--size", "82x42", "--up", "+Y"});
   const ProgramRun run = run_softgl(options);
   INFO(run.errors);
   REQUIRE(run.exit_code == 0);
@@ -180,7 +180,7 @@ TEST_CASE("look: the camera stands where it is told", "[models][look]") {
   CHECK(std::abs(box.bottom - box.top + 1 - 2 * half) <= 1.5);
   const ProgramRun f3d = run_softgl({plane(), "-o", "-", "--format", "ppm", "--camera-position", "0,0,10",
                                      "--camera-focal-point", "0,0,0", "--camera-view-angle", "30",
-                                     "--camera-view-up", "0,1,0", "--resolution", "82,42"});
+                                     "--camera-view-up", "0,1,0", "--resolution", "82,42", "--up", "+Y"});
   CHECK(parse_ppm(f3d.output).rgb == seen.rgb);
   const auto turned = draw(plane(), {"--eye", "0,0,10", "--view-up", "1,0,0"}).drawn();
   CHECK(turned.bottom - turned.top > turned.right - turned.left);

@@ -36,7 +36,7 @@ std::string squares() {
 
 ProgramRun draw(const std::string& model, std::vector<std::string> options) {
   options.insert(options.begin(), model);
-  options.insert(options.end(), {"--size", "80x40", "--view", "front", "--ortho"});
+  options.insert(options.end(), {"--size", "80x40", "--view", "front", "--ortho", "--up", "+Y"});
   return run_softgl(options);
 }
 
@@ -83,7 +83,7 @@ TEST_CASE("passes: depth is in the model's units", "[models][passes]") {
     Floats depth = pass_in_floats(model, "depth");
     if (perspective) {
       const std::string file = folder() + "depth.pfm";
-      run_softgl({model, "--size", "80x40", "--view", "front", "--pass", "depth", "-o", file});
+      run_softgl({model, "--size", "80x40", "--view", "front", "--up", "+Y", "--pass", "depth", "-o", file});
       const std::string bytes = read_bytes(file);
       std::memcpy(depth.values.data(), &bytes[bytes.size() - depth.values.size() * 4],
                   depth.values.size() * 4);
