@@ -61,8 +61,8 @@ public:
 private:
   Picture draw(const Mesh& mesh) {
     Warnings repeated; // what is said about textures was said with the first picture
-    RenderResult result =
-        render(mesh, materials_, subject_.frame, subject_.camera, options_, first_ ? warnings_ : repeated);
+    MeshRenderer renderer(mesh, materials_, subject_.frame);
+    RenderResult result = renderer.draw(subject_.camera, options_, first_ ? warnings_ : repeated);
     if (first_ && !result.visible)
       throw ProgramError(kCannotRead,
                          subject_.name + ": nothing is visible in this view; no picture written");

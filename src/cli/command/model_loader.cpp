@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "common/program_error.h"
+#include "mesh/edge_table.h"
 #include "mesh/face_triangulation.h"
 #include "obj/file_search.h"
 #include "obj/ply_reader.h"
@@ -32,7 +33,7 @@ void refuse_triangles(const ObjModel& model, const std::string& name, uint64_t m
 } // namespace
 
 LoadedModel load_model(const SourceText& text, unsigned threads, RemarkList& remarks, Warnings& warnings,
-                       Warnings& notes, const LoadLimits& limits) {
+                       Warnings& notes, const LoadLimits& limits, bool with_edges) {
   LoadedModel loaded;
   loaded.library = MaterialLibrary(limits.strict_materials);
   const bool ply = is_ply(text), stl = !ply && is_stl(text);
@@ -70,6 +71,7 @@ LoadedModel load_model(const SourceText& text, unsigned threads, RemarkList& rem
     report.textures += !material.diffuse_map.file.empty() || !material.opacity_map.file.empty();
   report.vertex_colors = !model.colors.empty();
   report.smoothing_groups = model.has_smoothing_groups;
+  if (with_edges) loaded.edges = face_edges(model);
   triangulate_faces(model);
   report.triangles = triangle_count(model);
   return loaded;

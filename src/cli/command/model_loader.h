@@ -10,7 +10,8 @@ namespace softgl::cli {
 struct LoadedModel {
   ObjModel model; // triangles, see face_triangulation.h
   MaterialLibrary library;
-  ModelReport report; // without bounds and area
+  ModelReport report;           // without bounds and area
+  GrowingArray<uint32_t> edges; // of the faces before they were cut, where asked for: see face_edges()
 };
 
 // For models of unknown origin.
@@ -23,6 +24,6 @@ struct LoadLimits {
 // Remarks about the model's own text stay in `remarks`, so that later steps can add theirs; those about
 // libraries go to `warnings`. Throws ProgramError if nothing can be drawn.
 LoadedModel load_model(const SourceText& text, unsigned threads, RemarkList& remarks, Warnings& warnings,
-                       Warnings& notes, const LoadLimits& limits = {});
+                       Warnings& notes, const LoadLimits& limits = {}, bool with_edges = false);
 
 } // namespace softgl::cli

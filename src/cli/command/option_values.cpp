@@ -61,11 +61,13 @@ constexpr float kDefaultCutoff = 30; // degrees, of a spot that does not say
 
 LightOptions parse_light_kind(const std::string& text) {
   static const std::string what =
-      "a light: key, headlight, x,y,z, model:x,y,z, at:x,y,z or an axis such as +Y";
+      "a light: key, headlight, three-point, x,y,z, model:x,y,z, at:x,y,z or an axis such as +Y";
   LightOptions light;
   if (text == "key") return light;
   light.kind = LightOptions::kHeadlight;
   if (text == "headlight" || text == "head") return light;
+  light.kind = LightOptions::kThreePoint;
+  if (text == "three-point") return light;
   light.kind = LightOptions::kDirection;
   std::string rest = text;
   if (text.rfind("model:", 0) == 0) {
@@ -165,6 +167,16 @@ void parse_size(const std::string& text, int& width, int& height) {
   height = int(h);
 }
 
+void parse_sheet(const std::string& text, int& columns, int& rows) {
+  rows = 0;
+  int unused;
+  if (text.find_first_of("xX,") == std::string::npos)
+    parse_size(text, columns, unused);
+  else
+    parse_size(text, columns, rows);
+  if (columns > 100 || rows > 100) refuse("a sheet of at most 100 columns and rows", text);
+}
+
 UpAxis parse_up_axis(const std::string& text) {
   const std::string name = lower(text);
   if (name == "auto") return UpAxis::kAuto;
@@ -172,6 +184,34 @@ UpAxis parse_up_axis(const std::string& text) {
   const std::string axis = name.substr(sign ? 1 : 0);
   if (axis.size() != 1 || axis[0] < 'x' || axis[0] > 'z') refuse("an axis such as +Y, -Z or auto", text);
   return UpAxis(2 * (axis[0] - 'x') + (name[0] == '-'));
+}
+
+std::array<double, 3> parse_triple(const std::string& text) {
+  std::vector<double> values;
+  if (!parse_numbers(text, values) || values.size() != 3) refuse("three numbers, x,y,z", text);
+  return {values[0], values[1], values[2]};
+}
+
+std::vector<std::string> parse_views(const std::string& text) {
+  std::vector<std::string> names = split_list(text);
+  double unused;
+  for (const std::string& name : names)
+    if (!named_view(name, unused, unused))
+      refuse("a view: iso, front, back, left, right, top or bottom", name);
+  return names;
+}
+
+std::vector<Pass> parse_passes(const std::string& text) {
+  static const std::string what = "a list of passes, each once: color, depth, normal, uv, id, ambient, "
+                                  "diffuse, specular, emission, coverage";
+  std::vector<Pass> passes;
+  for (const std::string& name : split_list(text)) {
+    Pass pass;
+    if (!named_pass(lower(name), pass) || std::find(passes.begin(), passes.end(), pass) != passes.end())
+      refuse(what, text);
+    passes.push_back(pass);
+  }
+  return passes;
 }
 
 LightOptions parse_light(const std::string& text) {
@@ -227,9 +267,45 @@ Background parse_background(const std::string& text) {
     background.transparent = true;
     return background;
   }
-  const std::array<uint8_t, 3> color = parse_color(text);
+  if (text.rfind("picture:", 0) == 0) {
+    background.file = text.substr(8);
+    return background;
+  }
+  const size_t colon = std::min(text.find(':'), text.size());
+  const std::array<uint8_t, 3> color = parse_color(text.substr(0, colon));
   for (size_t i = 0; i < 3; ++i) background.color[i] = color[i];
+  if (colon < text.size()) background.below = parse_color(text.substr(colon + 1));
   return background;
+}
+
+std::array<float, 4> parse_tolerance(const std::string& text) {
+  std::vector<double> values;
+  const bool numbers = parse_numbers(text, values);
+  if (values.size() == 1) values.resize(4, values[0]);
+  if (values.size() == 3) values.push_back(0);
+  const bool inside =
+      std::all_of(values.begin(), values.end(), [](double value) { return value >= 0 && value <= 255; });
+  if (!numbers || values.size() != 4 || !inside) refuse("a number from 0 to 255, r,g,b or r,g,b,a", text);
+  return {float(values[0]), float(values[1]), float(values[2]), float(values[3])};
+}
+
+double parse_count_or_percentage(const std::string& text) {
+  const bool percentage = !text.empty() && text.back() == '%';
+  std::vector<double> values;
+  if (!parse_numbers(text.substr(0, text.size() - percentage), values) || values.size() != 1 ||
+      values[0] < 0 || (percentage ? values[0] > 100 : values[0] != std::floor(values[0])))
+    refuse("a whole number or a percentage", text);
+  return values[0];
+}
+
+std::vector<std::string> split_list(const std::string& text) {
+  std::vector<std::string> parts;
+  for (size_t begin = 0; begin <= text.size();) {
+    const size_t comma = std::min(text.find(',', begin), text.size());
+    parts.push_back(text.substr(begin, comma - begin));
+    begin = comma + 1;
+  }
+  return parts;
 }
 
 } // namespace softgl::cli

@@ -1,16 +1,17 @@
 #include "command/options.h"
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <initializer_list>
 #include <string>
 #include <vector>
 
+#include "command/batch_options.h"
+#include "command/compare_options.h"
+#include "command/look_options.h"
+#include "command/option_kinds.h"
 #include "command/option_values.h"
 #include "common/program_error.h"
+#include "image/float_formats.h"
 #include "scene/lighting_setup.h"
 
 #ifndef SOFTGL_VERSION
@@ -34,48 +35,6 @@ Exit codes: 0 done, 2 wrong usage, 3 model unreadable or without visible geometr
 4 picture cannot be written.
 Environment: SOFTGL_THREADS=n (as --threads), SOFTGL_ISA=baseline|v2|v3|v4 (instruction set of the kernels).)";
 
-// Runs a parser of option_values as a CLI11 check, so that its sentence names the option.
-template <class Parse> auto checked(Parse parse) {
-  return [parse](const auto& text) {
-    try {
-      parse(text);
-      return true;
-    } catch (const std::invalid_argument& mistake) { throw CLI::ValidationError(mistake.what()); }
-  };
-}
-
-CLI::Validator range(double low, double high) {
-  return CLI::Validator(
-      [low, high](std::string& text) -> std::string {
-        double value;
-        if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return {};
-        char sentence[128];
-        std::snprintf(sentence, sizeof sentence, "must be a number from %g to %g", low, high);
-        return sentence;
-      },
-      "");
-}
-
-CLI::Validator one_of(std::initializer_list<const char*> words) {
-  return CLI::IsMember(std::vector<std::string>(words.begin(), words.end()));
-}
-
-// An option whose text `use` parses.
-template <class Use>
-void add_parsed(CLI::App& app, const char* names, const char* type, const char* description, Use use) {
-  app.add_option_function<std::string>(names, checked(use), description)->type_name(type);
-}
-
-template <class Value> void add_number(CLI::App& app, const char* names, const char* type,
-                                       const char* description, Value& value, double low, double high) {
-  app.add_option(names, value, description)->check(range(low, high))->type_name(type);
-}
-
-void add_word(CLI::App& app, const char* names, const char* type, const char* description, std::string& word,
-              std::initializer_list<const char*> words) {
-  app.add_option(names, word, description)->check(one_of(words))->type_name(type);
-}
-
 // The command line by groups of options, and what follows from them together.
 class CommandLine {
 public:
@@ -88,9 +47,12 @@ public:
     app_.option_defaults()->always_capture_default(false);
     add_files();
     add_view();
+    add_camera_place(app_, options_);
     add_shading();
     add_lights();
     add_colors();
+    add_look(app_, options_);
+    add_batch(app_, options_);
     add_effort();
     add_run(app_, "more about the model and what is left out");
     add_limits(app_);
@@ -98,6 +60,7 @@ public:
                16384);
     add_info();
     add_figure();
+    compare_ = add_compare(app_, options_.compare);
   }
 
   ParsedOptions parse(int argc, const char* const* argv) {
@@ -116,47 +79,57 @@ public:
       options_.command = ProgramOptions::kInfo;
       return {options_, 0};
     }
+    if (*compare_) {
+      options_.command = ProgramOptions::kCompare;
+      return {options_, 0};
+    }
     std::string mistake = *figure_ ? complete_figure() : std::string();
     if (mistake.empty()) mistake = complete_output();
     if (mistake.empty()) mistake = complete_rendering();
     if (!mistake.empty()) return refuse(mistake);
     complete_view();
+    mistake = complete_look(options_);
+    if (!mistake.empty()) return refuse(mistake);
     return {options_, 0};
   }
 
 private:
   void add_files() {
-    app_.add_option("model", options_.model, "OBJ, PLY or STL file, or .gz or .zst; - for standard input")
+    app_.add_option("model", options_.models,
+                    "OBJ, PLY or STL files, also .gz or .zst, or folders of them; - for standard input")
         ->type_name("MODEL.obj");
-    app_.add_option("-o,--output", options_.output,
-                    "picture to write (.png .ppm .pam .jpg .bmp .tga); - for standard output")
+    app_.add_option(
+            "-o,--output", options_.output,
+            "picture to write (.png .ppm .pam .jpg .bmp .tga .gif .apng .pfm .exr), - for standard output; "
+            "{model}, {dir}, {view}, {pass}, {frame} and {n} (its number) in the name stand for themselves")
         ->type_name("FILE");
     app_.add_option("--format", options_.format, "picture format where the file name does not say it")
         ->type_name("png|ppm|..");
     add_word(app_, "--png", "HOW", "effort for PNG files: fast, default or small", png_,
              {"fast", "default", "small"});
-    add_parsed(app_, "-s,--size", "WxH", "size of the picture [1024x1024]", [this](const std::string& text) {
-      parse_size(text, options_.render.width, options_.render.height);
-    });
+    add_parsed(
+        app_, "-s,--size,--resolution", "WxH", "size of the picture [1024x1024]",
+        [this](const std::string& text) { parse_size(text, options_.render.width, options_.render.height); });
   }
 
   void add_view() {
-    CameraOptions& camera = options_.camera;
+    CameraOptions& camera = camera_;
     camera.up = UpAxis::kAuto;
-    add_word(app_, "--view", "NAME",
-             "iso (three-quarter view), front, back, left, right, top or bottom [iso]", view_,
-             {"iso", "front", "back", "left", "right", "top", "bottom"});
+    add_parsed(app_, "--view", "NAMES",
+               "iso (three-quarter view), front, back, left, right, top, bottom; several with commas [iso]",
+               [this](const std::string& text) { views_ = parse_views(text); });
     add_number(app_, "--az", "DEG", "degrees to the right of the named view, else of the front [35]",
                azimuth_, -1e6, 1e6);
     add_number(app_, "--el", "DEG", "degrees above the named view, else above the horizon [25]", elevation_,
                -1e6, 1e6);
     add_number(app_, "--roll", "DEG", "degrees the camera is turned clockwise [0]", camera.roll, -1e6, 1e6);
     add_number(app_, "--zoom", "FACTOR", "magnification after fitting [1]", camera.zoom, 1e-3, 1e3);
-    add_number(app_, "--fov", "DEG", "vertical field of view in degrees [30]", camera.field_of_view, 1, 150);
+    add_number(app_, "--fov,--camera-view-angle", "DEG", "vertical field of view in degrees [30]",
+               camera.field_of_view, 1, 150);
     app_.add_flag("--ortho", camera.orthographic, "parallel projection");
     add_parsed(app_, "--up", "AXIS",
                "axis of the model that points up: +Y, +Z, -X ..., or auto, which looks at the model [auto]",
-               [this](const std::string& text) { options_.camera.up = parse_up_axis(text); });
+               [this](const std::string& text) { camera_.up = parse_up_axis(text); });
   }
 
   void add_shading() {
@@ -187,7 +160,8 @@ private:
               for (const std::string& text : texts)
                 options_.render.lighting.lights.push_back(parse_light(text));
             }),
-            "key, headlight, x,y,z (direction as seen), model:x,y,z or +Y (direction in the model's axes), "
+            "key, headlight, three-point, x,y,z (direction as seen), model:x,y,z or +Y (direction in the "
+            "model's axes), "
             "at:x,y,z (place in "
             "the model); then /color:COLOR, and for a place "
             "/spot:x,y,z/cutoff:DEG/exponent:N/attenuation:C,L,Q; may be "
@@ -214,9 +188,10 @@ private:
     add_reflectance("--ks", "specular reflectance of all materials", materials.specular);
     add_number(app_, "--ns", "N", "specular exponent of all materials, 0 to 128", materials.shininess, 0,
                128);
-    add_parsed(app_, "--bg", "COLOR",
-               "background: #rrggbb, name, r,g,b from 0 to 1, or transparent [#2e333a]",
-               [this](const std::string& text) { options_.render.background = parse_background(text); });
+    add_parsed(
+        app_, "--bg,--bg-color", "COLOR",
+        "background: #rrggbb, name, r,g,b from 0 to 1, TOP:BOTTOM, picture:FILE or transparent [#2e333a]",
+        [this](const std::string& text) { options_.render.background = parse_background(text); });
     add_parsed(app_, "--color,--colour", "COLOR", "one color for the whole model instead of its materials",
                [this](const std::string& text) {
                  parse_color(text); // three numbers or a name; one number is no color
@@ -262,8 +237,9 @@ private:
 
   void add_info() {
     info_ = app_.add_subcommand("info", "describe a model instead of drawing it");
-    info_->add_option("model", options_.model, "OBJ, PLY or STL file, or .gz or .zst; - for standard input")
+    info_->add_option("model", options_.models, "OBJ, PLY or STL file, or .gz or .zst; - for standard input")
         ->required()
+        ->expected(1)
         ->type_name("MODEL.obj");
     info_->add_flag("--json", options_.json, "as JSON");
     add_run(*info_, "more about what is left out");
@@ -276,7 +252,9 @@ private:
         "figure", "draw the terms of the light, exponents, Gouraud and Phong shading and both "
                   "specular vectors side by side, on one labelled sheet; takes the options "
                   "of a picture, --size being that of each part [400x400]");
-    figure_->add_option("model", options_.model, "OBJ file; without one a sphere")->type_name("MODEL.obj");
+    figure_->add_option("model", options_.models, "OBJ file; without one a sphere")
+        ->expected(0, 1)
+        ->type_name("MODEL.obj");
     figure_->fallthrough();
   }
 
@@ -290,27 +268,37 @@ private:
   std::string complete_figure() {
     options_.command = ProgramOptions::kFigure;
     RenderOptions& render = options_.render;
-    if (render.background.transparent) return "a figure has no transparent background";
+    if (render.background.transparent || render.background.below || !render.background.file.empty())
+      return "a figure's background has one color";
+    if (render.srgb || render.ground || render.lines.edges != Edges::kNone ||
+        render.lines.style != LineOptions::kSurface || options_.place.eye || !options_.place.file.empty() ||
+        !options_.place.output.empty())
+      return "a figure has no lines, no ground, no --srgb and no place of the camera";
     if (!app_.count("--size")) render.width = render.height = kFigurePart;
-    if (options_.camera.up == UpAxis::kAuto && options_.model.empty()) options_.camera.up = UpAxis::kPlusY;
+    if (camera_.up == UpAxis::kAuto && options_.models.empty()) camera_.up = UpAxis::kPlusY;
+    if (views_.size() > 1 || options_.turntable || options_.sheet_columns ||
+        options_.passes != std::vector{Pass::kColor})
+      return "a figure is one picture";
     return {};
   }
 
   std::string complete_output() {
-    if (options_.model.empty() && !*figure_) return "no model given";
+    if (options_.models.empty() && !*figure_) return "no model given";
     if (options_.output.empty()) return "no output file given; -o PICTURE.png names one";
     std::string& format = options_.format;
     if (format.empty()) format = image_format_of(options_.output);
     if (format.empty() && options_.output != "-")
       return "cannot tell the picture format of \"" + options_.output +
-             "\"; known are png, ppm, pam, jpg, bmp and tga";
+             "\"; known are png, ppm, pam, jpg, bmp, tga, gif, apng, pfm and exr";
     if (format.empty()) format = "png";
     if (!is_image_format(format)) return "unknown picture format \"" + format + "\"";
     options_.png = png_ == "fast"    ? PngEffort::kFast
                    : png_ == "small" ? PngEffort::kSmall
                                      : PngEffort::kDefault;
     options_.stats = !stats_.empty();
-    return {};
+    if (*figure_ && (is_animation(format) || is_float_format(format) || options_.bits == 16))
+      return "a figure is a picture of 8 bits, and no animation";
+    return complete_batch(options_);
   }
 
   std::string complete_rendering() {
@@ -323,7 +311,7 @@ private:
                                                        : Shading::kGouraud;
     lighting.reflection_vector = specular_ == "reflection";
     if (gl_lights_of(lighting) > kMostLights)
-      return "--light: GL has 8 lights, and the key light takes two of them";
+      return "--light: GL has 8 lights, and the key light takes two of them, three-point three";
     const int most = options_.limits.picture_side;
     if (most && std::max(render.width, render.height) > most)
       return "--size asks for more pixels a side than --max-size " + std::to_string(most) + " allows";
@@ -336,23 +324,28 @@ private:
 
   // The angles of a named view are where --az and --el count from; without one they count from the front.
   void complete_view() {
-    CameraOptions& camera = options_.camera;
-    camera.width = options_.render.width;
-    camera.height = options_.render.height;
-    double from_azimuth = 0, from_elevation = 0;
-    if (!view_.empty()) {
-      named_view(view_, from_azimuth, from_elevation);
-      camera.azimuth = from_azimuth;
-      camera.elevation = from_elevation;
+    camera_.width = options_.render.width;
+    camera_.height = options_.render.height;
+    if (views_.empty()) views_.emplace_back(azimuth_ || elevation_ ? "" : "iso");
+    for (const std::string& name : views_) {
+      CameraOptions camera = camera_;
+      double from_azimuth = 0, from_elevation = 0;
+      if (named_view(name, from_azimuth, from_elevation)) {
+        camera.azimuth = from_azimuth;
+        camera.elevation = from_elevation;
+      }
+      if (azimuth_) camera.azimuth = from_azimuth + *azimuth_;
+      if (elevation_) camera.elevation = from_elevation + *elevation_;
+      options_.views.push_back({name.empty() ? "view" : name, camera});
     }
-    if (azimuth_) camera.azimuth = from_azimuth + *azimuth_;
-    if (elevation_) camera.elevation = from_elevation + *elevation_;
   }
 
   CLI::App app_;
-  CLI::App *info_ = nullptr, *figure_ = nullptr;
+  CLI::App *info_ = nullptr, *figure_ = nullptr, *compare_ = nullptr;
   ProgramOptions options_;
-  std::string png_ = "default", view_, shading_ = "gouraud", specular_ = "half", stats_;
+  std::string png_ = "default", shading_ = "gouraud", specular_ = "half", stats_;
+  CameraOptions camera_;
+  std::vector<std::string> views_;
   std::optional<double> azimuth_, elevation_;
   int samples_ = 1;
 };

@@ -4,7 +4,9 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "command/compare.h"
 #include "command/model_loader.h"
 #include "image/image_writer.h"
 #include "mesh/normal_generator.h"
@@ -30,13 +32,30 @@ struct RunLimits {
   double seconds = 0;
 };
 
+struct NamedView {
+  std::string name;
+  CameraOptions camera;
+};
+
+struct CameraPlaceOptions {
+  std::optional<std::array<double, 3>> eye, target, view_up;
+  std::string file, output; // JSON
+};
+
 struct ProgramOptions {
-  enum Command { kRender, kInfo, kFigure } command = kRender;
-  std::string model; // empty for kFigure: a sphere
+  enum Command { kRender, kInfo, kFigure, kCompare } command = kRender;
+  std::vector<std::string> models; // and folders of models; none for kFigure: a sphere
   std::string output;
   std::string format;
+  int bits = 8; // of a PNG's channel
   PngEffort png = PngEffort::kDefault;
-  CameraOptions camera;
+  std::vector<NamedView> views; // at least one
+  CameraPlaceOptions place;
+  std::vector<Pass> passes = {Pass::kColor};
+  int turntable = 0; // pictures of a turn around the model; 0: no turn
+  int frames_per_second = 25;
+  int sheet_columns = 0, sheet_rows = 0; // no columns: no sheet; no rows: as many as it takes
+  bool skip_existing = false, keep_going = false;
   RenderOptions render;
   NormalOptions normals;
   MaterialOptions materials;
@@ -45,6 +64,7 @@ struct ProgramOptions {
   bool quiet = false, verbose = false, strict = false;
   bool json = false; // info --json
   bool stats = false;
+  CompareOptions compare;
 };
 
 // What main() is to do: options, or an end with that exit code (help, version, or a mistake already

@@ -1,10 +1,14 @@
 // What the program says about a model: `softgl info` and --stats.
 #pragma once
 
+#include <cstdio>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "common/warnings.h"
 #include "mesh/model_frame.h"
+#include "mesh/surface_report.h"
 #include "obj/material_library.h"
 #include "obj/obj_reader.h"
 
@@ -20,6 +24,8 @@ struct ModelReport {
   bool vertex_colors = false, smoothing_groups = false;
   double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
   double area = 0;
+  std::optional<SurfaceReport> surface;    // `softgl info` only
+  std::vector<std::string> material_names; // of its parts
 };
 
 struct RunTimes {
@@ -32,5 +38,8 @@ std::string as_text(const ModelReport& report);
 std::string as_json(const ModelReport& report, const Warnings& warnings);
 std::string stats_as_json(const ModelReport& report, const RunTimes& times, int width, int height,
                           const Warnings& warnings);
+
+// Throws ProgramError (kCannotWrite).
+void print_text(const std::string& text, std::FILE* file);
 
 } // namespace softgl::cli

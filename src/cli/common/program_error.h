@@ -8,6 +8,7 @@ namespace softgl::cli {
 
 enum ExitCode {
   kSuccess = 0,
+  kDiffers = 1, // softgl compare
   kUsageError = 2,
   kCannotRead = 3, // unreadable, no geometry, nothing visible, or a warning with --strict
   kCannotWrite = 4,

@@ -89,4 +89,12 @@ void Warnings::add_notice(const std::string& file, const std::string& text) {
   notices_.push_back(file + ": " + text);
 }
 
+void Warnings::add_new(const Warnings& others) {
+  for (const std::string& sentence : others.sentences_) {
+    if (std::find(sentences_.begin(), sentences_.end(), sentence) != sentences_.end()) continue;
+    ++count_;
+    sentences_.push_back(sentence);
+  }
+}
+
 } // namespace softgl::cli

@@ -58,6 +58,9 @@ public:
   // What was done that nobody asked for, and that is no fault of the input: told, but not counted.
   void add_notice(const std::string& file, const std::string& text);
 
+  // Those of another picture of the same model, without what has been said before.
+  void add_new(const Warnings& others);
+
   uint64_t count() const { return count_; }
   const std::vector<std::string>& notices() const { return notices_; }
   const std::vector<std::string>& sentences() const { return sentences_; } // "model.obj:12: ..."

@@ -1,8 +1,10 @@
 #include "image/image_writer.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <fcntl.h>
 #include <optional>
 #include <sys/stat.h>
@@ -24,24 +26,37 @@
 namespace softgl::cli {
 namespace {
 
-constexpr const char* kFormats[] = {"png", "ppm", "pam", "jpg", "jpeg", "bmp", "tga"};
+constexpr const char* kFormats[] = {"png", "ppm", "pam", "jpg",  "jpeg", "bmp",
+                                    "tga", "raw", "gif", "apng", "pfm",  "exr"};
 
 void append_bytes(void* context, void* data, int size) {
   static_cast<GrowingArray<uint8_t>*>(context)->append(static_cast<const uint8_t*>(data), size_t(size));
 }
 
-Picture over_white(const Picture& picture) {
+} // namespace
+
+Picture as_rgb(const Picture& picture) {
   Picture result;
   result.width = picture.width;
   result.height = picture.height;
+  if (picture.channels == 3) {
+    result.pixels.append(picture.pixels.data(), picture.pixels.size());
+    return result;
+  }
   const size_t count = size_t(picture.width) * size_t(picture.height);
   uint8_t* out = result.pixels.extend(3 * count);
+  if (picture.channels == 1) {
+    for (size_t i = 0; i < count; ++i) std::fill_n(out + 3 * i, 3, picture.pixels[i]);
+    return result;
+  }
   for (size_t i = 0; i < count; ++i) {
     const uint8_t* p = &picture.pixels[4 * i];
     for (size_t c = 0; c < 3; ++c) out[3 * i + c] = uint8_t((p[c] * p[3] + 255 * (255 - p[3]) + 127) / 255);
   }
   return result;
 }
+
+namespace {
 
 void append_text(GrowingArray<uint8_t>& out, const std::string& text) {
   out.append(reinterpret_cast<const uint8_t*>(text.data()), text.size());
@@ -53,7 +68,11 @@ bool is_image_format(const std::string& format) {
   return std::find(std::begin(kFormats), std::end(kFormats), format) != std::end(kFormats);
 }
 
-bool has_alpha(const std::string& format) { return format == "png" || format == "pam" || format == "tga"; }
+bool has_alpha(const std::string& format) {
+  return format == "png" || format == "apng" || format == "gif" || format == "pam" || format == "tga" ||
+         format == "raw" || format == "exr";
+}
+bool is_animation(const std::string& format) { return format == "gif" || format == "apng"; }
 
 std::string image_format_of(const std::string& path) {
   const size_t dot = path.rfind('.');
@@ -65,8 +84,13 @@ std::string image_format_of(const std::string& path) {
 
 GrowingArray<uint8_t> encode_image(const Picture& picture, const std::string& format, PngEffort effort) {
   if (format == "png") return encode_png(picture, effort);
-  if (picture.channels == 4 && !has_alpha(format)) return encode_image(over_white(picture), format, effort);
+  if (picture.channels == 1) return encode_image(as_rgb(picture), format, effort);
+  if (picture.channels == 4 && !has_alpha(format)) return encode_image(as_rgb(picture), format, effort);
   GrowingArray<uint8_t> out;
+  if (format == "raw") {
+    out.append(picture.pixels.data(), picture.pixels.size());
+    return out;
+  }
   const std::string size = std::to_string(picture.width) + " " + std::to_string(picture.height);
   if (format == "ppm") {
     append_text(out, "P6\n" + size + "\n255\n");
@@ -90,29 +114,60 @@ GrowingArray<uint8_t> encode_image(const Picture& picture, const std::string& fo
   return out;
 }
 
-void write_file(const std::string& path, const GrowingArray<uint8_t>& bytes) {
-  const bool standard_output = path == "-";
-  const std::string name = standard_output ? "standard output" : path;
-  const int file =
-      standard_output ? STDOUT_FILENO : ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file < 0) throw ProgramError(kCannotWrite, name + ": cannot write: " + std::strerror(errno));
-  std::optional<UnfinishedFile> unfinished;
-  if (!standard_output) unfinished.emplace(path);
+namespace {
+
+[[noreturn]] void cannot_write(const std::string& name, int problem) {
+  throw ProgramError(kCannotWrite, name + ": cannot write: " + std::strerror(problem));
+}
+
+// 0, or what went wrong.
+int write_all(int file, const GrowingArray<uint8_t>& bytes) {
   size_t written = 0;
-  int problem = 0;
-  while (written < bytes.size() && problem == 0) {
+  while (written < bytes.size()) {
     const ssize_t count = ::write(file, bytes.data() + written, bytes.size() - written);
     if (count >= 0)
       written += size_t(count);
     else if (errno != EINTR)
-      problem = errno;
+      return errno;
   }
-  if (!standard_output && ::close(file) != 0 && problem == 0) problem = errno;
-  if (problem == 0) return;
+  return 0;
+}
+
+// The file that a symbolic link names in the end: the link stays.
+std::string real_path(const std::string& path) {
+  char* real = ::realpath(path.c_str(), nullptr);
+  std::string result = real ? real : path;
+  std::free(real);
+  return result;
+}
+
+} // namespace
+
+void write_file(const std::string& path, const GrowingArray<uint8_t>& bytes) {
+  if (path == "-") {
+    if (const int problem = write_all(STDOUT_FILENO, bytes)) cannot_write("standard output", problem);
+    return;
+  }
   struct stat status {};
-  if (!standard_output && ::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode))
-    ::unlink(path.c_str());
-  throw ProgramError(kCannotWrite, name + ": cannot write: " + std::strerror(problem));
+  const bool exists = ::stat(path.c_str(), &status) == 0;
+  const std::string target = exists ? real_path(path) : path;
+  // A device or a pipe is written to; a file is replaced at once, so that nobody sees half of it.
+  const bool replaced = !exists || S_ISREG(status.st_mode);
+  static std::atomic<unsigned> number{0};
+  const std::string temporary =
+      replaced ? target + "." + std::to_string(::getpid()) + "-" + std::to_string(number++) + ".tmp" : target;
+  const int file =
+      ::open(temporary.c_str(), O_WRONLY | O_CREAT | (replaced ? O_EXCL : O_TRUNC) | O_CLOEXEC, 0666);
+  if (file < 0) cannot_write(path, errno);
+  std::optional<UnfinishedFile> unfinished;
+  if (replaced) unfinished.emplace(temporary);
+  if (exists && replaced) ::fchmod(file, status.st_mode & 07777);
+  int problem = write_all(file, bytes);
+  if (::close(file) != 0 && problem == 0) problem = errno;
+  if (replaced && problem == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) problem = errno;
+  if (problem == 0) return;
+  if (replaced) ::unlink(temporary.c_str());
+  cannot_write(path, problem);
 }
 
 } // namespace softgl::cli

@@ -9,15 +9,23 @@ namespace softgl::cli {
 
 enum class PngEffort { kFast, kDefault, kSmall };
 
-// Known: png, ppm, pam, jpg, jpeg, bmp, tga. Taken from the file name's end; "" if it has none of these.
+// Known: png, ppm, pam, jpg, jpeg, bmp, tga, raw (the pixels alone), pfm and exr (floats), and the
+// animations gif and apng. Taken
+// from the file name's end; "" if it has none of these.
 std::string image_format_of(const std::string& path);
 bool is_image_format(const std::string& format);
 bool has_alpha(const std::string& format); // png, pam, tga
+bool is_animation(const std::string& format);
 
-// Bytes of the picture in the format. Formats without alpha get the picture over white.
+// Bytes of the picture in the format, which has no floats and is no
+// animation. PNG alone has 16 bits. Formats without alpha get the picture over
+// white.
 GrowingArray<uint8_t> encode_image(const Picture& picture, const std::string& format, PngEffort effort);
 
-// To a file, or to standard output for "-". Throws ProgramError (kCannotWrite); leaves no half-written file.
+Picture as_rgb(const Picture& picture); // of 8 bits; alpha is laid over white
+
+// To a file, or to standard output for "-". A file is written under another name beside it and then renamed:
+// it is the old one or the new one, whole, at any time. Throws ProgramError (kCannotWrite).
 void write_file(const std::string& path, const GrowingArray<uint8_t>& bytes);
 
 } // namespace softgl::cli

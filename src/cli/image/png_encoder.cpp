@@ -60,7 +60,7 @@ uint64_t filter_row(const uint8_t* row, const uint8_t* above, size_t size, size_
 }
 
 GrowingArray<uint8_t> filtered(const Picture& picture, PngEffort effort) {
-  const auto bytes = size_t(picture.channels);
+  const auto bytes = size_t(picture.channels) * size_t(picture.bits / 8);
   const size_t row_size = size_t(picture.width) * bytes;
   GrowingArray<uint8_t> rows, candidate;
   rows.room((row_size + 1) * size_t(picture.height));
@@ -89,9 +89,23 @@ GrowingArray<uint8_t> filtered(const Picture& picture, PngEffort effort) {
   return rows;
 }
 
-} // namespace
+void append_start(GrowingArray<uint8_t>& out, const Picture& picture) {
+  static constexpr uint8_t kSignature[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+  out.append(kSignature, sizeof kSignature);
+  GrowingArray<uint8_t> header;
+  append_number(header, uint32_t(picture.width));
+  append_number(header, uint32_t(picture.height));
+  const uint8_t color = picture.channels == 4 ? 6 : picture.channels == 1 ? 0 : 2;
+  const uint8_t kind[] = {uint8_t(picture.bits), color, 0, 0, 0};
+  header.append(kind, sizeof kind);
+  append_chunk(out, "IHDR", header.data(), header.size());
+  for (const PictureNote& note : picture.notes) {
+    const std::string text = note.name + '\0' + note.text;
+    append_chunk(out, "tEXt", reinterpret_cast<const uint8_t*>(text.data()), text.size());
+  }
+}
 
-GrowingArray<uint8_t> encode_png(const Picture& picture, PngEffort effort) {
+GrowingArray<uint8_t> compressed(const Picture& picture, PngEffort effort) {
   const GrowingArray<uint8_t> rows = filtered(picture, effort);
   const int level = effort == PngEffort::kFast ? 1 : effort == PngEffort::kDefault ? 3 : 12;
   const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(libdeflate_alloc_compressor(level));
@@ -99,22 +113,59 @@ GrowingArray<uint8_t> encode_png(const Picture& picture, PngEffort effort) {
   GrowingArray<uint8_t> packed;
   const size_t bound = libdeflate_zlib_compress_bound(compressor.get(), rows.size());
   packed.room(bound);
-  const size_t packed_size =
+  const size_t size =
       libdeflate_zlib_compress(compressor.get(), rows.data(), rows.size(), packed.data(), bound);
-  if (packed_size == 0 || packed_size > 0x7fffffff)
+  if (size == 0 || size > 0x7ffffff0)
     throw ProgramError(kCannotWrite, "the picture is too large for a PNG file");
+  packed.commit(size);
+  return packed;
+}
 
+} // namespace
+
+GrowingArray<uint8_t> encode_png(const Picture& picture, PngEffort effort) {
+  const GrowingArray<uint8_t> packed = compressed(picture, effort);
   GrowingArray<uint8_t> out;
-  out.room(packed_size + 64);
-  static constexpr uint8_t kSignature[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  out.append(kSignature, sizeof kSignature);
-  GrowingArray<uint8_t> header;
-  append_number(header, uint32_t(picture.width));
-  append_number(header, uint32_t(picture.height));
-  const uint8_t kind[] = {8, uint8_t(picture.channels == 4 ? 6 : 2), 0, 0, 0};
-  header.append(kind, sizeof kind);
-  append_chunk(out, "IHDR", header.data(), header.size());
-  append_chunk(out, "IDAT", packed.data(), packed_size);
+  out.room(packed.size() + 64);
+  append_start(out, picture);
+  append_chunk(out, "IDAT", packed.data(), packed.size());
+  append_chunk(out, "IEND", nullptr, 0);
+  return out;
+}
+
+PngFrame encode_png_frame(const Picture& picture, PngEffort effort) {
+  PngFrame frame;
+  append_start(frame.start, picture);
+  frame.width = uint32_t(picture.width);
+  frame.height = uint32_t(picture.height);
+  frame.packed = compressed(picture, effort);
+  return frame;
+}
+
+// The Animated PNG specification of Mozilla, now in PNG's third edition: the first frame is an ordinary
+// picture, the others are fdAT chunks; both counted by one sequence of numbers.
+GrowingArray<uint8_t> assemble_apng(const std::vector<PngFrame>& frames, int frames_per_second) {
+  GrowingArray<uint8_t> out, chunk;
+  out.append(frames.front().start.data(), frames.front().start.size());
+  append_number(chunk, uint32_t(frames.size()));
+  append_number(chunk, 0); // played for ever
+  append_chunk(out, "acTL", chunk.data(), chunk.size());
+  uint32_t sequence = 0;
+  for (const PngFrame& frame : frames) {
+    chunk.truncate(0);
+    for (const uint32_t value : {sequence++, frame.width, frame.height, 0u, 0u}) append_number(chunk, value);
+    append_number(chunk, 1u << 16 | uint32_t(frames_per_second)); // a delay of 1 / frames_per_second
+    chunk.fill(2, 0);                                             // replaces what was there
+    append_chunk(out, "fcTL", chunk.data(), chunk.size());
+    if (sequence == 1) {
+      append_chunk(out, "IDAT", frame.packed.data(), frame.packed.size());
+      continue;
+    }
+    chunk.truncate(0);
+    append_number(chunk, sequence++);
+    chunk.append(frame.packed.data(), frame.packed.size());
+    append_chunk(out, "fdAT", chunk.data(), chunk.size());
+  }
   append_chunk(out, "IEND", nullptr, 0);
   return out;
 }

@@ -22,6 +22,8 @@ struct Mesh {
   GrowingArray<uint32_t> triangles;
   std::vector<Batch> triangle_batches; // one per material in use
 
+  GrowingArray<float> edge_positions; // two places each, where edges are to be drawn
+
   GrowingArray<float> segment_positions, segment_colors; // two vertices each, opaque
   std::vector<Batch> segment_batches;
   GrowingArray<float> point_positions, point_colors;

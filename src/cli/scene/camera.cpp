@@ -5,62 +5,10 @@
 #include <iterator>
 
 #include "common/trigonometry.h"
+#include "scene/camera_axes.h"
 
 namespace softgl::cli {
 namespace {
-
-struct Axes {
-  double right[3], up[3], back[3]; // back: from the model to the viewer
-};
-
-void cross(const double* a, const double* b, double* result) {
-  result[0] = a[1] * b[2] - a[2] * b[1];
-  result[1] = a[2] * b[0] - a[0] * b[2];
-  result[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-// Axes of the upright model: its right, its up, and its front (towards the viewer of the front view).
-Axes model_axes(UpAxis up) {
-  Axes axes{};
-  const int axis = int(up) / 2;
-  const double sign = int(up) % 2 ? -1 : 1;
-  axes.up[axis] = sign;
-  // +Y up: front is +Z. +Z up: front is -Y, as CAD programs have it. +X up: front is +Z.
-  if (axis == 2)
-    axes.back[1] = -sign;
-  else
-    axes.back[2] = 1;
-  cross(axes.up, axes.back, axes.right);
-  return axes;
-}
-
-Axes camera_axes(const CameraOptions& options) {
-  const Axes model = model_axes(options.up);
-  const double sa = sine(options.azimuth), ca = cosine(options.azimuth);
-  const double se = sine(options.elevation), ce = cosine(options.elevation);
-  Axes level{}, axes{};
-  double right[3], up[3];
-  for (int i = 0; i < 3; ++i) {
-    level.back[i] = ca * model.back[i] + sa * model.right[i];
-    right[i] = ca * model.right[i] - sa * model.back[i];
-    axes.back[i] = ce * level.back[i] + se * model.up[i];
-    up[i] = ce * model.up[i] - se * level.back[i];
-  }
-  const double sr = sine(options.roll), cr = cosine(options.roll);
-  for (int i = 0; i < 3; ++i) {
-    axes.right[i] = cr * right[i] + sr * up[i];
-    axes.up[i] = cr * up[i] - sr * right[i];
-  }
-  return axes;
-}
-
-template <class Visit> void for_each_position(const Mesh& mesh, const Visit& visit) {
-  for (const GrowingArray<float>* positions :
-       {&mesh.positions, &mesh.segment_positions, &mesh.point_positions})
-    for (size_t i = 0; i < positions->size(); i += 3) visit(positions->data() + i);
-}
-
-double along(const double* axis, const float* p) { return axis[0] * p[0] + axis[1] * p[1] + axis[2] * p[2]; }
 
 struct Extremes {
   double low[3] = {1e300, 1e300, 1e300}, high[3] = {-1e300, -1e300, -1e300};
@@ -118,25 +66,9 @@ double centered(const Mesh& mesh, const double* axis, const double* back, double
   return place;
 }
 
-void set_view(Camera& camera, const Axes& axes, double x, double y, double z) {
-  const double* rows[3] = {axes.right, axes.up, axes.back};
-  const double offset[3] = {-x, -y, -z};
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) camera.view[4 * column + row] = rows[row][column];
-    camera.view[12 + row] = offset[row];
-    camera.view[4 * row + 3] = 0;
-    camera.eye[row] = axes.back[row];
-  }
-  camera.view[15] = 1;
-}
-
 bool is_single_place(const Extremes& box) {
   return box.high[0] - box.low[0] + box.high[1] - box.low[1] + box.high[2] - box.low[2] < 1e-9;
 }
-
-constexpr double kFill = 1 - 2 * kMargin;
-
-double aspect_of(const CameraOptions& options) { return double(options.width) / options.height; }
 
 Camera fit_orthographic(const Axes& axes, const Extremes& box, const CameraOptions& options) {
   Camera camera{};
@@ -148,12 +80,7 @@ Camera fit_orthographic(const Axes& axes, const Extremes& box, const CameraOptio
   const double depth = std::max(box.high[2] - box.low[2], half_height * 1e-3) * 1.01;
   set_view(camera, axes, (box.low[0] + box.high[0]) / 2, (box.low[1] + box.high[1]) / 2,
            (box.low[2] + box.high[2]) / 2 + depth);
-  camera.projection[0] = 1 / (half_height * aspect);
-  camera.projection[5] = 1 / half_height;
-  const double near_plane = depth / 4, far_plane = depth * 7 / 4;
-  camera.projection[10] = -2 / (far_plane - near_plane);
-  camera.projection[14] = -(far_plane + near_plane) / (far_plane - near_plane);
-  camera.projection[15] = 1;
+  set_orthographic(camera, half_height, aspect, depth / 4, depth * 7 / 4);
   return camera;
 }
 
@@ -172,15 +99,7 @@ Camera fit_perspective(const Mesh& mesh, const Axes& axes, const Extremes& box,
     place.y = centered(mesh, axes.up, axes.back, place.distance, ty, place.y, fit.y);
   }
   set_view(camera, axes, place.x, place.y, place.distance);
-  double near_plane = place.distance - box.high[2], far_plane = place.distance - box.low[2];
-  const double slack = std::max((far_plane - near_plane) * 0.01, near_plane * 0.01);
-  near_plane = std::max(near_plane - slack, near_plane * 0.5);
-  far_plane += slack;
-  camera.projection[0] = options.zoom / tx;
-  camera.projection[5] = options.zoom / ty;
-  camera.projection[10] = -(far_plane + near_plane) / (far_plane - near_plane);
-  camera.projection[14] = -2 * far_plane * near_plane / (far_plane - near_plane);
-  camera.projection[11] = -1;
+  set_perspective(camera, options, place.distance - box.high[2], place.distance - box.low[2]);
   return camera;
 }
 
@@ -219,6 +138,11 @@ Camera fit_camera(const Mesh& mesh, const CameraOptions& options) {
   if (box.low[0] > box.high[0]) std::fill_n(box.low, 3, 0.0), std::fill_n(box.high, 3, 0.0);
   return options.orthographic ? fit_orthographic(axes, box, options)
                               : fit_perspective(mesh, axes, box, options);
+}
+
+double Camera::distance_of(double depth) const {
+  const double z = 2 * depth - 1; // of normalized device coordinates
+  return projection[11] != 0 ? projection[14] / (projection[10] + z) : (z - projection[14]) / -projection[10];
 }
 
 } // namespace softgl::cli

@@ -1,6 +1,8 @@
 // Where the picture is taken from: a direction and a frame that the model just fills.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 
 #include "mesh/mesh_builder.h"
@@ -11,6 +13,14 @@ enum class UpAxis { kPlusX, kMinusX, kPlusY, kMinusY, kPlusZ, kMinusZ, kAuto };
 
 const char* name_of(UpAxis axis); // "+X" ...
 
+// A camera that is not fitted to the model. In the model's coordinates.
+struct CameraPlacement {
+  std::array<double, 3> eye = {0, 0, 0};
+  std::optional<std::array<double, 3>> target, up; // the model's middle; the model's up
+  double field_of_view = 0;                        // degrees; 0: that of the options
+  double height = 0; // of a picture with parallel rays; 0: what shows all of the model
+};
+
 struct CameraOptions {
   double azimuth = 35;   // degrees to the right of the model's front
   double elevation = 25; // degrees above the horizon
@@ -20,6 +30,7 @@ struct CameraOptions {
   bool orthographic = false;
   UpAxis up = UpAxis::kPlusY;
   int width = 1024, height = 1024;
+  std::optional<CameraPlacement> placement;
 };
 
 // Angles of a named view; false if the name is unknown.
@@ -29,6 +40,9 @@ struct Camera {
   double view[16];       // column-major, a rotation and a translation
   double projection[16]; // column-major
   double eye[3];         // direction from the model to the camera, in model coordinates
+
+  // From the camera's plane, of what has this window depth: 0 is the near plane, 1 the far one.
+  double distance_of(double depth) const;
 };
 
 // Part of the picture left free on each side of the tighter dimension.

@@ -10,6 +10,7 @@ struct LightOptions {
   enum Kind {
     kKey,            // over the viewer's left shoulder, with a weak fill light from the right
     kHeadlight,      // from the viewer
+    kThreePoint,     // a key light from the left, a fill light from the right, a rim light from behind
     kDirection,      // towards `value` as the viewer sees it: x right, y up, z to the viewer
     kModelDirection, // towards `value` in the model's axes
     kModelPosition,  // at `value` in the model's coordinates

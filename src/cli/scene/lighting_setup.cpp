@@ -24,6 +24,14 @@ public:
       set(fill, 0.225f, 0, light.color);
       return;
     }
+    if (light.kind == LightOptions::kThreePoint) {
+      const float key[4] = {-0.8f, 0.6f, 0.7f, 0}, fill[4] = {0.9f, 0.1f, 0.6f, 0},
+                  rim[4] = {0.35f, 0.8f, -0.9f, 0};
+      set(key, 0.95f, 1, light.color);
+      set(fill, 0.3f, 0, light.color);
+      set(rim, 0.75f, 0.75f, light.color);
+      return;
+    }
     const bool in_model =
         light.kind == LightOptions::kModelDirection || light.kind == LightOptions::kModelPosition;
     if (in_model)
@@ -72,7 +80,8 @@ private:
 
 unsigned gl_lights_of(const LightingOptions& options) {
   unsigned count = options.lights.empty() ? 2 : 0;
-  for (const LightOptions& light : options.lights) count += light.kind == LightOptions::kKey ? 2 : 1;
+  for (const LightOptions& light : options.lights)
+    count += light.kind == LightOptions::kKey ? 2 : light.kind == LightOptions::kThreePoint ? 3 : 1;
   return count;
 }
 

@@ -2,61 +2,172 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
 #include "image/sample_average.h"
+#include "image/srgb.h"
+#include "scene/background.h"
+#include "scene/data_pass.h"
+#include "scene/float_target.h"
 #include "scene/gl_context.h"
+#include "scene/ground.h"
 #include "scene/lighting_setup.h"
+#include "scene/line_overlay.h"
+#include "scene/mesh_drawing.h"
 #include "scene/uploaded_mesh.h"
 
 namespace softgl::cli {
 namespace {
 
-constexpr float kSegmentWidth = 1.5f, kPointSize = 4.0f; // in pixels of the finished picture
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-class Renderer {
-public:
-  Renderer(const Mesh& mesh, const std::vector<Material>& materials, const ModelFrame& frame,
-           const Camera& camera, const RenderOptions& options, Warnings& warnings)
-      : mesh_(mesh), materials_(materials), frame_(frame), camera_(camera), options_(options),
-        warnings_(warnings) {}
+unsigned terms_of(Pass pass, unsigned chosen) {
+  switch (pass) {
+  case Pass::kAmbient: return kAmbient;
+  case Pass::kDiffuse: return kDiffuse;
+  case Pass::kSpecular: return kSpecular;
+  case Pass::kEmission: return kEmission;
+  default: return chosen;
+  }
+}
 
-  RenderResult run() {
-    RenderResult result;
-    const auto start = std::chrono::steady_clock::now();
-    width_ = options_.width * options_.samples_per_side;
-    height_ = options_.height * options_.samples_per_side;
+// Alpha alone.
+template <class Colors> FloatPicture coverage_of(const Colors& picture, float largest) {
+  FloatPicture result;
+  result.width = picture.width;
+  result.height = picture.height;
+  result.channels = 1;
+  const auto& values = [&]() -> const auto& {
+    if constexpr (std::is_same_v<Colors, Picture>)
+      return picture.pixels;
+    else
+      return picture.values;
+  }
+  ();
+  float* out = result.values.extend(values.size() / 4);
+  for (size_t i = 3; i < values.size(); i += 4) *out++ = float(values[i]) / largest;
+  return result;
+}
+
+} // namespace
+
+struct MeshRenderer::Resources {
+  Resources(uint8_t* pixels, int width, int height, const MeshRenderer& renderer, Warnings& warnings)
+      : context(pixels, width, height, 24),
+        uploaded(renderer.mesh_, renderer.materials_, renderer.linear_, warnings) {}
+
+  GlContext context;
+  UploadedMesh uploaded;
+};
+
+// One picture.
+class MeshRenderer::Drawing {
+public:
+  Drawing(const MeshRenderer& renderer, const Camera& camera, const RenderOptions& options)
+      : mesh_(renderer.mesh_), materials_(renderer.materials_), frame_(renderer.frame_), camera_(camera),
+        options_(options), width_(options.width * options.samples_per_side),
+        height_(options.height * options.samples_per_side) {
     samples_.extend(size_t(4) * size_t(width_) * size_t(height_));
-    {
-      const GlContext context(samples_.data(), width_, height_, 24);
-      const UploadedMesh uploaded(mesh_, materials_, warnings_);
-      uploaded_ = &uploaded;
-      result.upload_seconds = seconds_since(start);
-      draw_all(result);
-    } // nobody writes to the samples any more
-    const auto average_start = std::chrono::steady_clock::now();
-    result.picture = average_samples(std::move(samples_), options_.width, options_.height,
-                                     options_.samples_per_side, options_.background.transparent);
-    result.average_seconds = seconds_since(average_start);
-    return result;
+    options_.lighting.terms = terms_of(options.pass, options.lighting.terms);
+    Background& background = options_.background;
+    if (is_term(options.pass)) {
+      std::fill_n(background.color, 3, uint8_t(0));
+      background.below.reset();
+      background.picture.reset();
+    }
+    if (options.pass == Pass::kCoverage) background.transparent = true;
+    if (options.pass != Pass::kColor) options_.ground = false;
+  }
+
+  // The renderer's context and objects, made if there are none yet.
+  void prepare(MeshRenderer& renderer, Warnings& warnings) {
+    if (renderer.resources_)
+      renderer.resources_->context.attach(samples_.data());
+    else
+      renderer.resources_ = std::make_unique<Resources>(samples_.data(), width_, height_, renderer, warnings);
+    uploaded_ = &renderer.resources_->uploaded;
+  }
+
+  void run(RenderResult& result) {
+    const auto start = Clock::now();
+    glPushAttrib(GL_ALL_ATTRIB_BITS); // the next picture begins with the same state
+    glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
+    if (is_data(options_.pass)) {
+      DataPicture data = draw_data(options_.pass, mesh_, materials_, frame_, *uploaded_, camera_,
+                                   options_.width, options_.height, options_.values != Values::kFloats);
+      result.visible = data.visible;
+      deliver(std::move(data.picture), result);
+    } else {
+      draw_colors(result);
+    }
+    glPopClientAttrib();
+    glPopAttrib();
+    result.draw_seconds = seconds_since(start) - result.average_seconds;
   }
 
 private:
-  void draw_all(RenderResult& result) {
-    const auto start = std::chrono::steady_clock::now();
-    draw();
-    result.visible = anything_drawn();
-    if (!result.visible && !mesh_.triangles.empty()) {
-      draw_silhouette();
-      result.transparent = anything_drawn();
-      clear();
-      draw_edges();
-      result.as_wireframe = result.visible = anything_drawn();
+  void draw_colors(RenderResult& result) {
+    std::optional<FloatTarget> target;
+    // Many faint shadows, and light that is encoded in the end, need more than bytes.
+    if (options_.values != Values::kBytes || options_.ground || options_.srgb)
+      target.emplace(width_, height_, options_.values != Values::kFloats);
+    MeshDrawing drawing(mesh_, materials_, *uploaded_, camera_, float(options_.samples_per_side));
+    if (is_term(options_.pass) && options_.pass != Pass::kEmission) drawing.blacken_unlit();
+    set_state();
+    draw(drawing);
+    result.visible = anything_drawn(target);
+    if (result.visible && options_.ground) {
+      draw_ground_shadow(mesh_, *uploaded_, camera_, options_.up);
+      draw_rest(drawing);
+      anything_drawn(target);
     }
-    result.draw_seconds = seconds_since(start);
+    if (!result.visible && !mesh_.triangles.empty()) {
+      drawing.draw_silhouette();
+      GlContext::finish();
+      result.transparent = anything_drawn(target);
+      clear();
+      drawing.draw_bare_edges();
+      GlContext::finish();
+      result.as_wireframe = result.visible = anything_drawn(target);
+    }
+    const auto start = Clock::now();
+    average(target.has_value(), result); // nobody writes to the samples any more
+    result.average_seconds = seconds_since(start);
+  }
+
+  void average(bool in_floats, RenderResult& result) {
+    const bool transparent = options_.background.transparent, coverage = options_.pass == Pass::kCoverage;
+    const int side = options_.samples_per_side;
+    if (in_floats) {
+      FloatPicture picture =
+          average_float_samples(float_samples_, options_.width, options_.height, side, transparent);
+      if (options_.srgb && !coverage && options_.values != Values::kFloats) encode(picture);
+      deliver(coverage ? coverage_of(picture, 1) : std::move(picture), result);
+    } else {
+      result.picture =
+          average_samples(std::move(samples_), options_.width, options_.height, side, transparent);
+      if (coverage) result.picture = quantize(coverage_of(result.picture, 255), 8);
+    }
+  }
+
+  static void encode(FloatPicture& picture) {
+    const auto channels = size_t(picture.channels);
+    for (size_t i = 0; i < picture.values.size(); ++i)
+      if (i % channels < 3) picture.values[i] = to_srgb(picture.values[i]);
+  }
+
+  void deliver(FloatPicture picture, RenderResult& result) const {
+    if (options_.values == Values::kFloats)
+      result.floats = std::move(picture);
+    else
+      result.picture = quantize(picture, options_.values == Values::kWords ? 16 : 8);
+  }
+
+  float stored(uint8_t value) const {
+    return options_.srgb ? from_srgb(float(value) / 255) : float(value) / 255;
   }
 
   void clear() {
@@ -65,8 +176,9 @@ private:
     if (options_.background.transparent)
       glClearColor(0, 0, 0, 0);
     else
-      glClearColor(float(color[0]) / 255, float(color[1]) / 255, float(color[2]) / 255, 0);
+      glClearColor(stored(color[0]), stored(color[1]), stored(color[2]), 0);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    draw_background(options_.background, width_, height_, options_.srgb);
   }
 
   void set_state() {
@@ -82,157 +194,50 @@ private:
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     glAlphaFunc(GL_GREATER, 0);
-    if (!mesh_.segment_positions.empty() && !mesh_.triangles.empty()) {
+    const LineOptions& lines = options_.lines;
+    const bool any_lines = !mesh_.segment_positions.empty() || lines.edges != Edges::kNone ||
+                           lines.style != LineOptions::kSurface;
+    if (any_lines && !mesh_.triangles.empty()) {
       glEnable(GL_POLYGON_OFFSET_FILL); // lines on a surface are to be seen
       glPolygonOffset(1, 1);
     }
   }
 
-  void draw() {
-    set_state();
-    const bool any_blended = !mesh_.triangles.empty() && !draw_opaque();
-    draw_elements(GL_LINES, mesh_.segment_positions, mesh_.segment_colors, mesh_.segment_batches);
-    draw_elements(GL_POINTS, mesh_.point_positions, mesh_.point_colors, mesh_.point_batches);
-    if (any_blended) draw_blended();
+  void draw(const MeshDrawing& drawing) {
+    const LineOptions& lines = options_.lines;
+    if (lines.style == LineOptions::kSurface)
+      any_blended_ = !mesh_.triangles.empty() && !drawing.draw_opaque();
+    else if (!lines.hidden)
+      draw_depth_only(mesh_, *uploaded_);
+    draw_rest(drawing);
+  }
+
+  // Again after the ground, which is behind it.
+  void draw_rest(const MeshDrawing& drawing) const {
+    const LineOptions& lines = options_.lines;
+    drawing.draw_segments_and_points();
+    if (any_blended_) drawing.draw_blended();
+    if (lines.style != LineOptions::kSurface || lines.edges != Edges::kNone)
+      draw_lines(mesh_, *uploaded_, lines, line_color(), float(options_.samples_per_side));
     GlContext::finish();
   }
 
-  // Triangles of all materials but the blended ones. False: some are left.
-  bool draw_opaque() {
-    uploaded_->bind_vertices();
-    uploaded_->bind_triangles();
-    bool all = true;
-    for (const Batch& batch : mesh_.triangle_batches) {
-      if (uploaded_->blended(batch.material)) {
-        all = false;
-        continue;
-      }
-      uploaded_->use_material(batch.material);
-      glDrawElements(GL_TRIANGLES, GLsizei(batch.count), GL_UNSIGNED_INT,
-                     reinterpret_cast<const void*>(batch.first * sizeof(uint32_t)));
-    }
-    return all;
+  // Seen on the surface, or on the background where there is none.
+  std::array<float, 3> line_color() const {
+    std::array<float, 3> color = options_.lines.color.value_or(std::array<float, 3>{0.1f, 0.1f, 0.1f});
+    const uint8_t* behind = options_.background.color;
+    const bool dark = 0.299 * behind[0] + 0.587 * behind[1] + 0.114 * behind[2] < 128;
+    if (!options_.lines.color && options_.lines.style != LineOptions::kSurface && dark) color.fill(0.85f);
+    if (options_.srgb)
+      for (float& value : color) value = from_srgb(value);
+    return color;
   }
 
-  void set_sizes() const {
-    glLineWidth(kSegmentWidth * float(options_.samples_per_side));
-    glPointSize(kPointSize * float(options_.samples_per_side));
-  }
-
-  // Segments and points: the plain diffuse color, since they have no normals.
-  void draw_elements(GLenum mode, const GrowingArray<float>& positions, const GrowingArray<float>& colors,
-                     const std::vector<Batch>& batches) {
-    if (positions.empty()) return;
-    glBindBuffer(GL_ARRAY_BUFFER, 0);
-    glDisable(GL_LIGHTING);
-    glDisable(GL_TEXTURE_2D);
-    glDisableClientState(GL_NORMAL_ARRAY);
-    glDisableClientState(GL_TEXTURE_COORD_ARRAY);
-    glEnableClientState(GL_VERTEX_ARRAY);
-    glVertexPointer(3, GL_FLOAT, 0, positions.data());
-    if (!colors.empty()) {
-      glEnableClientState(GL_COLOR_ARRAY);
-      glColorPointer(4, GL_FLOAT, 0, colors.data());
-    } else {
-      glDisableClientState(GL_COLOR_ARRAY);
-    }
-    set_sizes();
-    for (const Batch& batch : batches) {
-      glColor4f(materials_[batch.material].diffuse[0], materials_[batch.material].diffuse[1],
-                materials_[batch.material].diffuse[2], 1);
-      glDrawArrays(mode, GLint(batch.first), GLsizei(batch.count));
-    }
-  }
-
-  struct BlendedTriangle {
-    float depth;
-    uint32_t first, material;
-  };
-
-  // Blended triangles of all materials from the far end to the near one.
-  std::vector<BlendedTriangle> sort_blended() const {
-    std::vector<BlendedTriangle> sorted;
-    const float eye[3] = {float(camera_.eye[0]), float(camera_.eye[1]), float(camera_.eye[2])};
-    for (const Batch& batch : mesh_.triangle_batches) {
-      if (!uploaded_->blended(batch.material)) continue;
-      for (uint32_t i = batch.first; i < batch.first + batch.count; i += 3) {
-        float depth = 0;
-        for (uint32_t k = 0; k < 3; ++k) {
-          const float* p = &mesh_.positions[3 * size_t(mesh_.triangles[i + k])];
-          depth += p[0] * eye[0] + p[1] * eye[1] + p[2] * eye[2];
-        }
-        sorted.push_back({depth, i, batch.material});
-      }
-    }
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [](const BlendedTriangle& a, const BlendedTriangle& b) { return a.depth < b.depth; });
-    return sorted;
-  }
-
-  void draw_blended() {
-    const std::vector<BlendedTriangle> sorted = sort_blended();
-    uploaded_->bind_vertices();
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
-    glEnable(GL_BLEND);
-    glEnable(GL_ALPHA_TEST);
-    GrowingArray<uint32_t> run;
-    for (size_t i = 0; i < sorted.size();) {
-      run.truncate(0);
-      size_t j = i;
-      for (; j < sorted.size() && sorted[j].material == sorted[i].material; ++j)
-        run.append(&mesh_.triangles[sorted[j].first], 3);
-      uploaded_->use_material(sorted[i].material);
-      // Textures with holes are mostly opaque: they write depth; glass does not.
-      glDepthMask(materials_[sorted[i].material].opacity == 1 ? GL_TRUE : GL_FALSE);
-      glDrawElements(GL_TRIANGLES, GLsizei(run.size()), GL_UNSIGNED_INT, run.data());
-      i = j;
-    }
-    glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
-    glDisable(GL_ALPHA_TEST);
-  }
-
-  // All surfaces without materials.
-  void draw_silhouette() {
-    uploaded_->bind_vertices();
-    uploaded_->bind_triangles();
-    set_plain_state();
-    glDrawElements(GL_TRIANGLES, GLsizei(mesh_.triangles.size()), GL_UNSIGNED_INT, nullptr);
-    GlContext::finish();
-  }
-
-  void set_plain_state() {
-    glDisable(GL_LIGHTING);
-    glDisable(GL_TEXTURE_2D);
-    glDisable(GL_BLEND);
-    glDisableClientState(GL_COLOR_ARRAY);
-    glDisableClientState(GL_TEXTURE_COORD_ARRAY);
-    glColor4f(materials_[0].diffuse[0], materials_[0].diffuse[1], materials_[0].diffuse[2], 1);
-  }
-
-  // What has no area to be seen, a plane from its edge or a single place, is shown by its edges and corners.
-  void draw_edges() {
-    GrowingArray<uint32_t> edges;
-    edges.room(2 * mesh_.triangles.size());
-    for (size_t i = 0; i + 2 < mesh_.triangles.size(); i += 3)
-      for (size_t k = 0; k < 3; ++k) {
-        edges.append(mesh_.triangles[i + k]);
-        edges.append(mesh_.triangles[i + (k + 1) % 3]);
-      }
-    uploaded_->bind_vertices();
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
-    set_plain_state();
-    set_sizes();
-    glDrawElements(GL_LINES, GLsizei(edges.size()), GL_UNSIGNED_INT, edges.data());
-    glDrawElements(GL_POINTS, GLsizei(edges.size()), GL_UNSIGNED_INT, edges.data());
-    GlContext::finish();
-  }
-
-  bool anything_drawn() const {
-    const size_t count = size_t(width_) * size_t(height_);
-    const uint8_t* pixels = samples_.data();
-    for (size_t i = 0; i < count; ++i)
-      if (pixels[4 * i + 3]) return true;
+  bool anything_drawn(const std::optional<FloatTarget>& target) {
+    const size_t count = 4 * size_t(width_) * size_t(height_);
+    if (target) float_samples_ = target->colors();
+    for (size_t i = 3; i < count; i += 4)
+      if (target ? float_samples_[i] > 0 : samples_[i] > 0) return true;
     return false;
   }
 
@@ -240,18 +245,28 @@ private:
   const std::vector<Material>& materials_;
   const ModelFrame& frame_;
   const Camera& camera_;
-  const RenderOptions& options_;
-  Warnings& warnings_;
-  int width_ = 0, height_ = 0;
+  RenderOptions options_;
+  int width_, height_;
   GrowingArray<uint8_t> samples_; // RGBA rows from the top
+  GrowingArray<float> float_samples_;
   const UploadedMesh* uploaded_ = nullptr;
+  bool any_blended_ = false;
 };
 
-} // namespace
+MeshRenderer::MeshRenderer(const Mesh& mesh, const std::vector<Material>& materials, const ModelFrame& frame,
+                           bool linear)
+    : mesh_(mesh), materials_(materials), frame_(frame), linear_(linear) {}
 
-RenderResult render(const Mesh& mesh, const std::vector<Material>& materials, const ModelFrame& frame,
-                    const Camera& camera, const RenderOptions& options, Warnings& warnings) {
-  return Renderer(mesh, materials, frame, camera, options, warnings).run();
+MeshRenderer::~MeshRenderer() = default;
+
+RenderResult MeshRenderer::draw(const Camera& camera, const RenderOptions& options, Warnings& warnings) {
+  RenderResult result;
+  const auto start = Clock::now();
+  Drawing drawing(*this, camera, options);
+  drawing.prepare(*this, warnings);
+  result.upload_seconds = seconds_since(start);
+  drawing.run(result);
+  return result;
 }
 
 } // namespace softgl::cli

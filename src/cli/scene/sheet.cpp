@@ -18,8 +18,9 @@
 namespace softgl::cli {
 namespace {
 
-constexpr int kGap = 12;       // around the pictures
-constexpr int kLine = 12;      // of the font, with the space below
+constexpr int kGap = 12;  // around the pictures
+constexpr int kLine = 12; // of the font, with the space below
+constexpr int kWidestLabel = 450;
 constexpr int kReadable = 200; // pixels of a picture's width that a label of 30 letters takes
 
 // Text as quadrilaterals of the current context, drawn with a unit of one pixel and y downwards.
@@ -56,6 +57,20 @@ std::string ascii_only(const std::string& text) {
   return out;
 }
 
+int width_of(std::string text) { return stb_easy_font_width(text.data()); }
+
+// The line without as much of its middle as makes it too long.
+std::string shortened(const std::string& line, int most) {
+  if (width_of(line) <= most) return line;
+  size_t kept = line.size();
+  std::string text;
+  do {
+    --kept;
+    text = line.substr(0, kept / 2) + "..." + line.substr(line.size() - (kept - kept / 2));
+  } while (width_of(text) > most && kept > 1);
+  return text;
+}
+
 class SheetComposer {
 public:
   SheetComposer(const std::string& title, const std::vector<SheetRow>& rows)
@@ -89,25 +104,39 @@ private:
     part_height_ = rows_.front().entries.front().picture.height;
     letter_ = std::clamp(part_width_ / kReadable, 1, 8);
     label_ = letter_ * 2 * kLine + kGap; // two lines
-    row_title_ = 2 * letter_ * kLine + kGap;
-    sheet_title_ = 3 * letter_ * kLine + kGap;
+    const bool titled =
+        std::any_of(rows_.begin(), rows_.end(), [](const SheetRow& row) { return !row.title.empty(); });
+    row_title_ = titled ? 2 * letter_ * kLine + kGap : 0;
+    sheet_title_ = title_.empty() ? kGap : 3 * letter_ * kLine + kGap;
     column_width_ = part_width_;
     for (const SheetRow& row : rows_)
-      for (const SheetEntry& entry : row.entries) {
-        std::string text = entry.label;
-        column_width_ = std::max(column_width_, letter_ * stb_easy_font_width(text.data()));
-      }
+      for (const SheetEntry& entry : row.entries)
+        column_width_ = std::max(column_width_, letter_ * width_of(entry.label));
+    column_width_ = std::min(column_width_, std::max(part_width_, kWidestLabel));
     width_ = kGap + int(columns) * (column_width_ + kGap);
     // A long title has smaller letters; one that is too long even so, loses its end.
     const int room = width_ - 2 * kGap;
-    for (size_t length = title_.size(); stb_easy_font_width(title_.data()) > room && length > 0; --length)
+    for (size_t length = title_.size(); width_of(title_) > room && length > 0; --length)
       title_ = title_.substr(0, length - 1) + "...";
-    title_letter_ = std::clamp(room / std::max(1, stb_easy_font_width(title_.data())), 1, 3 * letter_);
+    title_letter_ = std::clamp(room / std::max(1, width_of(title_)), 1, 3 * letter_);
     height_ = sheet_title_ + int(rows_.size()) * (row_title_ + part_height_ + label_);
   }
 
   int left(size_t column) const { return kGap + int(column) * (column_width_ + kGap); }
   int top(size_t row) const { return sheet_title_ + int(row) * (row_title_ + part_height_ + label_); }
+
+  // Each of the label's lines, none longer than its column.
+  std::string fitted(const std::string& label) const {
+    std::string text, line;
+    for (const char c : ascii_only(label) + "\n") {
+      line += c;
+      if (c != '\n') continue;
+      line.pop_back();
+      text += (text.empty() ? "" : "\n") + shortened(line, column_width_ / letter_);
+      line.clear();
+    }
+    return text;
+  }
 
   void draw_text(GrowingArray<uint8_t>& pixels) const {
     const GlContext context(pixels.data(), width_, height_, 0);
@@ -125,7 +154,7 @@ private:
       glColor3f(0.3f, 0.3f, 0.3f);
       for (size_t column = 0; column < rows_[row].entries.size(); ++column)
         text.draw(left(column), top(row) + row_title_ + part_height_ + kGap / 3, letter_,
-                  rows_[row].entries[column].label);
+                  fitted(rows_[row].entries[column].label));
     }
     GlContext::finish();
   }

@@ -10,16 +10,16 @@ namespace softgl::cli {
 
 struct SheetEntry {
   Picture picture;   // RGB, all of one size
-  std::string label; // ASCII, one line or two
+  std::string label; // UTF-8, one line or two; loses its middle where it is too long
 };
 
 struct SheetRow {
-  std::string title; // ASCII, one line
+  std::string title; // ASCII, one line; empty: none
   std::vector<SheetEntry> entries;
 };
 
-// At least one row with an entry; `title` is UTF-8, one line. Throws ProgramError if GL cannot draw a sheet
-// of that size.
+// At least one row with an entry; `title` is UTF-8, one line, or empty. Throws ProgramError if GL cannot draw
+// a sheet of that size.
 Picture compose_sheet(const std::string& title, const std::vector<SheetRow>& rows);
 
 } // namespace softgl::cli

@@ -8,7 +8,7 @@
 namespace softgl::cli {
 namespace {
 
-GLuint make_texture(const TextureImage& image, bool clamp) {
+GLuint make_texture(const TextureImage& image, bool clamp, bool linear) {
   GLuint texture = 0;
   glGenTextures(1, &texture);
   glBindTexture(GL_TEXTURE_2D, texture);
@@ -20,15 +20,19 @@ GLuint make_texture(const TextureImage& image, bool clamp) {
   glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   const GLenum format = image.channels == 4 ? GL_RGBA : image.channels == 3 ? GL_RGB : GL_ALPHA;
-  glTexImage2D(GL_TEXTURE_2D, 0, GLint(format), image.width, image.height, 0, format, GL_UNSIGNED_BYTE,
+  const GLenum stored = !linear || format == GL_ALPHA ? format
+                        : format == GL_RGBA           ? GL_SRGB8_ALPHA8
+                                                      : GL_SRGB8;
+  glTexImage2D(GL_TEXTURE_2D, 0, GLint(stored), image.width, image.height, 0, format, GL_UNSIGNED_BYTE,
                image.texels.data());
   return texture;
 }
 
 } // namespace
 
-UploadedMesh::UploadedMesh(const Mesh& mesh, const std::vector<Material>& materials, Warnings& warnings)
-    : mesh_(mesh), materials_(materials), prepared_(materials.size()) {
+UploadedMesh::UploadedMesh(const Mesh& mesh, const std::vector<Material>& materials, bool linear,
+                           Warnings& warnings)
+    : mesh_(mesh), materials_(materials), linear_(linear), prepared_(materials.size()) {
   for (const Batch& batch : mesh_.triangle_batches) prepare_material(batch.material, warnings);
   if (!mesh_.triangles.empty()) upload_vertices();
 }
@@ -80,7 +84,7 @@ UploadedMesh::Uploaded UploadedMesh::upload_texture(const Material& material, bo
   const auto* version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
   const bool any_size = (version && version[0] >= '2') || has_extension("GL_ARB_texture_non_power_of_two");
   fit_texture(image, std::max(largest, 64), !any_size);
-  return {make_texture(image, clamp), image.channels != 3};
+  return {make_texture(image, clamp, linear_), image.channels != 3};
 }
 
 void UploadedMesh::bind_vertices() const {

@@ -15,8 +15,9 @@ namespace softgl::cli {
 
 class UploadedMesh {
 public:
-  // `mesh` and `materials` outlive it. Pictures that cannot be read are warned of and left out.
-  UploadedMesh(const Mesh& mesh, const std::vector<Material>& materials, Warnings& warnings);
+  // `mesh` and `materials` outlive it. `linear`: textures are decoded from sRGB. Pictures that cannot be read
+  // are warned of and left out.
+  UploadedMesh(const Mesh& mesh, const std::vector<Material>& materials, bool linear, Warnings& warnings);
 
   bool blended(uint32_t material) const { return prepared_[material].blended; }
 
@@ -26,6 +27,7 @@ public:
   void bind_triangles() const { glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer_); }
   // Material, lighting, texture and color array of one material's triangles.
   void use_material(uint32_t number) const;
+  void use_texture(uint32_t number) const; // with its coordinates
 
 private:
   struct PreparedMaterial {
@@ -43,10 +45,10 @@ private:
   void upload_vertices();
   void prepare_material(uint32_t number, Warnings& warnings);
   Uploaded upload_texture(const Material& material, bool clamp, Warnings& warnings);
-  void use_texture(uint32_t number) const;
 
   const Mesh& mesh_;
   const std::vector<Material>& materials_;
+  bool linear_;
   std::vector<PreparedMaterial> prepared_;
   std::map<TextureKey, Uploaded> textures_;
   GLuint vertex_buffer_ = 0, index_buffer_ = 0;

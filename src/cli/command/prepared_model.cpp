@@ -1,0 +1,119 @@
+#include "command/prepared_model.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "command/model_loader.h"
+#include "common/compressed_text.h"
+#include "image/srgb.h"
+#include "mesh/edge_table.h"
+#include "mesh/face_triangulation.h"
+#include "scene/up_axis.h"
+
+namespace softgl::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+void replace(const MaterialOptions::Reflectance& chosen, float* reflectance) {
+  if (chosen) std::copy(chosen->begin(), chosen->end(), reflectance);
+}
+
+void paint_over(const MaterialOptions& chosen, LoadedModel& loaded) {
+  if (chosen.color || chosen.ambient || chosen.diffuse) loaded.model.colors.release();
+  if (chosen.color)
+    for (Material& material : loaded.library.materials()) {
+      replace(chosen.color, material.ambient);
+      replace(chosen.color, material.diffuse);
+      for (float& value : material.emission) value = 0;
+      material.diffuse_map = {};
+      material.opacity_map = {};
+      material.opacity = 1;
+    }
+  override_reflectances(chosen, loaded.library.materials());
+}
+
+UpAxis guess_up_axis(const PreparedModel& prepared, const LoadedModel& loaded, const SourceText& text,
+                     Warnings& warnings, Warnings& notes) {
+  const std::string_view comments = loaded.report.format == std::string_view("STL")
+                                        ? "# STL"
+                                        : std::string_view(text.begin(), std::min<size_t>(text.size(), 4096));
+  const UpEvidence evidence =
+      up_evidence(prepared.mesh, prepared.frame, loaded.library.materials(), comments);
+  notes.add(text.name(), "what speaks for +Z (positive) and +Y: " + as_text(evidence));
+  if (!z_is_up(evidence)) return UpAxis::kPlusY;
+  warnings.add_notice(text.name(), "turned: its +Z seems to point up (--up +Y draws it as it is)");
+  return UpAxis::kPlusZ;
+}
+
+void add_edges(Edges edges, const GrowingArray<uint32_t>& ends, PreparedModel& prepared) {
+  if (edges == Edges::kSharp) prepared.mesh.edge_positions = sharp_edges(prepared.mesh, kDefaultCreaseAngle);
+  for (size_t i = 0; edges == Edges::kAll && i < ends.size(); ++i)
+    prepared.mesh.edge_positions.append(&prepared.frame.positions[3 * size_t(ends[i])], 3);
+}
+
+// From stored values to light.
+void decode_colors(Mesh& mesh, std::vector<Material>& materials) {
+  for (Material& material : materials)
+    for (float* color : {material.ambient, material.diffuse, material.specular, material.emission})
+      for (size_t i = 0; i < 3; ++i) color[i] = from_srgb(color[i]);
+  for (GrowingArray<float>* colors : {&mesh.colors, &mesh.segment_colors, &mesh.point_colors})
+    for (size_t i = 0; i < colors->size(); ++i)
+      if (i % 4 < 3) (*colors)[i] = from_srgb((*colors)[i]); // alpha is none
+}
+
+} // namespace
+
+void override_reflectances(const MaterialOptions& chosen, std::vector<Material>& materials) {
+  for (Material& material : materials) {
+    replace(chosen.ambient, material.ambient);
+    replace(chosen.diffuse, material.diffuse);
+    replace(chosen.specular, material.specular);
+    material.shininess = chosen.shininess.value_or(material.shininess);
+  }
+}
+
+void note_bounds(const ModelFrame& frame, ModelReport& report) {
+  for (int axis = 0; axis < 3; ++axis) {
+    report.low[axis] = frame.low[axis];
+    report.high[axis] = frame.high[axis];
+  }
+}
+
+PreparedModel prepare_model(const std::string& path, const ProgramOptions& options, unsigned threads,
+                            Warnings& warnings, Warnings& notes, RunTimes& times) {
+  const auto start = Clock::now();
+  const SourceText text = open_text(path, options.limits.input_bytes);
+  RemarkList remarks;
+  LoadedModel loaded = load_model(text, threads, remarks, warnings, notes, options.limits.load,
+                                  options.render.lines.edges == Edges::kAll);
+  times.read += since(start);
+  const auto prepare_start = Clock::now();
+  ObjModel& model = loaded.model;
+  paint_over(options.materials, loaded);
+  const bool flat = options.render.lighting.shading == Shading::kFlat;
+  PreparedModel prepared;
+  prepared.name = text.name();
+  prepared.frame = frame_model(model);
+  note_bounds(prepared.frame, loaded.report);
+  if (options.verbose) loaded.report.area = surface_area(model);
+  if (!flat) generate_normals(model, prepared.frame, options.normals);
+  MeshOptions mesh_options;
+  mesh_options.flat = flat;
+  const bool uv = std::find(options.passes.begin(), options.passes.end(), Pass::kUv) != options.passes.end();
+  mesh_options.with_texcoords = uv || (loaded.report.textures > 0 && !options.materials.color);
+  prepared.mesh = build_mesh(model, prepared.frame, loaded.library, mesh_options, remarks);
+  warnings.add(remarks, text);
+  prepared.up = options.views.front().camera.up;
+  if (prepared.up == UpAxis::kAuto) prepared.up = guess_up_axis(prepared, loaded, text, warnings, notes);
+  notes.add(text.name(), std::string("up is ") + name_of(prepared.up));
+  add_edges(options.render.lines.edges, loaded.edges, prepared);
+  if (options.render.srgb) decode_colors(prepared.mesh, loaded.library.materials());
+  prepared.report = std::move(loaded.report);
+  prepared.materials = std::move(loaded.library.materials());
+  times.prepare += since(prepare_start);
+  return prepared;
+}
+
+} // namespace softgl::cli

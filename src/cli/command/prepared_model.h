@@ -1,0 +1,28 @@
+// A model that is read, framed and triangulated: all that its pictures need.
+#pragma once
+
+#include "command/options.h"
+#include "command/report.h"
+
+namespace softgl::cli {
+
+struct PreparedModel {
+  std::string name;
+  ModelReport report; // the area only with --verbose
+  Mesh mesh;
+  std::vector<Material> materials;
+  ModelFrame frame;
+  UpAxis up = UpAxis::kPlusY; // that of the command line, or what the model shows
+};
+
+// Reads the file with the command line's choice of normals and materials. Adds to the times of reading and
+// preparing. Throws ProgramError.
+PreparedModel prepare_model(const std::string& path, const ProgramOptions& options, unsigned threads,
+                            Warnings& warnings, Warnings& notes, RunTimes& times);
+
+// The reflectances that the command line gives all materials.
+void override_reflectances(const MaterialOptions& chosen, std::vector<Material>& materials);
+
+void note_bounds(const ModelFrame& frame, ModelReport& report);
+
+} // namespace softgl::cli

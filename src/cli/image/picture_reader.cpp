@@ -1,0 +1,75 @@
+#include "image/picture_reader.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "common/program_error.h"
+#include "common/source_text.h"
+#include "image/netpbm_reader.h"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wsign-compare"
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_ONLY_BMP
+#define STBI_ONLY_TGA
+#define STBI_NO_STDIO
+#define STBI_NO_LINEAR
+#define STBI_NO_HDR
+#include <stb/stb_image.h>
+#pragma GCC diagnostic pop
+
+namespace softgl::cli {
+namespace {
+
+constexpr int64_t kMostPixels = int64_t(1) << 28; // 16384 x 16384
+
+struct FreeImage {
+  void operator()(void* pixels) const { stbi_image_free(pixels); }
+};
+
+template <class Sample> void take(const Sample* samples, float divisor, PictureSamples& picture) {
+  const size_t count = 4 * size_t(picture.width) * size_t(picture.height);
+  float* out = picture.values.extend(count);
+  for (size_t i = 0; i < count; ++i) out[i] = float(samples[i]) / divisor;
+  for (size_t i = 3; i < count && !picture.alpha; i += 4) picture.alpha = out[i] < 255;
+}
+
+} // namespace
+
+PictureSamples read_picture(const std::string& path) {
+  const SourceText bytes = SourceText::open(path);
+  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.begin());
+  const int size = int(std::min<size_t>(bytes.size(), 0x7fffffff));
+  PictureSamples picture;
+  if (read_netpbm({bytes.begin(), bytes.size()}, picture)) return picture;
+  int channels = 0;
+  if (!stbi_info_from_memory(data, size, &picture.width, &picture.height, &channels))
+    throw ProgramError(kCannotRead,
+                       path + ": no picture that can be read (PNG, JPEG, BMP, TGA, PPM, PGM, PFM)");
+  if (int64_t(picture.width) * picture.height > kMostPixels)
+    throw ProgramError(kCannotRead, path + ": the picture has too many pixels");
+  std::unique_ptr<void, FreeImage> pixels;
+  if (stbi_is_16_bit_from_memory(data, size)) {
+    pixels.reset(stbi_load_16_from_memory(data, size, &picture.width, &picture.height, &channels, 4));
+    if (pixels) take(static_cast<const uint16_t*>(pixels.get()), 257, picture);
+  } else {
+    pixels.reset(stbi_load_from_memory(data, size, &picture.width, &picture.height, &channels, 4));
+    if (pixels) take(static_cast<const uint8_t*>(pixels.get()), 1, picture);
+  }
+  if (!pixels) throw ProgramError(kCannotRead, path + ": the picture is damaged: " + stbi_failure_reason());
+  return picture;
+}
+
+bool is_readable_picture(const std::string& path) {
+  static constexpr const char* kEnds[] = {".png", ".jpg", ".jpeg", ".bmp", ".tga", ".ppm", ".pgm", ".pfm"};
+  std::string name = path;
+  for (char& c : name) c = char(c >= 'A' && c <= 'Z' ? c + 32 : c);
+  return std::any_of(std::begin(kEnds), std::end(kEnds),
+                     [&](const char* end) { return name.ends_with(end); });
+}
+
+} // namespace softgl::cli

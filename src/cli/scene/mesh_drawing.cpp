@@ -1,0 +1,144 @@
+#include "scene/mesh_drawing.h"
+
+#include <algorithm>
+
+namespace softgl::cli {
+
+bool MeshDrawing::draw_opaque() const {
+  uploaded_.bind_vertices();
+  uploaded_.bind_triangles();
+  bool all = true;
+  for (const Batch& batch : mesh_.triangle_batches) {
+    if (uploaded_.blended(batch.material)) {
+      all = false;
+      continue;
+    }
+    use_material(batch.material);
+    glDrawElements(GL_TRIANGLES, GLsizei(batch.count), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(batch.first * sizeof(uint32_t)));
+  }
+  return all;
+}
+
+void MeshDrawing::use_material(uint32_t number) const {
+  uploaded_.use_material(number);
+  if (!unlit_black_ || materials_[number].lit) return;
+  glDisableClientState(GL_COLOR_ARRAY);
+  glColor4f(0, 0, 0, materials_[number].opacity);
+}
+
+void MeshDrawing::set_sizes() const {
+  const LineSizes sizes;
+  glLineWidth(sizes.segment * scale_);
+  glPointSize(sizes.point * scale_);
+}
+
+void MeshDrawing::draw_segments_and_points() const {
+  draw_elements(GL_LINES, mesh_.segment_positions, mesh_.segment_colors, mesh_.segment_batches);
+  draw_elements(GL_POINTS, mesh_.point_positions, mesh_.point_colors, mesh_.point_batches);
+}
+
+// Segments and points: the plain diffuse color, since they have no normals.
+void MeshDrawing::draw_elements(GLenum mode, const GrowingArray<float>& positions,
+                                const GrowingArray<float>& colors, const std::vector<Batch>& batches) const {
+  if (positions.empty()) return;
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  glDisable(GL_LIGHTING);
+  glDisable(GL_TEXTURE_2D);
+  glDisableClientState(GL_NORMAL_ARRAY);
+  glDisableClientState(GL_TEXTURE_COORD_ARRAY);
+  glEnableClientState(GL_VERTEX_ARRAY);
+  glVertexPointer(3, GL_FLOAT, 0, positions.data());
+  if (!colors.empty() && !unlit_black_) {
+    glEnableClientState(GL_COLOR_ARRAY);
+    glColorPointer(4, GL_FLOAT, 0, colors.data());
+  } else {
+    glDisableClientState(GL_COLOR_ARRAY);
+  }
+  set_sizes();
+  for (const Batch& batch : batches) {
+    const float* color = materials_[batch.material].diffuse;
+    if (unlit_black_)
+      glColor4f(0, 0, 0, 1);
+    else
+      glColor4f(color[0], color[1], color[2], 1);
+    glDrawArrays(mode, GLint(batch.first), GLsizei(batch.count));
+  }
+}
+
+// Blended triangles of all materials from the far end to the near one.
+std::vector<MeshDrawing::BlendedTriangle> MeshDrawing::sort_blended() const {
+  std::vector<BlendedTriangle> sorted;
+  const float eye[3] = {float(camera_.eye[0]), float(camera_.eye[1]), float(camera_.eye[2])};
+  for (const Batch& batch : mesh_.triangle_batches) {
+    if (!uploaded_.blended(batch.material)) continue;
+    for (uint32_t i = batch.first; i < batch.first + batch.count; i += 3) {
+      float depth = 0;
+      for (uint32_t k = 0; k < 3; ++k) {
+        const float* p = &mesh_.positions[3 * size_t(mesh_.triangles[i + k])];
+        depth += p[0] * eye[0] + p[1] * eye[1] + p[2] * eye[2];
+      }
+      sorted.push_back({depth, i, batch.material});
+    }
+  }
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const BlendedTriangle& a, const BlendedTriangle& b) { return a.depth < b.depth; });
+  return sorted;
+}
+
+void MeshDrawing::draw_blended() const {
+  const std::vector<BlendedTriangle> sorted = sort_blended();
+  uploaded_.bind_vertices();
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+  glEnable(GL_BLEND);
+  glEnable(GL_ALPHA_TEST);
+  GrowingArray<uint32_t> run;
+  for (size_t i = 0; i < sorted.size();) {
+    run.truncate(0);
+    size_t j = i;
+    for (; j < sorted.size() && sorted[j].material == sorted[i].material; ++j)
+      run.append(&mesh_.triangles[sorted[j].first], 3);
+    use_material(sorted[i].material);
+    // Textures with holes are mostly opaque: they write depth; glass does not.
+    glDepthMask(materials_[sorted[i].material].opacity == 1 ? GL_TRUE : GL_FALSE);
+    glDrawElements(GL_TRIANGLES, GLsizei(run.size()), GL_UNSIGNED_INT, run.data());
+    i = j;
+  }
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+  glDisable(GL_ALPHA_TEST);
+}
+
+void MeshDrawing::draw_silhouette() const {
+  uploaded_.bind_vertices();
+  uploaded_.bind_triangles();
+  set_plain_state();
+  glDrawElements(GL_TRIANGLES, GLsizei(mesh_.triangles.size()), GL_UNSIGNED_INT, nullptr);
+}
+
+void MeshDrawing::set_plain_state() const {
+  glDisable(GL_LIGHTING);
+  glDisable(GL_TEXTURE_2D);
+  glDisable(GL_BLEND);
+  glDisableClientState(GL_COLOR_ARRAY);
+  glDisableClientState(GL_TEXTURE_COORD_ARRAY);
+  glColor4f(materials_[0].diffuse[0], materials_[0].diffuse[1], materials_[0].diffuse[2], 1);
+}
+
+void MeshDrawing::draw_bare_edges() const {
+  GrowingArray<uint32_t> edges;
+  edges.room(2 * mesh_.triangles.size());
+  for (size_t i = 0; i + 2 < mesh_.triangles.size(); i += 3)
+    for (size_t k = 0; k < 3; ++k) {
+      edges.append(mesh_.triangles[i + k]);
+      edges.append(mesh_.triangles[i + (k + 1) % 3]);
+    }
+  uploaded_.bind_vertices();
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+  set_plain_state();
+  set_sizes();
+  glDrawElements(GL_LINES, GLsizei(edges.size()), GL_UNSIGNED_INT, edges.data());
+  glDrawElements(GL_POINTS, GLsizei(edges.size()), GL_UNSIGNED_INT, edges.data());
+}
+
+} // namespace softgl::cli
