@@ -114,7 +114,8 @@ TEST_CASE("batch: a folder goes on over a bad file, or stops", "[models][batch]"
   CHECK(sheet.exit_code == 3);
   CHECK(read_ppm(folder() + "mixed.ppm").at(12 + 48 + 12 + 5, 20)[0] == 230); // the one that failed
   fs::create_directories(folder() + "empty");
-  CHECK(has(run({folder() + "empty", "-o", "{model}.png"}).errors, "no OBJ, PLY or STL files in this folder"));
+  CHECK(
+      has(run({folder() + "empty", "-o", "{model}.png"}).errors, "no OBJ, PLY or STL files in this folder"));
 }
 
 TEST_CASE("batch: what exists is skipped", "[models][batch]") {

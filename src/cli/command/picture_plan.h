@@ -24,9 +24,9 @@ struct PicturePlan {
   std::vector<PlannedOutput> outputs;
 };
 
-// Folders become the OBJ, PLY and STL files in them, by name. With --skip-existing, without the pictures that are there.
-// Throws ProgramError: kCannotRead for a folder without models, kUsageError if two pictures would have one
-// name or the name asks for what there is not.
+// Folders become the OBJ, PLY and STL files in them, by name. With --skip-existing, without the pictures that
+// are there. Throws ProgramError: kCannotRead for a folder without models, kUsageError if two pictures would
+// have one name or the name asks for what there is not.
 PicturePlan plan_pictures(const ProgramOptions& options);
 
 // "folder/model.obj" is "model".
