@@ -206,6 +206,44 @@ TEST_CASE("Blits stretch, and mix where they are linear", "[spec][framebuffers]"
   CHECK(gl.GetError() == GL_NO_ERROR);
 }
 
+TEST_CASE("Floats are mixed by the weights that a linear blit has", "[spec][framebuffers][osmesa]") {
+  constexpr int kFrom = 23, kTo = 2 * kFrom, kSize = 51; // OSMesa rounds coordinates of such sizes
+  std::vector<float> red(kSize * kSize);
+  for (size_t i = 0; i < red.size(); ++i) red[i] = float((i * 37) % 101) / 101.0f;
+  const auto blit = [&](const Gl& gl) {
+    const CurrentContext current{gl};
+    GLuint framebuffers[2], textures[2];
+    gl.GenFramebuffers(2, framebuffers);
+    gl.GenTextures(2, textures);
+    for (int i = 0; i < 2; ++i) {
+      gl.BindTexture(GL_TEXTURE_2D, textures[i]);
+      gl.TexImage2D(GL_TEXTURE_2D, 0, GL_R32F, kSize, kSize, 0, GL_RED, GL_FLOAT, red.data());
+      gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffers[i]);
+      gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, textures[i], 0);
+    }
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffers[0]);
+    gl.BlitFramebuffer(0, 0, kFrom, kFrom, 0, 0, kTo, kFrom, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffers[1]);
+    std::vector<float> out(kTo * kFrom);
+    gl.ReadPixels(0, 0, kTo, kFrom, GL_RED, GL_FLOAT, out.data());
+    CHECK(gl.GetError() == GL_NO_ERROR);
+    return out;
+  };
+  const std::vector<float> ours = blit(softgl_library()), theirs = blit(osmesa_library());
+  size_t others = 0;
+  for (int y = 0; y < kFrom; ++y)
+    for (int x = 0; x < kTo; ++x) {
+      const int left = std::max((x - 1) / 2, 0), at = y * kSize + left;
+      const float weight = x == 0 ? 0.0f : x % 2 ? 0.25f : 0.75f; // of the right one of two
+      const float a = red[size_t(at)], b = red[size_t(at + 1)];
+      const size_t i = size_t(y * kTo + x);
+      CHECK(ours[i] == weight * (b - a) + a);
+      CHECK(theirs[i] == Approx(ours[i]).margin(1e-4));
+      others += theirs[i] != ours[i];
+    }
+  CHECK(others > 0);
+}
+
 TEST_CASE("Levels of cube maps can be attached one by one", "[spec][framebuffers][osmesa]") {
   const auto status = [](const Gl& gl) {
     const CurrentContext current{gl};
