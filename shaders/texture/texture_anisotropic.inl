@@ -77,6 +77,11 @@ static inline void find_ellipse_levels(const StripOfLanes& e, const TextureUnitC
   }
 }
 
+/// Ceiling as an integer; what does not fit an int32_t becomes INT32_MIN.
+static inline __attribute__((always_inline)) int32_t ceiling_to_int(float a) {
+  return int32_t(0u - uint32_t(floor_to_int(-a)));
+}
+
 /// Ellipses in larger boxes are filtered without anisotropy, lest a pixel takes forever.
 constexpr int32_t kMostEllipseBox = 1 << 16;
 
@@ -111,8 +116,8 @@ struct Ellipses {
       // Texels beyond 2^30, and what is no number, have no neighbors. Half a box is at most half of
       // kMostEllipseBox; the bound leaves room for rounding, and keeps the differences in 32 bits.
       const float far = 1073741824.0f, wide = float(kMostEllipseBox);
-      const int32_t left = floor_to_int(u - half_width), right = -floor_to_int(-(u + half_width)),
-                    top = floor_to_int(v - half_height), bottom = -floor_to_int(-(v + half_height));
+      const int32_t left = floor_to_int(u - half_width), right = ceiling_to_int(u + half_width),
+                    top = floor_to_int(v - half_height), bottom = ceiling_to_int(v + half_height);
       const int32_t near = mask_of(absolute(u) + half_width < far) &
                            mask_of(absolute(v) + half_height < far) & mask_of(half_width < wide) &
                            mask_of(half_height < wide);

@@ -7,7 +7,7 @@ namespace {
 constexpr int kTexels = 32 * 32 * 4;
 
 void random_image(Stage& s, GLenum target, GLint format) {
-  static unsigned char pixels[kTexels];
+  static unsigned char pixels[kTexels + 5 * 6]; // faces begin 5 bytes after each other
   const bool blocks = s.random.chance(50);
   for (int i = 0; i < kTexels; ++i)
     pixels[i] = static_cast<unsigned char>(blocks && i % 3 ? pixels[i - 1] : s.random.bits() >> 32);
