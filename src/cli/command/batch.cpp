@@ -115,11 +115,13 @@ private:
       refuse_warnings(model, outcome.warnings.count() + warnings[i].count());
       const auto write_start = Clock::now();
       arrived[i] = true;
+      const double upload = result.upload_seconds, drawing = result.draw_seconds,
+                   average = result.average_seconds;
       outputs_.take(number, std::move(result));
       const std::scoped_lock lock(mutex);
-      outcome.times.upload += result.upload_seconds;
-      outcome.times.draw += result.draw_seconds;
-      outcome.times.average += result.average_seconds;
+      outcome.times.upload += upload;
+      outcome.times.draw += drawing;
+      outcome.times.average += average;
       outcome.times.write += since(write_start);
       progress_.step();
     };

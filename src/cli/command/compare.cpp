@@ -132,7 +132,7 @@ private:
       return folder.empty() ? folder : (fs::path(folder) / name).string();
     };
     const auto picture_within = [&](const std::string& folder, const std::string& name) {
-      const std::string path = within(folder, name);
+      std::string path = within(folder, name);
       if (path.empty()) return path;
       std::error_code ignored; // writing the picture will say it
       fs::create_directories(fs::path(path).parent_path(), ignored);

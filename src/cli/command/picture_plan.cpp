@@ -52,7 +52,8 @@ std::string fill(const std::string& pattern, const Names& names) {
     const auto found = names.find(word);
     if (found == names.end()) {
       std::string known;
-      for (const auto& [name, value] : names) known += (known.empty() ? "{" : ", {") + name + "}";
+      for (const auto& [name, value] : names)
+        known.append(known.empty() ? "{" : ", {").append(name).append("}");
       throw ProgramError(kUsageError, "the output name \"" + pattern + "\" can have " + known);
     }
     text += found->second;

@@ -52,7 +52,7 @@ const char* end_of_windows_word(const char* mark) {
 } // namespace
 
 #define SOFTGL_ROW(t, n) \
-  t[n], t[(n) + 1], t[(n) + 2], t[(n) + 3], t[(n) + 4], t[(n) + 5], t[(n) + 6], t[(n) + 7]
+  (t)[n], (t)[(n) + 1], (t)[(n) + 2], (t)[(n) + 3], (t)[(n) + 4], (t)[(n) + 5], (t)[(n) + 6], (t)[(n) + 7]
 #define SOFTGL_ROWS(t, n) \
   SOFTGL_ROW(t, n), SOFTGL_ROW(t, (n) + 8), SOFTGL_ROW(t, (n) + 16), SOFTGL_ROW(t, (n) + 24)
 #define SOFTGL_TABLE(t) \

@@ -16,7 +16,9 @@ template <class Function> Function find(const char* name) {
   return reinterpret_cast<Function>(function);
 }
 
-struct Functions {
+} // namespace
+
+struct FloatTarget::Functions {
   PFNGLGENFRAMEBUFFERSPROC gen_framebuffers = find<PFNGLGENFRAMEBUFFERSPROC>("glGenFramebuffers");
   PFNGLBINDFRAMEBUFFERPROC bind_framebuffer = find<PFNGLBINDFRAMEBUFFERPROC>("glBindFramebuffer");
   PFNGLDELETEFRAMEBUFFERSPROC delete_framebuffers = find<PFNGLDELETEFRAMEBUFFERSPROC>("glDeleteFramebuffers");
@@ -30,18 +32,17 @@ struct Functions {
   PFNGLCLAMPCOLORARBPROC clamp = find<PFNGLCLAMPCOLORARBPROC>("glClampColorARB");
 };
 
-const Functions& functions() {
+const FloatTarget::Functions& FloatTarget::functions() {
   static const Functions all;
   return all;
 }
 
-} // namespace
-
-FloatTarget::FloatTarget(int width, int height, bool clamp) : width_(width), height_(height) {
+FloatTarget::FloatTarget(int width, int height, bool clamp)
+    : gl_(functions()), width_(width), height_(height) {
   for (const char* extension : {"GL_ARB_framebuffer_object", "GL_ARB_color_buffer_float"})
     if (!has_extension(extension))
       throw ProgramError(kCannotRead, std::string("this GL library draws no floats (") + extension + ")");
-  const Functions& gl = functions();
+  const Functions& gl = gl_;
   gl.gen_framebuffers(1, &framebuffer_);
   gl.bind_framebuffer(GL_FRAMEBUFFER, framebuffer_);
   gl.gen_buffers(2, buffers_);
@@ -64,10 +65,9 @@ FloatTarget::FloatTarget(int width, int height, bool clamp) : width_(width), hei
 }
 
 FloatTarget::~FloatTarget() {
-  const Functions& gl = functions();
-  gl.bind_framebuffer(GL_FRAMEBUFFER, 0);
-  gl.delete_framebuffers(1, &framebuffer_);
-  gl.delete_buffers(2, buffers_);
+  gl_.bind_framebuffer(GL_FRAMEBUFFER, 0);
+  gl_.delete_framebuffers(1, &framebuffer_);
+  gl_.delete_buffers(2, buffers_);
 }
 
 GrowingArray<float> FloatTarget::colors() const { return read(GL_RGBA, 4); }

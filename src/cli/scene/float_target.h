@@ -22,8 +22,11 @@ public:
   GrowingArray<float> depths() const;
 
 private:
+  struct Functions;
+  static const Functions& functions();
   GrowingArray<float> read(GLenum format, size_t channels) const;
 
+  const Functions& gl_;
   int width_, height_;
   GLuint framebuffer_ = 0, buffers_[2] = {0, 0};
 };
