@@ -51,10 +51,14 @@ std::string fill(const std::string& pattern, const Names& names) {
     const std::string word = end == std::string::npos ? "" : pattern.substr(i + 1, end - i - 1);
     const auto found = names.find(word);
     if (found == names.end()) {
-      std::string known;
-      for (const auto& [name, value] : names)
-        known.append(known.empty() ? "{" : ", {").append(name).append("}");
-      throw ProgramError(kUsageError, "the output name \"" + pattern + "\" can have " + known);
+      std::string message = "the output name \"";
+      message.append(pattern).append("\" can have ");
+      const char* separator = "{";
+      for (const auto& [name, value] : names) {
+        message.append(separator).append(name).append("}");
+        separator = ", {";
+      }
+      throw ProgramError(kUsageError, message);
     }
     text += found->second;
     i = end;
