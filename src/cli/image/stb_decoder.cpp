@@ -19,20 +19,7 @@ void* noticed(void* memory) {
 #define STBI_MALLOC(size) softgl::cli::noticed(std::malloc(size))
 #define STBI_REALLOC(memory, size) softgl::cli::noticed(std::realloc(memory, size))
 #define STBI_FREE(memory) std::free(memory)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#pragma GCC diagnostic ignored "-Wsign-compare"
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_PNG
-#define STBI_ONLY_JPEG
-#define STBI_ONLY_BMP
-#define STBI_ONLY_TGA
-#define STBI_NO_STDIO
-#define STBI_NO_LINEAR
-#define STBI_NO_HDR
-#include <stb/stb_image.h>
-#pragma GCC diagnostic pop
+#include "image/stb_image_functions.h"
 
 namespace softgl::cli {
 
