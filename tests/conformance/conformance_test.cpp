@@ -9,8 +9,8 @@
 namespace softgl::test {
 namespace {
 
-// 100 scenes of each family. A process takes time to start.
-constexpr int kSeedsPerCase = 50, kCasesPerFamily = 2;
+// 60 scenes of each family. A process takes time to start.
+constexpr int kSeedsPerCase = 30, kCasesPerFamily = 2;
 
 class Invoker : public Catch::ITestInvoker {
 public:

@@ -13,6 +13,9 @@
 
 namespace {
 
+// Scenes of each family. A case draws them five times.
+constexpr int kSeeds = 40;
+
 bool processor_has(const std::string& isa) {
   __builtin_cpu_init();
   if (isa == "v2") return __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt");
@@ -33,7 +36,7 @@ std::map<std::string, std::string> hashes(const std::string& isa, int threads) {
   const std::string command = "SOFTGL_ISA=" + isa + " SOFTGL_THREADS=" + std::to_string(threads) +
                               " '" SOFTGL_TEST_BINARY_DIR
                               "/softgl_conformance' --library softgl --hash --count " +
-                              std::to_string(softgl::test::seed_count(100)) + " --expect-isa " + isa;
+                              std::to_string(softgl::test::seed_count(kSeeds)) + " --expect-isa " + isa;
   std::map<std::string, std::string> result;
   FILE* pipe = popen(command.c_str(), "r");
   REQUIRE(pipe);
@@ -50,7 +53,7 @@ void check(const std::string& isa) {
     return;
   }
   static const auto reference = hashes("baseline", 1);
-  REQUIRE(reference.size() > 20 * size_t(softgl::test::seed_count(100)));
+  REQUIRE(reference.size() > 20 * size_t(softgl::test::seed_count(kSeeds)));
   for (int threads : {1, 2, 3, 8}) {
     const auto got = hashes(isa, threads);
     REQUIRE(got.size() == reference.size());
@@ -58,7 +61,7 @@ void check(const std::string& isa) {
       if (got.at(scene) != hash)
         FAIL_CHECK(scene << " with " << isa << " and " << threads
                          << " threads has another hash than with baseline and one");
-    for (int seed = 0; seed < softgl::test::seed_count(100); ++seed) {
+    for (int seed = 0; seed < softgl::test::seed_count(kSeeds); ++seed) {
       const std::string number = " " + std::to_string(seed), &hash = got.at("phong_immediate" + number);
       for (const char* family : {"phong_list", "phong_arrays"})
         if (got.at(family + number) != hash)

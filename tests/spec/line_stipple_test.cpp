@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kVertices = 300000; // more than a chunk of vertices
 GLenum mode;                      // read by the scenes
-bool in_array, after_another;
+bool in_array, after_another, late_color;
 
 void draw_long_strip(Stage& s) {
   std::vector<Float2> v;
@@ -53,6 +53,28 @@ void draw_after_another(Stage& s) {
   gl.Vertex2f(3, 0);
   gl.Vertex2f(-0.9f, 0);
   gl.End();
+}
+
+// The second color has four components to OSMesa, which cuts the strip there.
+void draw_cut_strip(Stage& s) {
+  const Gl& gl = s.gl;
+  gl.Enable(GL_LINE_STIPPLE);
+  gl.LineStipple(1, 0x00ff);
+  gl.Begin(GL_LINE_STRIP);
+  gl.Color3f(1, 1, 1);
+  gl.Vertex2f(-0.9f, 0);
+  gl.Vertex2f(-0.83f, 0);
+  if (late_color) gl.Color3d(1, 1, 1);
+  gl.Vertex2f(0.9f, 0);
+  gl.End();
+}
+
+bool changed_by_late_color(const Gl& gl) {
+  const Scene scene{"cut_strip", draw_cut_strip};
+  late_color = false;
+  const Picture without = draw(gl, scene, 0);
+  late_color = true;
+  return compare(draw(gl, scene, 0), without).any();
 }
 
 bool changed_by_another(const Gl& gl) {
@@ -105,6 +127,11 @@ TEST_CASE("a strip in front of lines in a list has one pattern", "[spec][lines][
     return pixels;
   };
   CHECK((picture(true) == picture(false)));
+}
+
+TEST_CASE("a color within a strip does not begin its stipple anew", "[spec][lines][deviation]") {
+  CHECK_FALSE(changed_by_late_color(softgl_library()));
+  CHECK(changed_by_late_color(osmesa_library()));
 }
 
 } // namespace softgl::test

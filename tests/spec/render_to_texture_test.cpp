@@ -347,3 +347,34 @@ TEST_CASE("Depths of 32 bits are drawn with 24", "[spec][framebuffers][osmesa]")
   CHECK(depth_bits(softgl_library()) == 24);
   CHECK(depth_bits(osmesa_library()) == 32);
 }
+
+TEST_CASE("A wide line is clipped to the view volume, whatever it is drawn to",
+          "[spec][framebuffers][deviation]") {
+  // Its first vertex lies above the view volume, which it enters near the column 16.
+  const auto first_column = [](const Gl& gl, GLenum format) {
+    const CurrentContext current{gl};
+    constexpr int kWidth = 49, kHeight = 64;
+    GLuint texture = 0, framebuffer = 0;
+    gl.GenTextures(1, &texture);
+    gl.BindTexture(GL_TEXTURE_2D, texture);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, kWidth, kHeight, 0, format, GL_UNSIGNED_BYTE, nullptr);
+    gl.GenFramebuffers(1, &framebuffer);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+    gl.Viewport(0, 0, kWidth, kHeight);
+    gl.ClearColor(0, 0, 0, 0);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+    gl.LineWidth(5);
+    gl.Begin(GL_LINES);
+    gl.Vertex2f(-0.6911416f, 1.0588704f);
+    gl.Vertex2f(0.887853f, 0.7923841f);
+    gl.End();
+    for (int x = 0; x < kWidth; ++x)
+      for (int y = 0; y < kHeight; ++y)
+        if (pixel(gl, x, y) != 0) return x;
+    return kWidth;
+  };
+  for (GLenum format : {GL_RGBA, GL_BGRA}) CHECK(first_column(softgl_library(), format) == 16);
+  CHECK(first_column(osmesa_library(), GL_RGBA) == 16);
+  CHECK(first_column(osmesa_library(), GL_BGRA) == 7); // blue first, and no depths: it clips nothing
+}

@@ -305,14 +305,30 @@ std::vector<Float4> random_positions(Stage& s, GLenum mode, int count, Spread sp
   return p;
 }
 
+// Whether it is seen that OSMesa cuts a primitive in two (reference/DEVIATIONS.md): strips of quadrilaterals
+// are ordered anew, a stipple begins anew, and a polygon gets an edge.
+static bool cut_is_seen(const Gl& gl, GLenum mode) {
+  switch (mode) {
+  case GL_QUAD_STRIP: return true;
+  case GL_LINE_STRIP:
+  case GL_LINE_LOOP: return gl.IsEnabled(GL_LINE_STIPPLE);
+  case GL_POLYGON: {
+    GLint modes[2];
+    gl.GetIntegerv(GL_POLYGON_MODE, modes);
+    return modes[0] != GL_FILL || modes[1] != GL_FILL;
+  }
+  default: return false;
+  }
+}
+
 // All colors of a primitive have three components, or all have four: reference/DEVIATIONS.md. To OSMesa
-// glColor3d and the integers of glColor3 have four, and a strip of quadrilaterals is cut in two where they
-// come behind others.
-static void emit_color(Stage& s, bool alpha, GLenum mode) {
+// glColor3d and the integers of glColor3 have four, and a primitive is cut in two where they come behind
+// others.
+static void emit_color(Stage& s, bool alpha, bool uncut) {
   const Gl& gl = s.gl;
   const Float4 c = s.random.color();
   int form = s.random.integer(0, 9);
-  if (!alpha && mode == GL_QUAD_STRIP && form <= 3) form = 4;
+  if (!alpha && uncut && form <= 3) form = 4;
   if (alpha) {
     switch (form) {
     case 0: gl.Color4d(c[0], c[1], c[2], c[3]); break;
@@ -381,11 +397,11 @@ void random_primitive(Stage& s, const PrimitiveOptions& o) {
   const int count = vertices_of(mode, primitives) + (s.random.chance(10) ? s.random.integer(0, 2) : 0);
   const std::vector<Float4> p = random_positions(s, mode, count, o.spread, o.planar);
   const int color_every = s.random.pick({1, 1, 1, 3});
-  const bool alpha = s.random.chance(70);
+  const bool alpha = s.random.chance(70), uncut = o.colors && cut_is_seen(gl, mode);
   gl.Begin(mode);
   for (int i = 0; i < count; i++) {
     const Float4& v = p[size_t(i)];
-    if (o.colors && i % color_every == 0) emit_color(s, alpha, mode);
+    if (o.colors && i % color_every == 0) emit_color(s, alpha, uncut);
     if (o.normals) {
       const Float3 n = s.random.direction();
       gl.Normal3fv(n.data());
