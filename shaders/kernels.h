@@ -36,6 +36,10 @@ struct RasterKernels {
   /// Sets up the large triangles of a prepared batch into *record[i].
   void (*setup_triangles)(const RasterDraw& draw, const TriangleInput& in, const TriangleOutput& batch,
                           RasterPrimitive* const* record);
+  /// Depths and colors of the fragments of points, in the words of finished fragments. Of a draw without
+  /// stages.
+  void (*shade_points)(const RasterDraw& draw, const ShadedVertices::Slot* const* corner, int32_t count,
+                       uint32_t* depth, uint32_t* color);
   /// Draws primitives or small triangles, or merges finished fragments, into one tile in order.
   void (*tile_primitives)(const TileTarget& tile, const RasterDraw& draw,
                           const RasterPrimitive* const* primitive, int32_t count, FragmentBlock& scratch);

@@ -47,9 +47,15 @@ static void tile_fragments(const TileTarget& tile, const RasterDraw& draw, const
   const Compare function = Compare(key.depth_function);
   const bool less = function == Compare::Less && key.depth_write,
              less_equal = function == Compare::LessEqual && key.depth_write;
-  if (ColorFormat(key.color_format) == ColorFormat::Rgba8 && !key.stencil && !key.blend && !key.logic_op &&
-      draw.color_mask == ~uint32_t(0) && tile.depth_stencil && tile.one_stencil && (less || less_equal) &&
-      !tile.samples && !program.bounds_depth) {
+  const bool words = ColorFormat(key.color_format) == ColorFormat::Rgba8 && !key.stencil && !key.blend &&
+                     !key.logic_op && draw.color_mask == ~uint32_t(0) && !tile.samples &&
+                     !program.bounds_depth;
+  if (words && (!tile.depth_stencil || (function == Compare::Always && !key.depth_write))) {
+    auto* color = static_cast<uint32_t*>(tile.color);
+    for (int32_t i = 0; i < count; ++i) color[fragments.pixel[i]] = fragments.color[i];
+    return;
+  }
+  if (words && tile.one_stencil && (less || less_equal)) {
     auto* color = static_cast<uint32_t*>(tile.color);
     uint32_t* words = tile.depth_stencil;
     const SmallFragments f = fragments;

@@ -17,6 +17,8 @@ constexpr const char* kNames[] = {
     "quads",
     // The fragments of a tiny triangle share its planes; else planes for each fragment.
     "shared_planes",
+    // Points of a few pixels become fragments at once; else they are set up as boxes.
+    "points",
     // Blocks without stages go straight to the tile; else through a fragment block.
     "direct",
     // No edge is looked at in blocks inside a triangle; else at every pixel.

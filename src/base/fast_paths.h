@@ -14,6 +14,7 @@ enum class FastPath : uint32_t {
   Small,
   Quads,
   SharedPlanes,
+  Points,
   Direct,
   WholeBlocks,
   OpaqueColors,

@@ -72,8 +72,7 @@ bool setup_rectangle(const RasterDraw& draw, const PixelRectangle& rectangle, Ra
   return true;
 }
 
-bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, bool back,
-                 RasterPrimitive& out) {
+bool place_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, PointPlace& out) {
   const RasterConstants& r = *draw.raster;
   const float* v = corner->v;
   if (!(std::fabs(v[0]) < 65536.0f && std::fabs(v[1]) < 65536.0f))
@@ -81,29 +80,46 @@ bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, boo
   float size = draw.layout.point >= 0 ? corner[draw.layout.point].v[0] : r.point_size;
   size = size > 0.0f ? std::min(size, 255.0f) : 0.0f;
   const int32_t bottom = r.top_edge_rule ? 0 : 1; // centers on the lowest row's edge are inside
-  int32_t x0, y0, x1, y1, fixed_width, left = 0, top = 0;
   if (r.point_sprite || r.per_sample) {
-    fixed_width = std::max(256, snap(size));
-    left = snap(v[0] - r.pixel_center) - fixed_width / 2, top = snap(v[1] - r.pixel_center) - fixed_width / 2;
-    x0 = (left + r.to_first_pixel) >> 8, x1 = (left + fixed_width + 255) >> 8;
-    y0 = (top + r.to_first_pixel + bottom) >> 8, y1 = (top + fixed_width + 255 + bottom) >> 8;
+    const int32_t width = std::max(256, snap(size)), left = snap(v[0] - r.pixel_center) - width / 2,
+                  top = snap(v[1] - r.pixel_center) - width / 2;
+    out = {{(left + r.to_first_pixel) >> 8, (top + r.to_first_pixel + bottom) >> 8, (left + width + 255) >> 8,
+            (top + width + 255 + bottom) >> 8},
+           size,
+           width,
+           left,
+           top};
   } else {
-    const int32_t x = snap(v[0]), y = snap(v[1]) - bottom;
-    fixed_width = std::max(256, (snap(size) + 127) & ~255);
-    const int32_t n = fixed_width >> 8;
-    x0 = n & 1 ? (x >> 8) - (n - 1) / 2 : ((x + 128) >> 8) - n / 2;
-    y0 = n & 1 ? (y >> 8) - (n - 1) / 2 : ((y + 128) >> 8) - n / 2;
-    x1 = x0 + n, y1 = y0 + n;
+    const int32_t x = snap(v[0]), y = snap(v[1]) - bottom, width = std::max(256, (snap(size) + 127) & ~255),
+                  n = width >> 8;
+    const int32_t x0 = n & 1 ? (x >> 8) - (n - 1) / 2 : ((x + 128) >> 8) - n / 2,
+                  y0 = n & 1 ? (y >> 8) - (n - 1) / 2 : ((y + 128) >> 8) - n / 2;
+    out = {{x0, y0, x0 + n, y0 + n}, size, width, 0, 0};
   }
-  if (!setup_box(draw, corner, {x0, y0, x1, y1}, out)) return false;
-  if (r.per_sample && r.point_sprite) set_square(left, top, fixed_width, r.top_edge_rule, out);
-  if (r.per_sample && !r.point_sprite) set_circle(v, std::max(size, 1.0f), out);
+  out.box = {std::max(out.box.x0, r.x0), std::max(out.box.y0, r.y0), std::min(out.box.x1, r.x1),
+             std::min(out.box.y1, r.y1)};
+  return out.box.x0 < out.box.x1 && out.box.y0 < out.box.y1;
+}
+
+bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, bool back,
+                 RasterPrimitive& out) {
+  PointPlace place;
+  return place_point(draw, corner, place) && setup_point(draw, corner, place, back, out);
+}
+
+bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, const PointPlace& place,
+                 bool back, RasterPrimitive& out) {
+  const RasterConstants& r = *draw.raster;
+  if (!setup_box(draw, corner, place.box, out)) return false;
+  const float* v = corner->v;
+  if (r.per_sample && r.point_sprite) set_square(place.left, place.top, place.width, r.top_edge_rule, out);
+  if (r.per_sample && !r.point_sprite) set_circle(v, std::max(place.size, 1.0f), out);
   out.back = back;
   const float w = v[3];
   for (int u = 0; u < kMaxTextureUnits; ++u) {
     if (draw.unit_plane[u] < 0 || !(r.sprite_units >> u & 1)) continue;
     // Across the square s and t go from 0 to 1.
-    const float gradient = 256.0f / static_cast<float>(fixed_width),
+    const float gradient = 256.0f / static_cast<float>(place.width),
                 gy = r.sprite_lower_left ? -gradient : gradient;
     const float x = v[0] - r.pixel_center, y = v[1] - r.pixel_center;
     Plane* p = out.plane + draw.unit_plane[u];

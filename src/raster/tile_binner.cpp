@@ -263,16 +263,65 @@ void TileBinner::lines(const DrawRecord&, const AssembledLines& batch) {
   draw_ = front;
 }
 
+/// A point of more pixels is a box. Measured: 500,000 points of 1 pixel take 15 ms instead of 52, of 3x3
+/// pixels 36 instead of 59, of 5x5 pixels 73 instead of 66.
+constexpr int32_t kMostPointPixels = 16;
+
+/// Whether the draw's points of a few pixels are finished fragments: no stage runs, and all are alike.
+bool TileBinner::finishes_points() const {
+  const bool few =
+      draw_->layout.point >= 0 || draw_->raster->point_size * draw_->raster->point_size <= kMostPointPixels;
+  return few && finishes_points_ && draw_->small && draw_->program->step_count == 0 && !draw_->back_face &&
+         !draw_->smooth_point;
+}
+
+void TileBinner::append_point(const WindowBox& box, uint32_t depth, uint32_t color) {
+  uint32_t left = 0;
+  SmallFragments f{};
+  for (int32_t y = box.y0; y < box.y1; ++y)
+    for (int32_t x = box.x0; x < box.x1; ++x) {
+      if (left == 0) {
+        const int32_t end = std::min(box.x1, (x | 63) + 1); // of the row in this tile
+        f = lists_.append_fragments(static_cast<uint32_t>((y >> 6) * tiles_x_ + (x >> 6)), draw_,
+                                    static_cast<uint32_t>(end - x), left);
+      }
+      *f.pixel++ = static_cast<uint16_t>((y & 56) << 6 | (x & 56) << 3 | (y & 7) << 3 | (x & 7));
+      *f.depth++ = depth;
+      *f.color++ = color;
+      --left;
+    }
+}
+
+void TileBinner::finished_points(const AssembledPoints& batch) {
+  count_as_taken(FastPath::Points);
+  uint32_t depth[kAssemblyBatch + 16], color[kAssemblyBatch + 16]; // room for a vector behind the last
+  kernels_.raster->shade_points(*draw_, batch.corner, batch.count, depth, color);
+  for (int32_t i = 0; i < batch.count; ++i) {
+    PointPlace place;
+    if (!place_point(*draw_, batch.corner[i], place)) continue;
+    const WindowBox& box = place.box;
+    if ((box.x1 - box.x0) * (box.y1 - box.y0) <= kMostPointPixels) {
+      append_point(box, depth[i], color[i]);
+      continue;
+    }
+    RasterPrimitive* p = new_primitive();
+    if (setup_point(*draw_, batch.corner[i], place, batch.back >> i & 1, *p)) bin(*p);
+  }
+}
+
 void TileBinner::points(const DrawRecord&, const AssembledPoints& batch) {
   SOFTGL_ASSERT(draw_ && batch.count > 0 && batch.count <= kAssemblyBatch);
+  if (finishes_points()) return finished_points(batch);
   const RasterDraw* const front = draw_;
   for (int32_t i = 0; i < batch.count; ++i) {
     const bool back = batch.back >> i & 1;
     draw_ = back && front->back_face ? front->back_face : front;
-    const auto setup = draw_->smooth_point ? setup_smooth_point : setup_point;
-    if (draw_->smooth_point) draw_ = draw_->smooth_point;
+    const bool smooth = draw_->smooth_point;
+    if (smooth) draw_ = draw_->smooth_point;
     RasterPrimitive* p = new_primitive();
-    if (setup(*draw_, batch.corner[i], back, *p)) bin(*p);
+    const auto* corner = batch.corner[i];
+    if (smooth ? setup_smooth_point(*draw_, corner, back, *p) : setup_point(*draw_, corner, back, *p))
+      bin(*p);
   }
   draw_ = front;
 }

@@ -11,6 +11,7 @@
 namespace softgl {
 
 struct PixelRectangle; // frame/draw_record.h
+struct WindowBox;      // draw/draw_call.h
 
 /// Memory that a binner works in; one per worker. All of it is zero at first.
 struct BinnerScratch {
@@ -30,6 +31,7 @@ public:
     draw_ = draw;
     tiny_pixels_ = !is_enabled(FastPath::Tiny) ? 0 : in_order ? kTinyPixelsInOrder : kTinyPixels;
     shares_planes_ = is_enabled(FastPath::SharedPlanes);
+    finishes_points_ = is_enabled(FastPath::Points);
     keeps_vertices_ = false;
   }
   /// True when lists point to vertices of the batches since set_draw().
@@ -45,6 +47,9 @@ private:
   void triangles_of_face(const AssembledTriangles& batch);
   void bin_triangles(const AssembledTriangles& batch);
   void smooth_triangles(const AssembledTriangles& batch);
+  bool finishes_points() const;
+  void finished_points(const AssembledPoints& batch);
+  void append_point(const WindowBox& box, uint32_t depth, uint32_t color);
   void smooth_line(const ShadedVertices::Slot* const end[2], bool back);
   RasterPrimitive* new_primitive();
   void bin(const RasterPrimitive& primitive);
@@ -60,7 +65,7 @@ private:
   const Kernels& kernels_;
   const RasterDraw* draw_ = nullptr;
   int32_t tiny_pixels_ = kTinyPixels;
-  bool shares_planes_ = true;
+  bool shares_planes_ = true, finishes_points_ = true;
   bool keeps_vertices_ = false;
   uint8_t *next_ = nullptr, *end_ = nullptr; // memory for primitives
 };
