@@ -81,6 +81,16 @@ template <class O> uint32_t pixel_word(uint32_t color) {
   for (int k = 0; k < O::components; ++k) word |= (color >> 8 * O::source(k) & 0xff) << 8 * k;
   return word;
 }
+/// Two pixels of three bytes, from two colors: six bytes.
+template <class O> uint64_t pixel_pair(uint64_t colors) {
+  constexpr uint64_t kBytes = 0xff000000ff;
+  uint64_t two = 0;
+  if constexpr (O::source(0) == 0 && O::source(1) == 1 && O::source(2) == 2)
+    two = colors & kBytes * 0x010101;
+  else
+    for (int k = 0; k < 3; ++k) two |= (colors >> 8 * O::source(k) & kBytes) << 8 * k;
+  return (two & 0xffffff) | (two >> 8 & 0xffffff000000);
+}
 
 /// Pixels of bytes: color by color in one word.
 template <class O> void unpack_bytes(const unsigned char* p, int count, unsigned char* rgba) {
@@ -105,10 +115,9 @@ template <class O> void pack_bytes(const unsigned char* rgba, int count, unsigne
   const auto pixel = [&](int i) { return pixel_word<O>(load<uint32_t>(rgba + 4 * size_t(i))); };
   if constexpr (n == 3) {
     int i = 0;
-    for (; i + 4 <= count; i += 4) { // four pixels are three words
-      const uint32_t v[4] = {pixel(i), pixel(i + 1), pixel(i + 2), pixel(i + 3)};
-      const uint32_t words[3] = {v[0] | v[1] << 24, v[1] >> 8 | v[2] << 16, v[2] >> 16 | v[3] << 8};
-      std::memcpy(p + 3 * size_t(i), words, 12);
+    for (; i + 3 <= count; i += 2) { // the two bytes behind two pixels are those of the third one
+      const uint64_t two = pixel_pair<O>(load<uint64_t>(rgba + 4 * size_t(i)));
+      std::memcpy(p + 3 * size_t(i), &two, 8);
     }
     for (; i < count; ++i) {
       const uint32_t v = pixel(i);
