@@ -76,27 +76,42 @@ struct Footprints {
   }
 };
 
-int lerp8(int w, int a, int b) { return a + ((w * (b - a) + 128) >> 8); }
+/// The four bytes of a texel, each in 16 bits.
+uint64_t spread(const unsigned char* texel) {
+  uint32_t word;
+  std::memcpy(&word, texel, 4);
+  const uint64_t halves = (word | uint64_t(word) << 16) & 0x0000ffff0000ffff;
+  return (halves | halves << 8) & 0x00ff00ff00ff00ff;
+}
+/// a + ((weight * (b - a) + 128) >> 8) of all four, which never needs more than 16 bits.
+uint64_t interpolate(int weight, uint64_t a, uint64_t b) {
+  const auto w = uint64_t(weight);
+  return ((a * (256 - w) + b * w + 0x0080008000800080) >> 8) & 0x00ff00ff00ff00ff;
+}
 
 void reduce_rgba8(const TextureImage& from, const Footprints& footprints, TextureImage& to) {
   const TexelFormat& format = *to.format;
+  const bool whole = std::all_of(format.bits, format.bits + 4, [](int bits) { return bits == 8 || bits == 0; });
   for (int z = 0; z < to.depth; ++z)
     for (int y = 0; y < to.height; ++y) {
       unsigned char* target = to.at(0, y, z);
       const Footprint& fz = footprints.z[size_t(z)];
       for (int x = 0; x < to.width; ++x, target += 4) {
         const Footprint &fx = footprints.x[size_t(x)], &fy = footprints.y(x, y);
-        for (int k = 0; k < 4; ++k) {
-          auto plane = [&](int slice) {
-            auto row = [&](int line) {
-              return lerp8(fx.weight, from.at(fx.first, line, slice)[k], from.at(fx.second, line, slice)[k]);
-            };
-            return lerp8(fy.weight, row(fy.first), row(fy.second));
+        const auto plane = [&](int slice) {
+          const auto row = [&](int line) {
+            const unsigned char* texels = from.at(0, line, slice);
+            return interpolate(fx.weight, spread(texels + 4 * size_t(fx.first)),
+                               spread(texels + 4 * size_t(fx.second)));
           };
-          const int value =
-              fz.first == fz.second ? plane(fz.first) : lerp8(fz.weight, plane(fz.first), plane(fz.second));
-          target[k] = reduced_byte(uint32_t(value), format.bits[k]);
-        }
+          return interpolate(fy.weight, row(fy.first), row(fy.second));
+        };
+        const uint64_t value = fz.first == fz.second
+                                   ? plane(fz.first)
+                                   : interpolate(fz.weight, plane(fz.first), plane(fz.second));
+        for (int k = 0; k < 4; ++k) target[k] = uint8_t(value >> 16 * k);
+        if (whole) continue;
+        for (int k = 0; k < 4; ++k) target[k] = reduced_byte(target[k], format.bits[k]);
       }
     }
 }
