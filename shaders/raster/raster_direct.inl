@@ -17,6 +17,8 @@ struct No {
 /// How the color of a direct block reaches the surface. None: not at all, all of it is masked; its fragments
 /// may be counted.
 enum class DirectColor { Store, Over, Any, None };
+/// What a direct block asks of the depth and stencil buffers.
+enum class DirectTests { None, Depth, DepthAndStencil };
 
 /// How many lanes live in the vectors whose bits are set.
 SOFTGL_INLINE uint32_t count_lanes_of(const int32_t* live_lanes, uint32_t vectors) {
@@ -26,15 +28,16 @@ SOFTGL_INLINE uint32_t count_lanes_of(const int32_t* live_lanes, uint32_t vector
   return count;
 }
 
-/// A primitive whose fragments need no stage (RGBA8, no stencil): coverage, depth test, color, blending, row
-/// by row.
-template <bool DepthTest, DirectColor Color, int Edges>
+/// A primitive whose fragments need no stage (RGBA8): coverage, tests, color, blending, row by row.
+template <DirectTests Tests, DirectColor Color, int Edges>
 static void direct_primitive(const RasterDraw& draw, const TileTarget& tile, const RasterPrimitive& p) {
   TileEdges edges;
   if (!clip_to_tile<Edges>(draw, p, tile.x, tile.y, edges)) return;
   EdgeSteps<Edges> steps;
   if (!edges.inside) edge_steps<Edges>(edges, steps);
   const FragmentKey& key = draw.program->key;
+  const Merger merger{*draw.program};
+  constexpr bool kTests = Tests != DirectTests::None;
   const float scale = depth_scale(key);
   const Compare function = Compare(key.depth_function);
   const bool less = function == Compare::Less;
@@ -62,7 +65,7 @@ static void direct_primitive(const RasterDraw& draw, const TileTarget& tile, con
       const int32_t x = tile.x + bx, y = tile.y + by;
       const int pixel = pixel_in_tile(bx, by);
       uint32_t* color = static_cast<uint32_t*>(tile.color) + pixel;
-      uint32_t* depth = DepthTest ? tile.depth_stencil + pixel : nullptr;
+      uint32_t* depth = kTests ? tile.depth_stencil + pixel : nullptr;
 
       // First all rows' coverage and depth without a branch (which rows live is hard to predict: measured),
       // then the colors of those that live.
@@ -74,7 +77,7 @@ static void direct_primitive(const RasterDraw& draw, const TileTarget& tile, con
                                mask_of_bits(uint32_t(box >> (8 * first)) >> (kWidth & 7))};
       auto rows = [&](auto cut) __attribute__((always_inline)) {
         BlockPlane z;
-        if constexpr (DepthTest) z = block_plane(p.plane[kPlaneZ], x);
+        if constexpr (kTests) z = block_plane(p.plane[kPlaneZ], x);
         IntV v[Edges][kHalves] = {};
         if constexpr (cut)
           for (int i = 0; i < Edges; ++i)
@@ -93,7 +96,10 @@ static void direct_primitive(const RasterDraw& draw, const TileTarget& tile, con
               }
               live &= o >= 0;
             }
-            if constexpr (DepthTest) {
+            if constexpr (Tests == DirectTests::DepthAndStencil)
+              live =
+                  merger.depth_stencil(live, depth_bits(z.gy * py + z.column[h] + offset, scale), depth + at);
+            if constexpr (Tests == DirectTests::Depth) {
               const IntV zi = depth_bits(z.gy * py + z.column[h] + offset, scale);
               const IntV stored = load(depth + at), old = stored & 0xffffff;
               live &= less ? zi < old : compare_words(function, zi, old);
@@ -129,12 +135,7 @@ static void direct_primitive(const RasterDraw& draw, const TileTarget& tile, con
           source = pack_color(a[0], a[1], a[2], a[3]);
         }
         if constexpr (Color == DirectColor::Over) source = blend_over(source, load(color + at));
-        if constexpr (Color == DirectColor::Any) {
-          if (key.logic_op)
-            source = logic_words(unsigned(key.blend_source_rgb), source, load(color + at));
-          else
-            source = blend_words(key, *draw.program->constants, source, load(color + at));
-        }
+        if constexpr (Color == DirectColor::Any) source = merger.blended(source, load(color + at));
         return source;
       };
       // Most blocks of large primitives are hit or missed as a whole.
@@ -155,30 +156,30 @@ static void direct_primitive(const RasterDraw& draw, const TileTarget& tile, con
   }
 }
 
-template <bool DepthTest, DirectColor Color>
+template <DirectTests Tests, DirectColor Color>
 static void direct_primitives(const TileTarget& tile, const RasterDraw& draw,
                               const RasterPrimitive* const* primitive, int32_t count) {
   for (int32_t i = 0; i < count; ++i) {
     prefetch(primitive, i, count);
     if (primitive[i]->edges == 3)
-      direct_primitive<DepthTest, Color, 3>(draw, tile, *primitive[i]);
+      direct_primitive<Tests, Color, 3>(draw, tile, *primitive[i]);
     else
-      direct_primitive<DepthTest, Color, 4>(draw, tile, *primitive[i]);
+      direct_primitive<Tests, Color, 4>(draw, tile, *primitive[i]);
   }
 }
 
-template <bool DepthTest> static void direct_primitives(const TileTarget& tile, const RasterDraw& draw,
-                                                        const RasterPrimitive* const* primitive,
-                                                        int32_t count) {
+template <DirectTests Tests> static void direct_primitives(const TileTarget& tile, const RasterDraw& draw,
+                                                           const RasterPrimitive* const* primitive,
+                                                           int32_t count) {
   const FragmentKey& key = draw.program->key;
   if (draw.color_mask == 0)
-    direct_primitives<DepthTest, DirectColor::None>(tile, draw, primitive, count);
+    direct_primitives<Tests, DirectColor::None>(tile, draw, primitive, count);
   else if (is_over(key))
-    direct_primitives<DepthTest, DirectColor::Over>(tile, draw, primitive, count);
+    direct_primitives<Tests, DirectColor::Over>(tile, draw, primitive, count);
   else if (key.blend || key.logic_op)
-    direct_primitives<DepthTest, DirectColor::Any>(tile, draw, primitive, count);
+    direct_primitives<Tests, DirectColor::Any>(tile, draw, primitive, count);
   else
-    direct_primitives<DepthTest, DirectColor::Store>(tile, draw, primitive, count);
+    direct_primitives<Tests, DirectColor::Store>(tile, draw, primitive, count);
 }
 
 } // namespace SOFTGL_ISA

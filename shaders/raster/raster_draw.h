@@ -42,7 +42,7 @@ struct RasterDraw {
   bool small;               // triangles of few pixels are shaded with lane = fragment; not stippled ones
   bool quads;               // those whose stages look at other pixels of a 2x2 quad: with four lanes = quad
   bool opaque;         // alpha is 1 at all vertices, so it is 1 / w times w everywhere, which rounds to 255
-  bool direct;         // no stage runs, RGBA8, no stencil: blocks of pixels bypass the FragmentBlock
+  bool direct;         // no stage runs, RGBA8: blocks of pixels bypass the FragmentBlock
   bool early_depth;    // a fragment's depth can be tested before its stages run
   bool whole_blocks;   // no edge is looked at in blocks that lie inside all of them
   uint32_t color_mask; // of an RGBA8 word

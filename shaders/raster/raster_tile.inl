@@ -25,10 +25,12 @@ static void tile_primitives(const TileTarget& tile, const RasterDraw& draw,
     return;
   }
   if (draw.direct) {
-    if (depth)
-      direct_primitives<true>(tile, draw, primitive, count);
+    if (depth && key.stencil)
+      direct_primitives<DirectTests::DepthAndStencil>(tile, draw, primitive, count);
+    else if (depth)
+      direct_primitives<DirectTests::Depth>(tile, draw, primitive, count);
     else
-      direct_primitives<false>(tile, draw, primitive, count);
+      direct_primitives<DirectTests::None>(tile, draw, primitive, count);
     return;
   }
   if (depth)

@@ -104,7 +104,7 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
   d.small = packed && !d.program->reads_quads && is_enabled(FastPath::Small);
   d.quads = packed && d.program->reads_quads && takes(FastPath::Quads);
   d.direct = draw.fragment->step_count == 0 && !d.raster->stipple && format == ColorFormat::Rgba8 &&
-             !key.encoded && !key.stencil && !strips && !draw.fragment->bounds_depth &&
+             !key.encoded && !strips && !draw.fragment->bounds_depth &&
              (!draw.samples || key.color_mask == 0) && takes(FastPath::Direct);
   // Stencil values that stay may be tested later.
   const auto keep = static_cast<uint64_t>(StencilOperation::Keep);
