@@ -143,6 +143,11 @@ template <bool Depth> static void strips_primitive(const RasterDraw& draw, const
   }
 }
 
+/// Points of so many pixels are cut into strips, of which they fill enough lanes: a million textured pixels
+/// in points of 16x16 take 7.9 ms, packed densely 15.3; of 6x6 16.4 and 25.5, of 4x4 26.7 and 28.7, of
+/// 3x3 43.7 and 40.3.
+constexpr int32_t kStripsPixels = 16;
+
 template <bool Depth> static void staged_primitives(const TileTarget& tile, const RasterDraw& draw,
                                                     const RasterPrimitive* const* primitive, int32_t count,
                                                     FragmentBlock& block) {
@@ -153,7 +158,8 @@ template <bool Depth> static void staged_primitives(const TileTarget& tile, cons
   for (int32_t i = 0; i < count; ++i) {
     const RasterPrimitive& p = *primitive[i];
     prefetch(primitive, i, count);
-    if (p.x1 - p.x0 > box || p.y1 - p.y0 > box) {
+    const int32_t width = p.x1 - p.x0, height = p.y1 - p.y0;
+    if (width > box || height > box || (p.edges == 0 && width * height >= kStripsPixels)) {
       run_packed(draw, tile, block, packed);
       strips_primitive<Depth>(draw, tile, p, block, strips);
       continue;
