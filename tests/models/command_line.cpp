@@ -38,7 +38,7 @@ std::string shared_file(const std::string& name) {
 bool has_program(const std::string& name) { return run_shell("command -v " + name).code == 0; }
 
 ShellRun run_shell(const std::string& command) {
-  FILE* pipe = ::popen(("exec 2>&1; " + command).c_str(), "r");
+  FILE* pipe = ::popen(("export XDG_CONFIG_HOME=/nonexistent; exec 2>&1; " + command).c_str(), "r");
   if (!pipe) throw std::runtime_error("no shell");
   ShellRun run;
   for (char part[4096]; const size_t count = std::fread(part, 1, sizeof part, pipe);)

@@ -75,4 +75,8 @@ inline void add_word(CLI::App& app, const char* names, const char* type, const c
   app.add_option(names, word, description)->check(one_of(words))->type_name(type);
 }
 
+inline void add_stats(CLI::App& app, const char* description, std::string& word) {
+  add_word(app, "--stats", "json", description, word, {"json"});
+}
+
 } // namespace softgl::cli

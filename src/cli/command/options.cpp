@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "command/look_options.h"
 #include "command/option_kinds.h"
 #include "command/option_values.h"
+#include "command/settings.h"
 #include "common/program_error.h"
 #include "image/float_formats.h"
 #include "scene/lighting_setup.h"
@@ -28,7 +30,8 @@ constexpr int kFigurePart = 400; // pixels: the sheet is then 2072 wide
 constexpr const char* kNotes =
     "Exit codes: 0 done, 2 wrong usage, 3 model unreadable or without visible geometry (and any warning with "
     "--strict), 4 picture cannot be written.\n"
-    "Environment: SOFTGL_THREADS=n (as --threads), SOFTGL_ISA=baseline|v2|v3|v4 (instruction set).";
+    "Settings: SOFTGL_OPT_SIZE=800x600 is --size 800x600, and so for each option; --config FILE has lines "
+    "size = 800x600. Environment: SOFTGL_THREADS, SOFTGL_ISA=baseline|v2|v3|v4.";
 
 class HelpFormatter : public CLI::FormatterBase {
 public:
@@ -77,20 +80,22 @@ public:
     add_info();
     add_figure();
     compare_ = add_compare(app_, options_.compare);
+    add_stats(*compare_, "print times to standard error: json", stats_);
+    add_config();
   }
 
   ParsedOptions parse(int argc, const char* const* argv) {
     try {
       app_.parse(argc, argv);
+      take_settings();
+    } catch (const ProgramError& mistake) {
+      return refuse(mistake.what());
     } catch (const CLI::CallForHelp& help) {
       return {std::nullopt, app_.exit(help)};
     } catch (const CLI::CallForVersion& version) {
       return {std::nullopt, app_.exit(version)};
-    } catch (const CLI::Error& mistake) {
-      std::string sentence = mistake.what();
-      std::replace(sentence.begin(), sentence.end(), '\n', ' ');
-      return refuse(sentence);
-    }
+    } catch (const CLI::Error& mistake) { return refuse(one_line(mistake.what())); }
+    options_.stats = !stats_.empty();
     if (*info_) {
       options_.command = ProgramOptions::kInfo;
       return {options_, 0};
@@ -227,8 +232,7 @@ private:
         ->check(CLI::IsMember({1, 4, 16}))
         ->type_name("N");
     add_number(app_, "--threads", "N", "threads [as many as the machine has]", options_.threads, 1, 1024);
-    add_word(app_, "--stats", "json", "print times and counts: json (to standard error with -o -)", stats_,
-             {"json"});
+    add_stats(app_, "print times and counts: json (to standard error with -o -)", stats_);
   }
 
   void add_run(CLI::App& app, const char* verbose) {
@@ -268,6 +272,7 @@ private:
     add_run(*info_, "more about what is left out");
     add_limits(*info_);
     add_number(*info_, "--threads", "N", "threads [as many as the machine has]", options_.threads, 1, 1024);
+    add_stats(*info_, "print times to standard error: json", stats_);
     add_footer(*info_,
                {"softgl info part.obj", "softgl info part.obj --json | jq .triangles",
                 "softgl info upload.stl --strict --max-triangles 1000000 --timeout 10"},
@@ -288,6 +293,62 @@ private:
                {"softgl figure -o lecture.png", "softgl figure bunny.obj -o bunny.png --up +Z --size 300x300",
                 "softgl figure -o - --specular reflection --bg white | convert - lecture.pdf"},
                "Exit codes are those of softgl.");
+  }
+
+  // For every command that has options of its own.
+  void add_config() {
+    const auto add = [this](CLI::App& app, const char* group) {
+      app.add_option("--config", config_, "settings for what the command line does not say [the user's own]")
+          ->type_name("FILE")
+          ->group(group);
+    };
+    add(app_, "Run");
+    for (CLI::App* command : app_.get_subcommands([](const CLI::App*) { return true; }))
+      if (!command->get_fallthrough()) add(*command, "Options");
+  }
+
+  // The command line comes first, then the environment, then the file.
+  void take_settings() {
+    const std::vector<CLI::App*> active = app_.get_subcommands();
+    CLI::App& command = active.empty() ? app_ : *active.front();
+    const CLI::Option* own = command.get_option_no_throw("--config");
+    const bool named = (own && own->count() > 0) || app_.count("--config") > 0;
+    const char* variable = std::getenv("SOFTGL_OPT_CONFIG");
+    const std::string file = named ? config_ : variable ? variable : default_settings_file();
+    if (file.empty() && !has_environment_settings()) return;
+    const CommandRow program = describe(app_);
+    const std::string word = active.empty() ? "" : command.get_name();
+    const auto take = [&](const std::vector<Setting>& settings) {
+      for (const Setting& setting : settings) {
+        CLI::Option* option = command.get_option_no_throw(setting.option);
+        take_setting(setting, option ? *option : *app_.get_option(setting.option));
+      }
+    };
+    take(environment_settings(program, word));
+    if (!file.empty()) take(file_settings(file, program, word));
+  }
+
+  static void take_setting(const Setting& setting, CLI::Option& option) {
+    if (option.count() > 0) return;
+    try {
+      const bool flag = option.get_expected_min() == 0;
+      const bool many = option.get_expected_max() > 1;
+      for (const std::string& value : setting.values)
+        if (flag && &value == &setting.values.back())
+          option.add_result(option.get_flag_value(option.get_name(), value));
+        else if (!flag && (many || &value == &setting.values.back()))
+          option.add_result(value);
+      option.run_callback();
+    } catch (const CLI::Error& mistake) {
+      std::string sentence = one_line(mistake.what());
+      if (sentence.find(setting.option) == std::string::npos) sentence = setting.option + ": " + sentence;
+      throw ProgramError(kUsageError, setting.where + ": " + sentence);
+    }
+  }
+
+  static std::string one_line(std::string sentence) {
+    std::replace(sentence.begin(), sentence.end(), '\n', ' ');
+    return sentence;
   }
 
   static ParsedOptions refuse(const std::string& sentence) {
@@ -327,7 +388,6 @@ private:
     options_.png = png_ == "fast"    ? PngEffort::kFast
                    : png_ == "small" ? PngEffort::kSmall
                                      : PngEffort::kDefault;
-    options_.stats = !stats_.empty();
     if (*figure_ && (is_animation(format) || is_float_format(format) || options_.bits == 16))
       return "a figure is a picture of 8 bits, and no animation";
     return complete_batch(options_);
@@ -375,6 +435,7 @@ private:
   CLI::App app_;
   CLI::App *info_ = nullptr, *figure_ = nullptr, *compare_ = nullptr;
   ProgramOptions options_;
+  std::string config_;
   std::string png_ = "default", shading_ = "gouraud", specular_ = "half", stats_;
   CameraOptions camera_;
   std::vector<std::string> views_;

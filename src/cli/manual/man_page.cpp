@@ -51,6 +51,33 @@ std::string paragraphs(const std::string& notes) {
   return text;
 }
 
+// Where options come from that the command line does not give; the same on all pages.
+constexpr const char* kSettings =
+    R"(.SH SETTINGS
+An option that the command line does not give is taken from the environment, else from a file, else it has its default.
+.TP
+\fBSOFTGL_OPT_\fINAME\fR
+The value of an option: its long name in capitals, with _ for each dash between words.
+SOFTGL_OPT_LINE_WIDTH=2 is \-\-line\-width 2, SOFTGL_OPT_ORTHO=true is \-\-ortho.
+.TP
+\fB$XDG_CONFIG_HOME/softgl/config\fR, \fB~/.config/softgl/config\fR
+The user\(aqs own file, read if it exists.
+SOFTGL_OPT_CONFIG or \-\-config names another one; with an empty name none is read.
+A line is \fINAME\fR = \fIVALUE\fR, the name being a long one without dashes; a line that begins with # is a comment.
+Lines below [\fICOMMAND\fR] are for that command alone, the others for each command that has the option.
+A line may be repeated where the option may.
+.PP
+.EX
+size = 1920x1080
+ortho = true
+light = headlight
+[compare]
+tolerance = 2
+.EE
+.PP
+A setting that is wrong ends the run with exit code 2 and a sentence that names its variable, or its file and line.
+)";
+
 } // namespace
 
 std::string man_page(const CommandRow& program, const CommandRow& command) {
@@ -76,7 +103,7 @@ std::string man_page(const CommandRow& program, const CommandRow& command) {
   if (!command.commands.empty()) page += ".SH COMMANDS\n";
   for (const CommandRow& each : command.commands)
     page += ".TP\n.BR softgl\\-" + escaped(each.word) + " (1)\n" + escaped(each.text) + "\n";
-  page += ".SH NOTES\n" + paragraphs(command.notes);
+  page += kSettings + std::string(".SH NOTES\n") + paragraphs(command.notes);
   if (!command.examples.empty()) page += ".SH EXAMPLES\n";
   for (const std::string& example : command.examples) page += ".PP\n.EX\n" + escaped(example) + "\n.EE\n";
   page += ".SH SEE ALSO\n";
