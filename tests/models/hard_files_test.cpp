@@ -5,6 +5,7 @@
 #include "models/program_runner.h"
 
 #include "command/model_loader.h"
+#include "common/compressed_text.h"
 #include "common/program_error.h"
 #include "mesh/face_triangulation.h"
 #include "mesh/mesh_builder.h"
@@ -35,7 +36,7 @@ struct Reading {
 
 Reading read(const std::string& name, unsigned threads = 1) {
   Reading result;
-  const cli::SourceText text = cli::SourceText::open(folder() + name + ".obj");
+  const cli::SourceText text = cli::open_text(folder() + name + ".obj");
   cli::RemarkList remarks;
   try {
     result.loaded = cli::load_model(text, threads, remarks, result.warnings, result.notes);
@@ -77,7 +78,7 @@ using Rgb = std::array<float, 3>;
 } // namespace
 
 TEST_CASE("hard files: geometry, warnings and errors", "[models]") {
-  REQUIRE(hard_files().size() == 74);
+  REQUIRE(hard_files().size() == 75);
   for (const HardFile& file : hard_files()) {
     INFO(file.name);
     const Reading reading = read(file.name);

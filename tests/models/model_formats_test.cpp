@@ -77,6 +77,43 @@ TEST_CASE("model formats: zstd", "[models][formats]") {
 #endif
 }
 
+TEST_CASE("model formats: UTF-16 in either order of bytes", "[models][formats]") {
+  // In the material's name a letter of two bytes, one of three and one of four in UTF-8.
+  const std::u16string name = u"gr\u00fcn\u20ac\U0001f600",
+                       model = u"mtllib wide.mtl\nusemtl " + name + u"\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const auto encoded = [](const std::u16string& text, bool little) {
+    std::string bytes = little ? "\xff\xfe" : "\xfe\xff";
+    for (const char16_t unit : text) {
+      bytes += char(little ? unit & 255 : unit >> 8);
+      bytes += char(little ? unit >> 8 : unit & 255);
+    }
+    return bytes;
+  };
+  write("narrow.mtl", "newmtl gr\xc3\xbcn\xe2\x82\xac\xf0\x9f\x98\x80\nKd 0 1 0\n");
+  const ProgramRun plain =
+      draw("narrow.obj", "mtllib narrow.mtl\nusemtl gr\xc3\xbcn\xe2\x82\xac\xf0\x9f\x98\x80\n" + kTriangle);
+  REQUIRE(plain.errors.empty());
+  for (const bool little : {true, false}) {
+    write("wide.mtl", encoded(u"newmtl " + name + u"\nKd 0 1 0\n", !little));
+    const ProgramRun wide = draw("wide.obj", encoded(model, little));
+    CHECK(wide.errors == "");
+    CHECK(wide.output == plain.output);
+    // Half a letter and half a pair are no letters; the rest is read.
+    const ProgramRun cut = draw("cut.obj", encoded(u"# \xd83d\n" + model + u"#\xdc00", little) + "x");
+    CHECK(cut.output == plain.output);
+  }
+}
+
+TEST_CASE("model formats: Blender's word for no material", "[models][formats]") {
+  for (const std::string word : {"None", "(null)"}) {
+    CHECK(draw("none.obj", "usemtl " + word + "\n" + kTriangle).errors == "");
+    write("named.mtl", "newmtl " + word + "\nKd 0 0 1\n"); // unless it is a name
+    const ProgramRun named = draw("named.obj", "mtllib named.mtl\nusemtl " + word + "\n" + kTriangle);
+    CHECK(named.output != draw("none.obj", kTriangle).output);
+  }
+  CHECK(has(draw("other.obj", "usemtl none\n" + kTriangle).errors, "material \"none\" is unknown"));
+}
+
 TEST_CASE("model formats: colors that ZBrush paints", "[models][formats]") {
   const std::string square = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n";
   const auto middle = [](const ProgramRun& run) {

@@ -49,6 +49,16 @@ TestPicture decode_picture(const std::string& bytes) {
   return picture;
 }
 
+std::vector<uint8_t> decode_alpha(const std::string& bytes) {
+  int width, height, channels;
+  const Pixels pixels(
+      stbi_load_from_memory(data_of(bytes), int(bytes.size()), &width, &height, &channels, 4));
+  if (!pixels) throw std::runtime_error("no picture");
+  std::vector<uint8_t> alpha;
+  for (size_t i = 0; i < size_t(width) * size_t(height); ++i) alpha.push_back(pixels.get()[4 * i + 3]);
+  return alpha;
+}
+
 std::vector<TestPicture> decode_gif(const std::string& bytes) {
   int* delays = nullptr;
   int width, height, frames, channels;

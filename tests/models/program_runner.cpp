@@ -60,6 +60,7 @@ ProgramRun run_softgl(const std::vector<std::string>& arguments, const std::stri
       const int file = ::open(paths[i].c_str(), flags[i], 0644);
       if (file < 0 || ::dup2(file, i) < 0) ::_exit(127);
     }
+    ::setenv("XDG_CONFIG_HOME", "/nonexistent", 1); // the user's own settings are no matter of the tests
     for (const std::string& variable : environment) ::putenv(const_cast<char*>(variable.c_str()));
     ::execv(argv[0], argv.data());
     ::_exit(127);

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <ctime>
 #include <mutex>
 #include <new>
 #include <optional>
-#include <sys/resource.h>
 
 #include "command/camera_file.h"
 #include "command/output_set.h"
@@ -219,13 +217,9 @@ private:
   }
 
   void print_stats() {
-    rusage usage{};
-    ::getrusage(RUSAGE_SELF, &usage);
     std::string text;
-    for (Outcome& outcome : outcomes_) {
+    for (const Outcome& outcome : outcomes_) {
       if (outcome.error || outcome.count == 0) continue;
-      outcome.times.peak_kib = usage.ru_maxrss;
-      outcome.times.cpu = double(std::clock()) / CLOCKS_PER_SEC;
       text +=
           (text.empty() ? "" : ",\n") + stats_as_json(outcome.report, outcome.times, options_.render.width,
                                                       options_.render.height, outcome.warnings);

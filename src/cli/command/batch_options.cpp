@@ -8,26 +8,25 @@
 namespace softgl::cli {
 
 void add_batch(CLI::App& app, ProgramOptions& options) {
-  add_parsed(
-      app, "--pass", "LIST",
-      "what is drawn: color, depth, normal, uv, id (materials), ambient, diffuse, specular, emission or "
-      "coverage (a mask); several with commas, told apart by {pass} [color]",
-      [&options](const std::string& text) { options.passes = parse_passes(text); });
+  add_parsed(app, "--pass", "LIST",
+             "color, depth, normal, uv, id (materials), ambient, diffuse, specular, emission or "
+             "coverage (a mask); several with commas and {pass} [color]",
+             [&options](const std::string& text) { options.passes = parse_passes(text); })
+      ->check(offers(pass_names()));
   app.add_option("--bits", options.bits, "bits of a channel of a .png: 8 or 16 [8]")
       ->check(CLI::IsMember({8, 16}))
       ->type_name("N");
   add_number(app, "--turntable", "N",
-             "N pictures around the model: numbered by {frame}, as one .gif or .apng, or raw to -",
-             options.turntable, 2, 10000);
+             "N pictures around the model: by {frame}, as one .gif or .apng, or raw to -", options.turntable,
+             2, 10000);
   add_number(app, "--fps", "N", "frames a second of a .gif or .apng, 1 to 100 [25]",
              options.frames_per_second, 1, 100);
   add_parsed(
-      app, "--sheet", "CxR",
-      "contact sheets of C columns and R rows with labels, numbered by {page}; C alone: one sheet",
+      app, "--sheet", "CxR", "contact sheets of C columns and R rows, by {page}; C alone: one sheet",
       [&options](const std::string& text) { parse_sheet(text, options.sheet_columns, options.sheet_rows); });
   app.add_flag("--skip-existing", options.skip_existing, "do not draw pictures whose files are there");
   app.add_flag("--keep-going", options.keep_going,
-               "draw the other pictures when one fails; the exit code is that of the first");
+               "draw the others when one fails; the exit code is that of the first");
 }
 
 std::string complete_batch(ProgramOptions& options) {

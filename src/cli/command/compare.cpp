@@ -17,6 +17,9 @@ namespace softgl::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 void write_text(const std::string& path, const std::string& text) {
   GrowingArray<uint8_t> bytes;
@@ -40,6 +43,7 @@ public:
   }
 
   int run() {
+    const auto start = Clock::now();
     const bool folders = fs::is_directory(options_.first);
     if (folders != fs::is_directory(options_.second))
       throw ProgramError(kUsageError, "a picture and a folder cannot be compared");
@@ -50,13 +54,14 @@ public:
           compare(options_.first, options_.second, options_.second, options_.difference, options_.sheet));
     if (!options_.junit.empty()) write_text(options_.junit, as_junit(results_));
     print(folders);
+    if (options_.stats) print_stats(since(start));
     return code();
   }
 
 private:
   PairResult compare(const std::string& first, const std::string& second, const std::string& name,
                      const std::string& difference, const std::string& sheet) const {
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = Clock::now();
     PairResult result;
     result.name = name;
     result.first = first;
@@ -68,12 +73,14 @@ private:
       result.outcome = PairResult::kUnreadable;
       result.sentence = error.what();
     }
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    result.seconds = since(start);
     return result;
   }
 
   void compare_files(PairResult& result, const std::string& difference, const std::string& sheet) const {
+    auto start = Clock::now();
     const PictureSamples a = read_picture(result.first), b = read_picture(result.second);
+    result.read_seconds = since(start);
     const auto refuse_size = [&](const PictureSamples& other, const char* what) {
       result.outcome = PairResult::kOtherSize;
       result.sentence = size_of(a) + " against " + size_of(other) + what;
@@ -85,7 +92,10 @@ private:
     rules.tolerance = options_.tolerance;
     rules.ignore_edges = options_.ignore_edges;
     if (mask_.width) rules.mask = &mask_;
+    start = Clock::now();
     Comparison& numbers = result.numbers = compare_pictures(a, b, rules);
+    result.compare_seconds = since(start);
+    start = Clock::now();
     result.width = a.width;
     result.height = a.height;
     result.outcome = is_same(numbers) ? PairResult::kSame : PairResult::kDifferent;
@@ -93,6 +103,21 @@ private:
     if (wanted && !difference.empty()) write_picture(difference, draw_differences(a, numbers));
     if (wanted && !sheet.empty()) write_picture(sheet, compose(result, a, b));
     numbers.verdicts = {};
+    result.write_seconds = since(start);
+  }
+
+  // The parts are summed up over threads, the total is of a clock.
+  void print_stats(double total) const {
+    double read = 0, compare = 0, write = 0;
+    for (const PairResult& result : results_) {
+      read += result.read_seconds;
+      compare += result.compare_seconds;
+      write += result.write_seconds;
+    }
+    print_text("{\n  \"pairs\": " + std::to_string(results_.size()) + ",\n" +
+                   usage_as_json({{"read", read}, {"compare", compare}, {"write", write}, {"total", total}}) +
+                   "\n}\n",
+               stderr);
   }
 
   bool is_same(const Comparison& numbers) const {

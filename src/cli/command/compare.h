@@ -20,6 +20,7 @@ struct CompareOptions {
   bool most_pixels_is_percentage = false; // of those compared
   std::optional<double> least_similarity; // decides instead of differing pixels
   bool json = false, quiet = false;
+  bool stats = false; // times to standard error
   unsigned threads = 1;
 };
 

@@ -6,29 +6,30 @@
 namespace softgl::cli {
 namespace {
 
-constexpr const char* kFooter = R"(
-Examples:
-  softgl compare expected.png actual.png
-  softgl compare expected.png actual.png diff.png --tolerance 2 --ignore-edges --max-pixels 0.01%
-  softgl compare golden/ build/pictures/ build/diff/ --junit report.xml
-
-A difference picture has what differs in red, edges that are ignored in yellow, what the mask leaves out darker. Of
-folders, all pictures are compared by name (PNG, JPEG, BMP, TGA, PPM, PGM, PFM); one that is missing differs.
-SSIM is the structural similarity of Wang, Bovik, Sheikh and Simoncelli (2004), 1 being the same.
-
-Exit codes: 0 same, 1 different, 2 wrong usage, 3 a picture cannot be read, 4 a file cannot be written.)";
+constexpr const char* kNotes =
+    "A difference picture has what differs in red, edges that are ignored in yellow, what the mask leaves "
+    "out "
+    "darker. Of folders, all pictures are compared by name (PNG, JPEG, BMP, TGA, PPM, PGM, PFM); one that is "
+    "missing differs. SSIM is the structural similarity of Wang, Bovik, Sheikh and Simoncelli (2004), 1 "
+    "being "
+    "the same.\n\n"
+    "Exit codes: 0 same, 1 different, 2 wrong usage, 3 a picture cannot be read, 4 a file cannot be written.";
 
 } // namespace
 
 CLI::App* add_compare(CLI::App& app, CompareOptions& options) {
   CLI::App& compare = *app.add_subcommand("compare", "compare two pictures, or the pictures of two folders");
-  compare.footer(kFooter);
+  add_footer(compare,
+             {"softgl compare expected.png actual.png",
+              "softgl compare a.png b.png diff.png --tolerance 2 --ignore-edges --max-pixels 0.01%",
+              "softgl compare golden/ build/pictures/ build/diff/ --junit report.xml"},
+             kNotes);
   compare.add_option("first", options.first, "picture or folder")->required()->type_name("EXPECTED");
   compare.add_option("second", options.second, "picture or folder")->required()->type_name("ACTUAL");
   compare
       .add_option("difference", options.difference,
                   "picture of the differences; for folders a folder of such")
-      ->type_name("DIFF.png");
+      ->type_name("DIFF");
   add_parsed(compare, "--tolerance", "N", "difference of 255 that counts as none; one number, or r,g,b,a [0]",
              [&options](const std::string& text) { options.tolerance = parse_tolerance(text); });
   add_parsed(compare, "--max-pixels", "N",

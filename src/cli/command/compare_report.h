@@ -15,7 +15,8 @@ struct PairResult {
   std::string sentence;      // why, where there are no numbers
   Comparison numbers;        // without verdicts
   int width = 0, height = 0;
-  double seconds = 0;
+  double seconds = 0;                                              // of the whole
+  double read_seconds = 0, compare_seconds = 0, write_seconds = 0; // of its parts
 };
 
 std::string as_line(const PairResult& result);

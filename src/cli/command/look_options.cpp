@@ -10,7 +10,7 @@ void add_look(CLI::App& app, ProgramOptions& options) {
   app.add_option_function<std::string>(
          "--edges",
          [&lines](const std::string& word) { lines.edges = word == "sharp" ? Edges::kSharp : Edges::kAll; },
-         "draw edges over the surface: all of the file's faces, or the sharp and open ones (40 degrees)")
+         "edges over the surface: all of the file's faces, or sharp and open ones")
       ->check(one_of({"all", "sharp"}))
       ->type_name("WHICH");
   app.add_flag_callback(
@@ -27,7 +27,7 @@ void add_look(CLI::App& app, ProgramOptions& options) {
              });
   app.add_flag("--ground", options.render.ground, "a soft shadow on the ground that the model stands on");
   app.add_flag("--srgb", options.render.srgb,
-               "compute with light: colors and textures are decoded from sRGB, the picture is encoded");
+               "light in linear numbers: sRGB colors are decoded, the picture encoded");
 }
 
 void add_camera_place(CLI::App& app, ProgramOptions& options) {

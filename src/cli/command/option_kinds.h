@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "command/command_table.h"
+
 namespace softgl::cli {
 
 // Runs a parser of option_values as a CLI11 check, so that its sentence names the option.
@@ -38,10 +40,29 @@ inline CLI::Validator one_of(std::initializer_list<const char*> words) {
   return CLI::IsMember(std::vector<std::string>(words.begin(), words.end()));
 }
 
-// An option whose text `use` parses.
-template <class Use>
-void add_parsed(CLI::App& app, const char* names, const char* type, const char* description, Use use) {
-  app.add_option_function<std::string>(names, checked(use), description)->type_name(type);
+// Values that completions offer, of an option that checks them itself and may take others.
+inline CLI::Validator offers(const std::vector<std::string>& words) {
+  std::string description = "{";
+  for (const std::string& word : words) description += word + ",";
+  return CLI::Validator([](std::string&) { return std::string(); }, description + kOtherValues + "}");
+}
+
+// The options that follow stand under this heading in the help.
+inline void start_group(CLI::App& app, const char* heading) { app.option_defaults()->group(heading); }
+
+// What stands below the options in the help and on the man page: commands for a shell, which begin with the
+// program's name, and paragraphs.
+inline void add_footer(CLI::App& app, std::initializer_list<const char*> examples, const char* notes) {
+  std::string text = "Examples:\n";
+  for (const char* example : examples) text.append("  ").append(example).append("\n");
+  app.footer(text + "\n" + notes);
+}
+
+// An option whose text `use` parses. The type's name says how its value is completed: FILE as a file, LIST as
+// several of the values that are offered.
+template <class Use> CLI::Option* add_parsed(CLI::App& app, const char* names, const char* type,
+                                             const char* description, Use use) {
+  return app.add_option_function<std::string>(names, checked(use), description)->type_name(type);
 }
 
 template <class Value> void add_number(CLI::App& app, const char* names, const char* type,
@@ -52,6 +73,10 @@ template <class Value> void add_number(CLI::App& app, const char* names, const c
 inline void add_word(CLI::App& app, const char* names, const char* type, const char* description,
                      std::string& word, std::initializer_list<const char*> words) {
   app.add_option(names, word, description)->check(one_of(words))->type_name(type);
+}
+
+inline void add_stats(CLI::App& app, const char* description, std::string& word) {
+  add_word(app, "--stats", "json", description, word, {"json"});
 }
 
 } // namespace softgl::cli

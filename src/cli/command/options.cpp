@@ -2,14 +2,18 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "command/batch_options.h"
 #include "command/compare_options.h"
+#include "command/help_page.h"
 #include "command/look_options.h"
 #include "command/option_kinds.h"
 #include "command/option_values.h"
+#include "command/settings.h"
 #include "common/program_error.h"
 #include "image/float_formats.h"
 #include "scene/lighting_setup.h"
@@ -23,17 +27,18 @@ namespace {
 
 constexpr int kFigurePart = 400; // pixels: the sheet is then 2072 wide
 
-constexpr const char* kFooter = R"(
-Examples:
-  softgl teapot.obj -o teapot.png
-  softgl part.obj -o part.png --up +Z --view front --size 1920x1080 --aa 4
-  softgl bust.obj -o - --bg transparent --color '#d8c8b0' > bust.png
-  curl -s https://example.org/model.obj | softgl - -o model.ppm
-  softgl info part.obj --json
+constexpr const char* kNotes =
+    "Exit codes: 0 done, 2 wrong usage, 3 model unreadable or without visible geometry (and any warning with "
+    "--strict), 4 picture cannot be written.\n"
+    "Settings: SOFTGL_OPT_SIZE=800x600 is --size 800x600, and so for each option; --config FILE has lines "
+    "size = 800x600. Environment: SOFTGL_THREADS, SOFTGL_ISA=baseline|v2|v3|v4.";
 
-Exit codes: 0 done, 2 wrong usage, 3 model unreadable or without visible geometry (and any warning with --strict),
-4 picture cannot be written.
-Environment: SOFTGL_THREADS=n (as --threads), SOFTGL_ISA=baseline|v2|v3|v4 (instruction set of the kernels).)";
+class HelpFormatter : public CLI::FormatterBase {
+public:
+  std::string make_help(const CLI::App* app, std::string, CLI::AppFormatMode) const override {
+    return help_page(describe(*app));
+  }
+};
 
 // The command line by groups of options, and what follows from them together.
 class CommandLine {
@@ -41,40 +46,56 @@ public:
   CommandLine()
       : app_("softgl draws OBJ, PLY and STL models with the OpenGL fixed-function pipeline, on the CPU.",
              "softgl") {
-    app_.footer(kFooter);
-    app_.set_version_flag("--version", std::string("softgl ") + SOFTGL_VERSION);
-    app_.get_formatter()->column_width(26);
+    app_.formatter(std::make_shared<HelpFormatter>());
+    add_footer(app_,
+               {"softgl part.obj -o part.png --up +Z --view front --size 1920x1080 --aa 4",
+                "softgl bust.obj -o - --bg transparent --color '#d8c8b0' > bust.png",
+                "softgl models/ -o 'thumbs/{model}.png' --size 256x256 --keep-going"},
+               kNotes);
+    app_.set_version_flag("--version", std::string("softgl ") + SOFTGL_VERSION, "print the version and exit");
+    app_.set_help_flag("-h,--help", "print this help and exit");
     app_.option_defaults()->always_capture_default(false);
+    start_group(app_, "Picture");
     add_files();
+    start_group(app_, "View");
     add_view();
     add_camera_place(app_, options_);
+    start_group(app_, "Light");
     add_shading();
     add_lights();
+    add_reflectances();
+    start_group(app_, "Look");
     add_colors();
     add_look(app_, options_);
+    start_group(app_, "Many pictures");
     add_batch(app_, options_);
-    add_effort();
-    add_run(app_, "more about the model and what is left out");
+    start_group(app_, "Models of unknown origin");
     add_limits(app_);
     add_number(app_, "--max-size", "N", "refuse pictures wider or higher", options_.limits.picture_side, 1,
                16384);
+    start_group(app_, "Run");
+    add_effort();
+    add_run(app_, "more about the model and what is left out");
+    start_group(app_, "Options");
     add_info();
     add_figure();
     compare_ = add_compare(app_, options_.compare);
+    add_stats(*compare_, "print times to standard error: json", stats_);
+    add_config();
   }
 
   ParsedOptions parse(int argc, const char* const* argv) {
     try {
       app_.parse(argc, argv);
+      take_settings();
+    } catch (const ProgramError& mistake) {
+      return refuse(mistake.what());
     } catch (const CLI::CallForHelp& help) {
       return {std::nullopt, app_.exit(help)};
     } catch (const CLI::CallForVersion& version) {
       return {std::nullopt, app_.exit(version)};
-    } catch (const CLI::Error& mistake) {
-      std::string sentence = mistake.what();
-      std::replace(sentence.begin(), sentence.end(), '\n', ' ');
-      return refuse(sentence);
-    }
+    } catch (const CLI::Error& mistake) { return refuse(one_line(mistake.what())); }
+    options_.stats = !stats_.empty();
     if (*info_) {
       options_.command = ProgramOptions::kInfo;
       return {options_, 0};
@@ -93,18 +114,21 @@ public:
     return {options_, 0};
   }
 
+  CommandRow describe_all() const { return describe(app_); }
+
 private:
   void add_files() {
     app_.add_option("model", options_.models,
-                    "OBJ, PLY or STL files, also .gz or .zst, or folders of them; - for standard input")
-        ->type_name("MODEL.obj");
+                    "OBJ, PLY, STL files (also .gz, .zst), folders of them, - for standard input")
+        ->type_name("MODEL");
     app_.add_option(
             "-o,--output", options_.output,
             "picture to write (.png .ppm .pam .jpg .bmp .tga .gif .apng .pfm .exr), - for standard output; "
             "{model}, {dir}, {view}, {pass}, {frame} and {n} (its number) in the name stand for themselves")
         ->type_name("FILE");
     app_.add_option("--format", options_.format, "picture format where the file name does not say it")
-        ->type_name("png|ppm|..");
+        ->check(offers(image_formats()))
+        ->type_name("NAME");
     add_word(app_, "--png", "HOW", "effort for PNG files: fast, default or small", png_,
              {"fast", "default", "small"});
     add_parsed(
@@ -115,9 +139,10 @@ private:
   void add_view() {
     CameraOptions& camera = camera_;
     camera.up = UpAxis::kAuto;
-    add_parsed(app_, "--view", "NAMES",
-               "iso (three-quarter view), front, back, left, right, top, bottom; several with commas [iso]",
-               [this](const std::string& text) { views_ = parse_views(text); });
+    add_parsed(app_, "--view", "LIST",
+               "iso, front, back, left, right, top or bottom; several with commas [iso]",
+               [this](const std::string& text) { views_ = parse_views(text); })
+        ->check(offers(view_names()));
     add_number(app_, "--az", "DEG", "degrees to the right of the named view, else of the front [35]",
                azimuth_, -1e6, 1e6);
     add_number(app_, "--el", "DEG", "degrees above the named view, else above the horizon [25]", elevation_,
@@ -128,28 +153,28 @@ private:
                camera.field_of_view, 1, 150);
     app_.add_flag("--ortho", camera.orthographic, "parallel projection");
     add_parsed(app_, "--up", "AXIS",
-               "axis of the model that points up: +Y, +Z, -X ..., or auto, which looks at the model [auto]",
-               [this](const std::string& text) { camera_.up = parse_up_axis(text); });
+               "axis that points up: +Y, +Z, -X ..., or auto: by the model's shape [auto]",
+               [this](const std::string& text) { camera_.up = parse_up_axis(text); })
+        ->check(offers({"auto", "+X", "-X", "+Y", "-Y", "+Z", "-Z"}));
   }
 
   void add_shading() {
     add_word(app_, "--shading", "HOW", "flat, gouraud (lit per vertex) or phong (lit per pixel) [gouraud]",
              shading_, {"flat", "gouraud", "phong"});
     add_word(app_, "--specular", "VECTOR",
-             "vector of the specular term: half (n.h)^ns or reflection (v.r)^ns [half]", specular_,
+             "vector of highlights: half (n.h)^ns or reflection (v.r)^ns [half]", specular_,
              {"half", "reflection"});
     add_parsed(app_, "--terms", "LIST",
                "terms of the light that are drawn: ambient,diffuse,specular,emission [all]",
-               [this](const std::string& text) { options_.render.lighting.terms = parse_terms(text); });
+               [this](const std::string& text) { options_.render.lighting.terms = parse_terms(text); })
+        ->check(offers({"ambient", "diffuse", "specular", "emission", "all"}));
     app_.add_option_function<double>(
             "--crease",
             [this](double angle) {
               options_.normals.crease_angle = angle;
               options_.normals.ignore_groups = true;
             },
-            "generated normals: smooth up to this angle between faces, whatever the smoothing groups [40 "
-            "where "
-            "there are none]")
+            "smooth generated normals up to this angle, whatever the groups [40]")
         ->check(range(0, 180))
         ->type_name("DEG");
   }
@@ -160,12 +185,11 @@ private:
               for (const std::string& text : texts)
                 options_.render.lighting.lights.push_back(parse_light(text));
             }),
-            "key, headlight, three-point, x,y,z (direction as seen), model:x,y,z or +Y (direction in the "
-            "model's axes), "
-            "at:x,y,z (place in "
-            "the model); then /color:COLOR, and for a place "
-            "/spot:x,y,z/cutoff:DEG/exponent:N/attenuation:C,L,Q; may be "
-            "repeated [key]")
+            "key, headlight, three-point, x,y,z (direction as seen), +Y or model:x,y,z (in the model's "
+            "axes), "
+            "at:x,y,z (place); then /color:COLOR, and for a place /spot:x,y,z/cutoff:DEG/exponent:N/"
+            "attenuation:C,L,Q; may be repeated [key]")
+        ->check(offers({"key", "headlight", "three-point"}))
         ->allow_extra_args(false)
         ->type_name("LIGHT");
     add_parsed(app_, "--ambient-light", "K",
@@ -176,7 +200,7 @@ private:
                });
   }
 
-  void add_colors() {
+  void add_reflectances() {
     MaterialOptions& materials = options_.materials;
     const auto add_reflectance = [this](const char* name, const char* description,
                                         MaterialOptions::Reflectance& reflectance) {
@@ -188,10 +212,14 @@ private:
     add_reflectance("--ks", "specular reflectance of all materials", materials.specular);
     add_number(app_, "--ns", "N", "specular exponent of all materials, 0 to 128", materials.shininess, 0,
                128);
+  }
+
+  void add_colors() {
     add_parsed(
         app_, "--bg,--bg-color", "COLOR",
         "background: #rrggbb, name, r,g,b from 0 to 1, TOP:BOTTOM, picture:FILE or transparent [#2e333a]",
-        [this](const std::string& text) { options_.render.background = parse_background(text); });
+        [this](const std::string& text) { options_.render.background = parse_background(text); })
+        ->check(offers({"transparent"}));
     add_parsed(app_, "--color,--colour", "COLOR", "one color for the whole model instead of its materials",
                [this](const std::string& text) {
                  parse_color(text); // three numbers or a name; one number is no color
@@ -204,9 +232,7 @@ private:
         ->check(CLI::IsMember({1, 4, 16}))
         ->type_name("N");
     add_number(app_, "--threads", "N", "threads [as many as the machine has]", options_.threads, 1, 1024);
-    add_word(app_, "--stats", "json",
-             "print times and counts: json (to standard error if the picture goes to standard output)",
-             stats_, {"json"});
+    add_stats(app_, "print times and counts: json (to standard error with -o -)", stats_);
   }
 
   void add_run(CLI::App& app, const char* verbose) {
@@ -237,14 +263,21 @@ private:
 
   void add_info() {
     info_ = app_.add_subcommand("info", "describe a model instead of drawing it");
-    info_->add_option("model", options_.models, "OBJ, PLY or STL file, or .gz or .zst; - for standard input")
+    info_
+        ->add_option("model", options_.models, "OBJ, PLY or STL file, also .gz or .zst; - for standard input")
         ->required()
         ->expected(1)
-        ->type_name("MODEL.obj");
+        ->type_name("MODEL");
     info_->add_flag("--json", options_.json, "as JSON");
     add_run(*info_, "more about what is left out");
     add_limits(*info_);
-    add_number(*info_, "--threads", "N", "threads", options_.threads, 1, 1024);
+    add_number(*info_, "--threads", "N", "threads [as many as the machine has]", options_.threads, 1, 1024);
+    add_stats(*info_, "print times to standard error: json", stats_);
+    add_footer(*info_,
+               {"softgl info part.obj", "softgl info part.obj --json | jq .triangles",
+                "softgl info upload.stl --strict --max-triangles 1000000 --timeout 10"},
+               "Exit codes: 0 done, 2 wrong usage, 3 model unreadable or without geometry (and any warning "
+               "with --strict).");
   }
 
   void add_figure() {
@@ -254,8 +287,68 @@ private:
                   "of a picture, --size being that of each part [400x400]");
     figure_->add_option("model", options_.models, "OBJ file; without one a sphere")
         ->expected(0, 1)
-        ->type_name("MODEL.obj");
+        ->type_name("MODEL");
     figure_->fallthrough();
+    add_footer(*figure_,
+               {"softgl figure -o lecture.png", "softgl figure bunny.obj -o bunny.png --up +Z --size 300x300",
+                "softgl figure -o - --specular reflection --bg white | convert - lecture.pdf"},
+               "Exit codes are those of softgl.");
+  }
+
+  // For every command that has options of its own.
+  void add_config() {
+    const auto add = [this](CLI::App& app, const char* group) {
+      app.add_option("--config", config_, "settings for what the command line does not say [the user's own]")
+          ->type_name("FILE")
+          ->group(group);
+    };
+    add(app_, "Run");
+    for (CLI::App* command : app_.get_subcommands([](const CLI::App*) { return true; }))
+      if (!command->get_fallthrough()) add(*command, "Options");
+  }
+
+  // The command line comes first, then the environment, then the file.
+  void take_settings() {
+    const std::vector<CLI::App*> active = app_.get_subcommands();
+    CLI::App& command = active.empty() ? app_ : *active.front();
+    const CLI::Option* own = command.get_option_no_throw("--config");
+    const bool named = (own && own->count() > 0) || app_.count("--config") > 0;
+    const char* variable = std::getenv("SOFTGL_OPT_CONFIG");
+    const std::string file = named ? config_ : variable ? variable : default_settings_file();
+    if (file.empty() && !has_environment_settings()) return;
+    const CommandRow program = describe(app_);
+    const std::string word = active.empty() ? "" : command.get_name();
+    const auto take = [&](const std::vector<Setting>& settings) {
+      for (const Setting& setting : settings) {
+        CLI::Option* option = command.get_option_no_throw(setting.option);
+        take_setting(setting, option ? *option : *app_.get_option(setting.option));
+      }
+    };
+    take(environment_settings(program, word));
+    if (!file.empty()) take(file_settings(file, program, word));
+  }
+
+  static void take_setting(const Setting& setting, CLI::Option& option) {
+    if (option.count() > 0) return;
+    try {
+      const bool flag = option.get_expected_min() == 0;
+      const bool many = option.get_expected_max() > 1;
+      for (const std::string& value : setting.values)
+        if (flag && &value == &setting.values.back())
+          option.add_result(option.get_flag_value(option.get_name(), value));
+        else if (!flag && (many || &value == &setting.values.back()))
+          option.add_result(value);
+      option.run_callback();
+    } catch (const CLI::Error& mistake) {
+      std::string sentence = one_line(mistake.what());
+      if (sentence.find(setting.option) == std::string::npos) sentence = setting.option + ": " + sentence;
+      throw ProgramError(kUsageError, setting.where + ": " + sentence);
+    }
+  }
+
+  static std::string one_line(std::string sentence) {
+    std::replace(sentence.begin(), sentence.end(), '\n', ' ');
+    return sentence;
   }
 
   static ParsedOptions refuse(const std::string& sentence) {
@@ -295,7 +388,6 @@ private:
     options_.png = png_ == "fast"    ? PngEffort::kFast
                    : png_ == "small" ? PngEffort::kSmall
                                      : PngEffort::kDefault;
-    options_.stats = !stats_.empty();
     if (*figure_ && (is_animation(format) || is_float_format(format) || options_.bits == 16))
       return "a figure is a picture of 8 bits, and no animation";
     return complete_batch(options_);
@@ -343,6 +435,7 @@ private:
   CLI::App app_;
   CLI::App *info_ = nullptr, *figure_ = nullptr, *compare_ = nullptr;
   ProgramOptions options_;
+  std::string config_;
   std::string png_ = "default", shading_ = "gouraud", specular_ = "half", stats_;
   CameraOptions camera_;
   std::vector<std::string> views_;
@@ -353,5 +446,7 @@ private:
 } // namespace
 
 ParsedOptions parse_options(int argc, const char* const* argv) { return CommandLine().parse(argc, argv); }
+
+CommandRow describe_command_line() { return CommandLine().describe_all(); }
 
 } // namespace softgl::cli

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "command/command_table.h"
 #include "command/compare.h"
 #include "command/model_loader.h"
 #include "image/image_writer.h"
@@ -75,5 +76,8 @@ struct ParsedOptions {
 };
 
 ParsedOptions parse_options(int argc, const char* const* argv);
+
+// What parse_options() takes.
+CommandRow describe_command_line();
 
 } // namespace softgl::cli

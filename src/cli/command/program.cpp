@@ -1,5 +1,6 @@
 #include "command/program.h"
 
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <new>
@@ -26,8 +27,8 @@ public:
   int run() {
     switch (options_.command) {
     case ProgramOptions::kCompare: return compare();
-    case ProgramOptions::kFigure: return figure();
-    case ProgramOptions::kInfo: return info();
+    case ProgramOptions::kFigure: return measured(&Program::figure, "draw", options_.output == "-");
+    case ProgramOptions::kInfo: return measured(&Program::info, "measure", true);
     default: return draw_pictures(options_, threads());
     }
   }
@@ -51,16 +52,37 @@ private:
     return count ? count : 1;
   }
 
+  // --stats of a command that reads at most one model: reading, preparing, and all the rest under the given
+  // name.
+  int measured(int (Program::*command)(), const char* rest, bool to_errors) {
+    const auto start = std::chrono::steady_clock::now();
+    const int code = (this->*command)();
+    if (!options_.stats) return code;
+    const std::chrono::duration<double> total = std::chrono::steady_clock::now() - start;
+    const double known = times_.read + times_.prepare;
+    print_text("{\n" +
+                   usage_as_json({{"read", times_.read},
+                                  {"prepare", times_.prepare},
+                                  {rest, total.count() - known},
+                                  {"total", total.count()}}) +
+                   "\n}\n",
+               to_errors ? stderr : stdout);
+    return code;
+  }
+
   int compare() const {
     CompareOptions compare = options_.compare;
     compare.threads = threads();
+    compare.stats = options_.stats;
     return run_compare(compare);
   }
 
   int info() {
+    const auto start = std::chrono::steady_clock::now();
     const SourceText text = open_text(options_.models.front(), options_.limits.input_bytes);
     RemarkList remarks;
     LoadedModel loaded = load_model(text, threads(), remarks, warnings_, notes_, options_.limits.load);
+    times_.read = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const ModelFrame frame = frame_model(loaded.model);
     note_bounds(frame, loaded.report);
     loaded.report.area = surface_area(loaded.model);
@@ -91,9 +113,8 @@ private:
       write(draw_figure(sphere, options_.render, warnings_));
       return kSuccess;
     }
-    RunTimes unused;
     PreparedModel model =
-        prepare_model(options_.models.front(), options_, threads(), warnings_, notes_, unused);
+        prepare_model(options_.models.front(), options_, threads(), warnings_, notes_, times_);
     if (view.up == UpAxis::kAuto) view.up = model.up;
     const Camera camera = fit_camera(model.mesh, view);
     const Picture picture =
@@ -119,6 +140,7 @@ private:
 
   const ProgramOptions& options_;
   Warnings warnings_, notes_;
+  RunTimes times_;
 };
 
 void start_limits(const RunLimits& limits) {

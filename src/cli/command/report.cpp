@@ -1,6 +1,8 @@
 #include "command/report.h"
 
 #include <cstdio>
+#include <ctime>
+#include <sys/resource.h>
 
 #include "common/json_text.h"
 #include "common/program_error.h"
@@ -92,19 +94,30 @@ std::string as_json(const ModelReport& r, const Warnings& warnings) {
 
 std::string stats_as_json(const ModelReport& r, const RunTimes& t, int width, int height,
                           const Warnings& warnings) {
-  const auto milliseconds = [](const char* name, double seconds) {
-    char text[80];
-    std::snprintf(text, sizeof text, "    \"%s\": %.3f,\n", name, seconds * 1000);
-    return std::string(text);
-  };
-  std::string times = milliseconds("read", t.read) + milliseconds("prepare", t.prepare) +
-                      milliseconds("upload", t.upload) + milliseconds("draw", t.draw) +
-                      milliseconds("resolve", t.average) + milliseconds("write", t.write) +
-                      milliseconds("total", t.total) + milliseconds("cpu", t.cpu);
-  times.erase(times.size() - 2, 1); // the last comma
   return "{\n" + counts(r) + "  \"width\": " + std::to_string(width) +
-         ",\n  \"height\": " + std::to_string(height) + ",\n  \"milliseconds\": {\n" + times +
-         "  },\n  \"peak_kib\": " + std::to_string(t.peak_kib) + ",\n" + warning_list(warnings) + "\n}\n";
+         ",\n  \"height\": " + std::to_string(height) + ",\n" +
+         usage_as_json({{"read", t.read},
+                        {"prepare", t.prepare},
+                        {"upload", t.upload},
+                        {"draw", t.draw},
+                        {"resolve", t.average},
+                        {"write", t.write},
+                        {"total", t.total}}) +
+         ",\n" + warning_list(warnings) + "\n}\n";
+}
+
+std::string usage_as_json(const std::vector<Stage>& stages) {
+  std::string text = "  \"milliseconds\": {\n";
+  const auto add = [&text](const char* name, double seconds, const char* end) {
+    char line[80];
+    std::snprintf(line, sizeof line, "    \"%s\": %.3f%s\n", name, seconds * 1000, end);
+    text += line;
+  };
+  for (const Stage& stage : stages) add(stage.name, stage.seconds, ",");
+  add("cpu", double(std::clock()) / CLOCKS_PER_SEC, "");
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return text + "  },\n  \"peak_kib\": " + std::to_string(usage.ru_maxrss);
 }
 
 void print_text(const std::string& text, std::FILE* file) {

@@ -30,9 +30,16 @@ struct ModelReport {
 
 struct RunTimes {
   double read = 0, prepare = 0, upload = 0, draw = 0, average = 0, write = 0, total = 0; // seconds
-  double cpu = 0;
-  long peak_kib = 0;
 };
+
+// A part of the run for --stats.
+struct Stage {
+  const char* name;
+  double seconds;
+};
+
+// Members of a JSON object: the stages and the processor's time in milliseconds, and the most memory so far.
+std::string usage_as_json(const std::vector<Stage>& stages);
 
 std::string as_text(const ModelReport& report);
 std::string as_json(const ModelReport& report, const Warnings& warnings);

@@ -13,6 +13,7 @@
 #endif
 
 #include "common/program_error.h"
+#include "common/utf16_text.h"
 
 namespace softgl::cli {
 namespace {
@@ -114,7 +115,7 @@ bool starts_with(const SourceText& file, std::string_view bytes) {
 } // namespace
 
 SourceText open_text(const std::string& path, uint64_t most) {
-  return decompressed(SourceText::open(path, most), most);
+  return as_utf8(decompressed(SourceText::open(path, most), most));
 }
 
 SourceText decompressed(SourceText file, uint64_t most) {

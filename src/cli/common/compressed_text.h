@@ -5,9 +5,9 @@
 
 namespace softgl::cli {
 
-// As SourceText::open(), and the text inside where the file is compressed. That has a limit of its own:
-// `most`, or without one 64 times the file's size and at least 16 MiB. Throws ProgramError for damaged files,
-// and where the program was built without the library.
+// As SourceText::open(), and the text inside where the file is compressed, as UTF-8. That has a limit of its
+// own: `most`, or without one 64 times the file's size and at least 16 MiB. Throws ProgramError for damaged
+// files, and where the program was built without the library.
 SourceText open_text(const std::string& path, uint64_t most = 0);
 
 // The same for a file that is open already.

@@ -64,6 +64,8 @@ void append_text(GrowingArray<uint8_t>& out, const std::string& text) {
 
 } // namespace
 
+std::vector<std::string> image_formats() { return {std::begin(kFormats), std::end(kFormats)}; }
+
 bool is_image_format(const std::string& format) {
   return std::find(std::begin(kFormats), std::end(kFormats), format) != std::end(kFormats);
 }

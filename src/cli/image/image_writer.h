@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "image/picture.h"
 
@@ -13,6 +14,7 @@ enum class PngEffort { kFast, kDefault, kSmall };
 // animations gif and apng. Taken
 // from the file name's end; "" if it has none of these.
 std::string image_format_of(const std::string& path);
+std::vector<std::string> image_formats();
 bool is_image_format(const std::string& format);
 bool has_alpha(const std::string& format); // png, pam, tga
 bool is_animation(const std::string& format);

@@ -53,8 +53,12 @@ public:
   }
 
 private:
+  // What Blender writes before faces that have none.
+  static bool is_no_material(std::string_view name) { return name == "None" || name == "(null)"; }
+
   uint32_t resolve(std::string_view name) {
     if (name.empty()) return 0;
+    if (is_no_material(name) && library_.find(name) == 0) return 0;
     const auto known = resolved_.find(name);
     if (known != resolved_.end()) return known->second;
     const uint32_t material = library_.find(name);

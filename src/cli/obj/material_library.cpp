@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "common/program_error.h"
+#include "common/utf16_text.h"
 #include "obj/file_search.h"
 #include "obj/number_parser.h"
 #include "obj/texture_option_parser.h"
@@ -353,10 +354,10 @@ void MaterialLibrary::load_for(const ObjModel& model, const ModelFiles& files, R
         }
         if (!tried.insert(path).second) continue;
         try {
-          const SourceText text = SourceText::open_named(path);
-          if (text.size() > kLargestLibrary)
+          SourceText file = SourceText::open_named(path);
+          if (file.size() > kLargestLibrary)
             throw ProgramError(kCannotRead, path + ": too large for a material library");
-          read(text, files, folder_of(path), warnings, notes);
+          read(as_utf8(std::move(file)), files, folder_of(path), warnings, notes);
         } catch (const ProgramError& error) { warnings.add_sentence(error.what()); }
       }
     }

@@ -20,14 +20,13 @@ bool starts_with(const SourceText& text, std::string_view prefix) {
   return std::string_view(text.begin(), text.size()).substr(0, prefix.size()) == prefix;
 }
 
+// With a mark at its beginning it was made UTF-8 when the file was opened.
 void refuse_utf16(const SourceText& text) {
   const char* p = text.begin();
-  const bool marked = starts_with(text, "\xff\xfe") || starts_with(text, "\xfe\xff");
-  const bool unmarked = text.size() >= 8 && ((!p[0] && p[1] && !p[2] && p[3] && !p[4] && p[5]) ||
-                                             (p[0] && !p[1] && p[2] && !p[3] && p[4] && !p[5]));
-  if (marked || unmarked)
-    throw ProgramError(kCannotRead,
-                       text.name() + ": this is UTF-16 text; save it as UTF-8 (or ASCII) and try again");
+  if (text.size() >= 8 && ((!p[0] && p[1] && !p[2] && p[3] && !p[4] && p[5]) ||
+                           (p[0] && !p[1] && p[2] && !p[3] && p[4] && !p[5])))
+    throw ProgramError(kCannotRead, text.name() + ": this is UTF-16 text without the mark of its order of "
+                                                  "bytes; save it as UTF-8 (or ASCII) and try again");
 }
 
 // The next place after `from` where a statement begins.

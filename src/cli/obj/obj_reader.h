@@ -25,7 +25,7 @@ struct ObjModel {
   bool has_smoothing_groups = false;
 };
 
-// Throws ProgramError for text that cannot be an OBJ file at all (UTF-16). `threads` >= 1.
+// Throws ProgramError for text that cannot be an OBJ file at all (UTF-16 without a mark). `threads` >= 1.
 ObjModel read_obj(const SourceText& text, unsigned threads, RemarkList& remarks);
 
 // Why a text without geometry has none, as one sentence.

@@ -103,6 +103,12 @@ Camera fit_perspective(const Mesh& mesh, const Axes& axes, const Extremes& box,
   return camera;
 }
 
+constexpr struct {
+  const char* name;
+  double azimuth, elevation;
+} kViews[] = {{"iso", 35, 25},  {"front", 0, 0}, {"back", 180, 0},  {"left", -90, 0},
+              {"right", 90, 0}, {"top", 0, 90},  {"bottom", 0, -90}};
+
 } // namespace
 
 const char* name_of(UpAxis axis) {
@@ -110,12 +116,13 @@ const char* name_of(UpAxis axis) {
   return kNames[int(axis)];
 }
 
+std::vector<std::string> view_names() {
+  std::vector<std::string> names;
+  for (const auto& view : kViews) names.emplace_back(view.name);
+  return names;
+}
+
 bool named_view(const std::string& name, double& azimuth, double& elevation) {
-  static constexpr struct {
-    const char* name;
-    double azimuth, elevation;
-  } kViews[] = {{"iso", 35, 25},  {"front", 0, 0}, {"back", 180, 0},  {"left", -90, 0},
-                {"right", 90, 0}, {"top", 0, 90},  {"bottom", 0, -90}};
   for (const auto& view : kViews)
     if (name == view.name) {
       azimuth = view.azimuth;

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "mesh/mesh_builder.h"
 
@@ -35,6 +36,7 @@ struct CameraOptions {
 
 // Angles of a named view; false if the name is unknown.
 bool named_view(const std::string& name, double& azimuth, double& elevation);
+std::vector<std::string> view_names();
 
 struct Camera {
   double view[16];       // column-major, a rotation and a translation

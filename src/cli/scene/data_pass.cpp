@@ -227,6 +227,13 @@ constexpr struct {
 
 } // namespace
 
+std::vector<std::string> pass_names() {
+  std::vector<std::string> names;
+  for (const auto& known : kPasses)
+    if (known.name == std::string(name_of(known.pass))) names.emplace_back(known.name);
+  return names;
+}
+
 bool named_pass(const std::string& name, Pass& pass) {
   for (const auto& known : kPasses)
     if (name == known.name) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace softgl::cli {
 
@@ -21,6 +22,7 @@ enum class Pass {
 // False if the name is unknown.
 bool named_pass(const std::string& name, Pass& pass);
 const char* name_of(Pass pass);
+std::vector<std::string> pass_names();
 
 // Drawn as numbers, not as light: one sample a pixel, without blending.
 inline bool is_data(Pass pass) { return pass >= Pass::kDepth && pass <= Pass::kId; }
