@@ -91,7 +91,8 @@ uint64_t interpolate(int weight, uint64_t a, uint64_t b) {
 
 void reduce_rgba8(const TextureImage& from, const Footprints& footprints, TextureImage& to) {
   const TexelFormat& format = *to.format;
-  const bool whole = std::all_of(format.bits, format.bits + 4, [](int bits) { return bits == 8 || bits == 0; });
+  const bool whole =
+      std::all_of(format.bits, format.bits + 4, [](int bits) { return bits == 8 || bits == 0; });
   for (int z = 0; z < to.depth; ++z)
     for (int y = 0; y < to.height; ++y) {
       unsigned char* target = to.at(0, y, z);

@@ -50,7 +50,7 @@ std::string output_of(const std::string& command, int& code) {
   return text;
 }
 
-std::vector<std::string> lines_of(const std::string& command) {
+std::vector<std::string> output_lines(const std::string& command) {
   int code = 0;
   const std::string text = output_of(command, code);
   INFO(text);
@@ -62,7 +62,7 @@ std::vector<std::string> lines_of(const std::string& command) {
   return lines;
 }
 
-bool has_program(const std::string& name) {
+bool is_installed(const std::string& name) {
   int code = 0;
   output_of("command -v " + name, code);
   return code == 0;

@@ -14,10 +14,10 @@ std::string system_library();
 std::string output_of(const std::string& command, int& code);
 
 /// The lines that a command prints; it must succeed and print some.
-std::vector<std::string> lines_of(const std::string& command);
+std::vector<std::string> output_lines(const std::string& command);
 
 /// Whether the shell finds a program.
-bool has_program(const std::string& name);
+bool is_installed(const std::string& name);
 
 /// A folder for what the clients write, which exists.
 std::string client_folder();

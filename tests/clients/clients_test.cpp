@@ -50,7 +50,7 @@ TEST_CASE("MuJoCo draws what it draws with OSMesa", "[clients]") {
     WARN("SKIPPED: libmujoco-dev is not installed");
     return;
   }
-  for (const std::string& scene : lines_of(client + " --list")) {
+  for (const std::string& scene : output_lines(client + " --list")) {
     INFO(scene);
     const Pair pair = run_with_both(
         "mujoco_" + scene, [&](const std::string& library) { return client + " " + library + " " + scene; });
@@ -71,7 +71,7 @@ TEST_CASE("PyOpenGL and GLU draw what they draw with OSMesa", "[clients]") {
     return;
   }
   for (const std::string& scene :
-       lines_of("LD_LIBRARY_PATH=" + loader_folder(SOFTGL_TEST_LIBRARY) + " " + client + " --list"))
+       output_lines("LD_LIBRARY_PATH=" + loader_folder(SOFTGL_TEST_LIBRARY) + " " + client + " --list"))
     for (const std::string type : {"ubyte", "ushort", "float"}) {
       INFO(scene << ", " << type);
       const Pair pair = run_with_both("pyopengl_" + scene + "_" + type, [&](const std::string& library) {

@@ -19,7 +19,7 @@ bool is_there(const std::string& path) { return std::filesystem::exists(path); }
 
 TEST_CASE("hacks of xscreensaver draw what they draw with OSMesa", "[clients]") {
   if (!is_there("/usr/libexec/xscreensaver/gears") ||
-      !is_there("/usr/libexec/xscreensaver/xscreensaver-getimage") || !has_program("Xvfb") ||
+      !is_there("/usr/libexec/xscreensaver/xscreensaver-getimage") || !is_installed("Xvfb") ||
       !is_there(SOFTGL_TEST_EGL)) {
     WARN("SKIPPED: xscreensaver-gl, xscreensaver-data, xvfb or libegl-dev is not installed");
     return;
@@ -28,10 +28,10 @@ TEST_CASE("hacks of xscreensaver draw what they draw with OSMesa", "[clients]") 
   const std::string hacks = "antspotlight endgame energystream gflux maze3d mirrorblob moebius molecule "
                             "pipes sonar unicrud winduprobot";
   std::string answers;
-  for (const std::string& line : lines_of(kPrograms +
-                                          "xscreensaver_hacks.py --shim " SOFTGL_TEST_EGL
-                                          " --library " SOFTGL_TEST_LIBRARY " --against " +
-                                          system_library() + " " + hacks))
+  for (const std::string& line : output_lines(kPrograms +
+                                              "xscreensaver_hacks.py --shim " SOFTGL_TEST_EGL
+                                              " --library " SOFTGL_TEST_LIBRARY " --against " +
+                                              system_library() + " " + hacks))
     answers += line + "\n";
   INFO(answers);
   CHECK(answers.find("12 of 12 are identical") != std::string::npos);
@@ -40,7 +40,7 @@ TEST_CASE("hacks of xscreensaver draw what they draw with OSMesa", "[clients]") 
 TEST_CASE("GLFW's windows have the pictures that they have with OSMesa", "[clients]") {
   int code = 0;
   output_of("/usr/bin/python3 -c 'import ctypes; ctypes.CDLL(\"libglfw.so.3\")'", code);
-  if (code != 0 || !has_program("Xvfb")) {
+  if (code != 0 || !is_installed("Xvfb")) {
     WARN("SKIPPED: libglfw3 or xvfb is not installed");
     return;
   }
