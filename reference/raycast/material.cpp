@@ -13,7 +13,7 @@ Vec3 Material::shade_textbook(Vec3 point, Vec3 n, Vec3 v, const Illumination& il
   for (const spec::Light& light : illumination.lights) {
     const Vec3 s = spec::direction_between({point.x, point.y, point.z, 1}, light.position);
     const double n_dot_s = dot(n, s);
-    if (n_dot_s <= 0) continue; // the light is behind the surface
+    if (n_dot_s <= 0 && illumination.tests_light_behind) continue; // the light is behind the surface
     L = L + n_dot_s * (kDiffuse * light.diffuse);
     const Vec3 r = 2 * n_dot_s * n - s;
     const double v_dot_r = dot(v, r);

@@ -22,7 +22,8 @@ enum class Equation {
 /// is where the ray comes from.
 struct Illumination {
   Equation equation = Equation::Textbook;
-  spec::LightModel model; // model.ambient is LA
+  bool tests_light_behind = true; // the textbook's test can be left out, to see what it is for
+  spec::LightModel model;         // model.ambient is LA
   std::vector<spec::Light> lights;
 };
 

@@ -23,7 +23,20 @@ std::optional<Hit> Scene::nearest(const Ray& ray) const {
 
 Vec3 Scene::color(const Ray& ray) const {
   const std::optional<Hit> hit = nearest(ray);
-  return hit ? hit->material->shade(*hit, ray, illumination) : background;
+  if (!hit) return background;
+  return hit->material->shade(*hit, ray, shadows ? reaching(hit->point) : illumination);
+}
+
+// The lights that nothing hides from the point.
+Illumination Scene::reaching(Vec3 point) const {
+  Illumination lit = illumination;
+  const spec::Vec4 from{point.x, point.y, point.z, 1};
+  std::erase_if(lit.lights, [&](const spec::Light& light) {
+    const std::optional<Hit> hit =
+        nearest({point, spec::direction_between(from, light.position), shadow_start});
+    return hit && (light.position.w == 0 || hit->distance < length(light.position.divided() - point));
+  });
+  return lit;
 }
 
 std::vector<uint8_t> render(const Scene& scene) {

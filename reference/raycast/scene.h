@@ -24,12 +24,17 @@ struct Scene {
   Camera camera;
   Illumination illumination;
   Vec3 background{0, 0, 0};
+  bool shadows = false;                   // a light that something hides from a point adds nothing there
+  double shadow_start = kNearestDistance; // what is nearer to the point hides no light
   std::vector<std::unique_ptr<Shape>> shapes;
 
   /// The nearest hit of all shapes.
   std::optional<Hit> nearest(const Ray& ray) const;
   /// The color that a ray brings back, not clamped.
   Vec3 color(const Ray& ray) const;
+
+private:
+  Illumination reaching(Vec3 point) const;
 };
 
 /// RGB bytes, the top row first.

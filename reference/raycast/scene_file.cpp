@@ -198,7 +198,12 @@ Scene parse_scene(const std::string& text, const std::string& name) {
       light.model.local_viewer = true;
     else if (word == "two_sided")
       light.model.two_sided = true;
-    else if (word == "light")
+    else if (word == "without_test")
+      light.tests_light_behind = false;
+    else if (word == "shadows") {
+      scene.shadows = true;
+      scene.shadow_start = line.number("distance from the surface at which a ray to the light starts");
+    } else if (word == "light")
       light.lights.push_back(read_light(line));
     else if (word == "material")
       material = read_material(line);

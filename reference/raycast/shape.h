@@ -9,9 +9,13 @@
 
 namespace softgl::raycast {
 
-/// Points origin + t * direction for t > 0; the direction has length 1.
+/// A ray that starts on a surface does not hit it there: rounding must not let a surface meet itself.
+constexpr double kNearestDistance = 1e-9;
+
+/// Points origin + t * direction for t > nearest; the direction has length 1.
 struct Ray {
   Vec3 origin, direction;
+  double nearest = kNearestDistance;
   Vec3 at(double t) const { return origin + t * direction; }
 };
 
@@ -24,9 +28,6 @@ struct Hit {
   int part = 0; // face of a box, triangle of a mesh
   Vec3 weights; // of the triangle's three vertices
 };
-
-/// A ray that starts on a surface does not hit it there: rounding must not let a surface meet itself.
-constexpr double kNearestDistance = 1e-9;
 
 class Shape {
 public:

@@ -15,8 +15,8 @@ std::optional<Hit> Sphere::intersect(const Ray& ray) const {
   const double discriminant = radius_ * radius_ - dot(miss, miss);
   if (discriminant < 0) return {};
   const double root = std::sqrt(discriminant);
-  const double t = b - root > kNearestDistance ? b - root : b + root; // the second one, seen from inside
-  if (t <= kNearestDistance) return {};
+  const double t = b - root > ray.nearest ? b - root : b + root; // the second one, seen from inside
+  if (t <= ray.nearest) return {};
   return hit_at(ray, t, (1 / radius_) * (ray.at(t) - center_));
 }
 
@@ -24,7 +24,7 @@ std::optional<Hit> Plane::intersect(const Ray& ray) const {
   const double towards = dot(ray.direction, normal_);
   if (towards == 0) return {}; // parallel
   const double t = dot(point_ - ray.origin, normal_) / towards;
-  if (t <= kNearestDistance) return {};
+  if (t <= ray.nearest) return {};
   return hit_at(ray, t, normal_);
 }
 
@@ -48,9 +48,9 @@ std::optional<Hit> Box::intersect(const Ray& ray) const {
     if (far < leave) leave = far, leave_face = far_face;
   }
   if (enter > leave) return {};
-  const bool outside = enter > kNearestDistance;
+  const bool outside = enter > ray.nearest;
   const double t = outside ? enter : leave;
-  if (t <= kNearestDistance) return {};
+  if (t <= ray.nearest) return {};
   const int face = outside ? enter_face : leave_face;
   const Vec3 outwards = spec::unit(half_edge_[face / 2]);
   Hit hit = hit_at(ray, t, face & 1 ? -outwards : outwards);

@@ -74,7 +74,7 @@ bool TriangleMesh::intersect_triangle(const Ray& ray, int triangle, Hit& nearest
   const double u = dot(from_a, p) / determinant;
   const Vec3 q = cross(from_a, ab);
   const double v = dot(ray.direction, q) / determinant, t = dot(ac, q) / determinant;
-  if (u < 0 || v < 0 || u + v > 1 || t <= kNearestDistance || t >= nearest.distance) return false;
+  if (u < 0 || v < 0 || u + v > 1 || t <= ray.nearest || t >= nearest.distance) return false;
   nearest = hit_at(ray, t, spec::unit((1 - u - v) * a.normal + u * b.normal + v * c.normal));
   nearest.from_behind = determinant < 0; // the vertices run clockwise, whatever the normals say
   nearest.part = triangle;

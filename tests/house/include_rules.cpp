@@ -46,7 +46,7 @@ std::vector<std::string> quoted_includes(const std::string& text) {
 std::string resolve_include(const SourceTree& tree, const std::string& file, const std::string& name) {
   std::vector<std::string> folders = {folder_of(file), "include", "src", "."};
   if (is_below(file, "shaders")) folders = {folder_of(file), "."};
-  if (is_below(file, "src/cli")) folders = {folder_of(file), "src/cli", "include"};
+  if (is_below(file, "src/cli")) folders = {folder_of(file), "src/cli", "include", "reference"};
   for (const std::string& folder : folders)
     if (const std::string path = normal_path(folder + "/" + name); tree.count(path)) return path;
   return "";
@@ -54,7 +54,7 @@ std::string resolve_include(const SourceTree& tree, const std::string& file, con
 
 /// The folders on the line "May include:", which goes on while it ends with a comma. They are named from
 /// src, in shaders from the top, and below src/cli from there; include/GL and include/softgl are GL/ and
-/// softgl/.
+/// softgl/. Folders of reference, which see nothing of src, are named from the top.
 struct MayInclude {
   bool said = false;
   std::set<std::string> folders;
@@ -78,7 +78,7 @@ struct MayInclude {
       if (!name.empty() && name.back() == '/') name.pop_back();
       if (program && (name == "GL" || name == "softgl"))
         folders.insert("include/" + name);
-      else if (starts_with(name, "shaders"))
+      else if (starts_with(name, "shaders") || starts_with(name, "reference/"))
         folders.insert(name);
       else
         folders.insert((program ? "src/cli/" : "src/") + name);

@@ -174,11 +174,41 @@ TEST_CASE("a scene shows the nearest shape through the centre of each pixel", "[
   check(camera.ray(200, 50).direction, softgl::spec::unit({2, 0, -1}));
 }
 
+TEST_CASE("what stands between a point and a light casts a shadow, where it is asked for",
+          "[reference][raycast]") {
+  // The middle of the plane lies below the sphere, as the light at infinity and the lamp see it.
+  const std::string text =
+      "camera orthographic 2\nambient 0 0 0\nmaterial diffuse 0.5 0.5 0.5  specular 0 0 0\n"
+      "plane 0 0 -5  0 0 1\nsphere 0 1.5 -3.5  0.4\n";
+  const std::string from_above = "light 0 1 1 0  1 1 1\n", lamp = "light 0 3 -2 1  1 1 1\n",
+                    below = "light 0 0.5 -4.5 1  1 1 1\n"; // a lamp between plane and sphere
+  const Ray middle = along({0, 0, 0}, {0, 0, -1}), beside = along({1, 0, 0}, {0, 0, -1});
+  const double half = std::sqrt(0.5) / 2;
+  const auto color = [&](const std::string& scene, const Ray& ray) {
+    return parse_scene(text + scene, "test").color(ray);
+  };
+  check(color(from_above, middle), {half, half, half});
+  check(color(from_above + "shadows 1e-9\n", middle), {0, 0, 0});
+  check(color(lamp + "shadows 1e-9\n", middle), {0, 0, 0});
+  check(color(below + "shadows 1e-9\n", middle), {half, half, half});
+  check(color(from_above + "shadows 1e-9\n", beside), {half, half, half});
+  check(color(from_above + "shadows 5\n", middle), {half, half, half}); // it starts behind the sphere
+}
+
+TEST_CASE("the textbook's test of light from behind can be left out", "[reference][raycast]") {
+  const std::string text =
+      "camera orthographic 1\nambient 1 1 1\nlight 0 0.6 -0.8 0  1 1 1\n"
+      "material ambient 0.9 0.9 0.9  diffuse 0.5 0.5 0.5  specular 0 0 0\nplane 0 0 -5  0 0 1\n";
+  const Ray ray = along({0, 0, 0}, {0, 0, -1});
+  check(parse_scene(text, "test").color(ray), {0.9, 0.9, 0.9});
+  check(parse_scene(text + "without_test\n", "test").color(ray), {0.5, 0.5, 0.5});
+}
+
 TEST_CASE("scene files say what is wrong with them", "[reference][raycast]") {
-  for (const char* text :
-       {"sphere 0 0 0", "sphere 0 0 0 -1", "size 0 5", "size 100000 5", "camera fisheye",
-        "camera perspective 180", "light 0 0 1 1 1 1 1 color 3", "material 3", "box 0 0 0 1 1 1 fold",
-        "mesh no-such-file.obj", "blob 1 2 3", "plane 0 0 0 0 0 0", "sphere 0 0 0 1 2", "ambient 1 1 nan"}) {
+  for (const char* text : {"sphere 0 0 0", "sphere 0 0 0 -1", "size 0 5", "size 100000 5", "camera fisheye",
+                           "camera perspective 180", "light 0 0 1 1 1 1 1 color 3", "material 3",
+                           "box 0 0 0 1 1 1 fold", "mesh no-such-file.obj", "blob 1 2 3", "plane 0 0 0 0 0 0",
+                           "sphere 0 0 0 1 2", "ambient 1 1 nan", "shadows"}) {
     INFO(text);
     CHECK_THROWS_WITH(parse_scene(std::string("size 4 4\n") + text, "file"), Catch::StartsWith("file:2: "));
   }

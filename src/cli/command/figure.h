@@ -1,31 +1,24 @@
-// The lecture's figures about the Phong illumination model and Phong shading, on one sheet.
+// The files of softgl figure.
 #pragma once
 
-#include "scene/renderer.h"
+#include <string>
+#include <vector>
+
+#include "command/options.h"
+#include "figure/subject.h"
 
 namespace softgl::cli {
 
-// What a figure shows, in one or more tessellations.
-struct FigureSubject {
-  struct Level {
-    Mesh mesh;
-    std::string name;
-  };
-  std::string name;
-  std::vector<Material> materials;
-  ModelFrame frame;
-  Camera camera;
-  std::vector<Level> levels; // from coarse to fine
+struct FigureFile {
+  std::string path;
+  GrowingArray<uint8_t> bytes;
 };
 
-// The unit sphere at 8, 16, 32, 64 and 128 slices.
-FigureSubject sphere_subject(const CameraOptions& camera);
-// A model as it is, and its triangles cut into 4, 16, 64, 256 as long as there are not too many.
-FigureSubject model_subject(std::string name, Mesh mesh, std::vector<Material> materials, ModelFrame frame,
-                            const Camera& camera);
+// Draws what the options name. Throws ProgramError.
+std::vector<FigureFile> draw_figures(const FigureSubject& subject, const ProgramOptions& options,
+                                     unsigned threads, Warnings& warnings);
 
-// Rows: the terms and their sum; exponents; Gouraud shading, Phong shading and their difference over
-// tessellation; both vectors of the specular term. `options` gives size, lights and background of each part.
-Picture draw_figure(const FigureSubject& subject, const RenderOptions& options, Warnings& warnings);
+// Names and titles, one figure a line.
+std::string list_of_figures(Language language);
 
 } // namespace softgl::cli

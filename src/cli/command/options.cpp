@@ -9,6 +9,7 @@
 
 #include "command/batch_options.h"
 #include "command/compare_options.h"
+#include "command/figure_options.h"
 #include "command/help_page.h"
 #include "command/look_options.h"
 #include "command/option_kinds.h"
@@ -25,7 +26,7 @@
 namespace softgl::cli {
 namespace {
 
-constexpr int kFigurePart = 400; // pixels: the sheet is then 2072 wide
+constexpr int kFigurePart = 400; // pixels a side of each picture: the sheet is then 2072 wide
 
 constexpr const char* kNotes =
     "Exit codes: 0 done, 2 wrong usage, 3 model unreadable or without visible geometry (and any warning with "
@@ -78,7 +79,7 @@ public:
     add_run(app_, "more about the model and what is left out");
     start_group(app_, "Options");
     add_info();
-    add_figure();
+    figure_ = add_figure(app_, options_);
     compare_ = add_compare(app_, options_.compare);
     add_stats(*compare_, "print times to standard error: json", stats_);
     add_config();
@@ -280,21 +281,6 @@ private:
                "with --strict).");
   }
 
-  void add_figure() {
-    figure_ = app_.add_subcommand(
-        "figure", "draw the terms of the light, exponents, Gouraud and Phong shading and both "
-                  "specular vectors side by side, on one labelled sheet; takes the options "
-                  "of a picture, --size being that of each part [400x400]");
-    figure_->add_option("model", options_.models, "OBJ file; without one a sphere")
-        ->expected(0, 1)
-        ->type_name("MODEL");
-    figure_->fallthrough();
-    add_footer(*figure_,
-               {"softgl figure -o lecture.png", "softgl figure bunny.obj -o bunny.png --up +Z --size 300x300",
-                "softgl figure -o - --specular reflection --bg white | convert - lecture.pdf"},
-               "Exit codes are those of softgl.");
-  }
-
   // For every command that has options of its own.
   void add_config() {
     const auto add = [this](CLI::App& app, const char* group) {
@@ -376,7 +362,11 @@ private:
   }
 
   std::string complete_output() {
-    if (options_.models.empty() && !*figure_) return "no model given";
+    options_.png = png_ == "fast"    ? PngEffort::kFast
+                   : png_ == "small" ? PngEffort::kSmall
+                                     : PngEffort::kDefault;
+    if (*figure_) return complete_figure_output(options_);
+    if (options_.models.empty()) return "no model given";
     if (options_.output.empty()) return "no output file given; -o PICTURE.png names one";
     std::string& format = options_.format;
     if (format.empty()) format = image_format_of(options_.output);
@@ -385,11 +375,6 @@ private:
              "\"; known are png, ppm, pam, jpg, bmp, tga, gif, apng, pfm and exr";
     if (format.empty()) format = "png";
     if (!is_image_format(format)) return "unknown picture format \"" + format + "\"";
-    options_.png = png_ == "fast"    ? PngEffort::kFast
-                   : png_ == "small" ? PngEffort::kSmall
-                                     : PngEffort::kDefault;
-    if (*figure_ && (is_animation(format) || is_float_format(format) || options_.bits == 16))
-      return "a figure is a picture of 8 bits, and no animation";
     return complete_batch(options_);
   }
 
@@ -401,7 +386,8 @@ private:
     lighting.shading = shading_ == "flat" && !*figure_ ? Shading::kFlat
                        : shading_ == "phong"           ? Shading::kPhong
                                                        : Shading::kGouraud;
-    lighting.reflection_vector = specular_ == "reflection";
+    // The lecture is about Phong's equation.
+    lighting.reflection_vector = specular_ == "reflection" || (*figure_ && !app_.count("--specular"));
     if (gl_lights_of(lighting) > kMostLights)
       return "--light: GL has 8 lights, and the key light takes two of them, three-point three";
     const int most = options_.limits.picture_side;

@@ -9,6 +9,7 @@
 #include "command/command_table.h"
 #include "command/compare.h"
 #include "command/model_loader.h"
+#include "figure/language.h"
 #include "image/image_writer.h"
 #include "mesh/normal_generator.h"
 #include "scene/camera.h"
@@ -43,12 +44,20 @@ struct CameraPlaceOptions {
   std::string file, output; // JSON
 };
 
+struct FigureOptions {
+  std::vector<std::string> words; // of the command line: names of figures and a model
+  std::vector<std::string> names; // of figures, in order; none: the sheet
+  Language language = language_of_environment();
+  bool list = false;   // instead of drawing
+  bool folder = false; // the output is one
+};
+
 struct ProgramOptions {
   enum Command { kRender, kInfo, kFigure, kCompare } command = kRender;
   std::vector<std::string> models; // and folders of models; none for kFigure: a sphere
   std::string output;
-  std::string format;
-  int bits = 8; // of a PNG's channel
+  std::string format; // of pictures; of figures also svg and html
+  int bits = 8;       // of a PNG's channel
   PngEffort png = PngEffort::kDefault;
   std::vector<NamedView> views; // at least one
   CameraPlaceOptions place;
@@ -66,6 +75,7 @@ struct ProgramOptions {
   bool json = false; // info --json
   bool stats = false;
   CompareOptions compare;
+  FigureOptions figure;
 };
 
 // What main() is to do: options, or an end with that exit code (help, version, or a mistake already

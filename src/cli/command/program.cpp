@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <new>
 #include <sys/resource.h>
 #include <thread>
@@ -106,25 +107,35 @@ private:
   }
 
   int figure() {
+    if (options_.figure.list) {
+      print_text(list_of_figures(options_.figure.language), stdout);
+      return kSuccess;
+    }
     CameraOptions view = options_.views.front().camera;
     if (options_.models.empty()) {
       FigureSubject sphere = sphere_subject(view);
       override_reflectances(options_.materials, sphere.materials);
-      write(draw_figure(sphere, options_.render, warnings_));
+      write_figures(sphere);
       return kSuccess;
     }
     PreparedModel model =
         prepare_model(options_.models.front(), options_, threads(), warnings_, notes_, times_);
     if (view.up == UpAxis::kAuto) view.up = model.up;
     const Camera camera = fit_camera(model.mesh, view);
-    const Picture picture =
-        draw_figure(model_subject(model.name, std::move(model.mesh), std::move(model.materials),
-                                  std::move(model.frame), camera),
-                    options_.render, warnings_);
-    refuse_warnings(model.name);
-    write(picture);
+    write_figures(model_subject(model.name, std::move(model.mesh), std::move(model.materials),
+                                std::move(model.frame), camera));
     if (options_.verbose) std::fputs(as_text(model.report).c_str(), stderr);
     return kSuccess;
+  }
+
+  void write_figures(const FigureSubject& subject) {
+    const std::vector<FigureFile> files = draw_figures(subject, options_, threads(), warnings_);
+    refuse_warnings(subject.name);
+    if (options_.figure.folder) {
+      std::error_code ignored; // writing the files will say it
+      std::filesystem::create_directories(options_.output, ignored);
+    }
+    for (const FigureFile& file : files) write_file(file.path, file.bytes);
   }
 
   void refuse_warnings(const std::string& name) const {
@@ -132,10 +143,6 @@ private:
     throw ProgramError(kCannotRead, name + ": " + std::to_string(warnings_.count()) +
                                         (warnings_.count() == 1 ? " warning" : " warnings") +
                                         " with --strict; no picture written");
-  }
-
-  void write(const Picture& picture) const {
-    write_file(options_.output, encode_image(picture, options_.format, options_.png));
   }
 
   const ProgramOptions& options_;

@@ -1,98 +1,50 @@
 #include "scene/sheet.h"
 
 #include <algorithm>
+#include <cmath>
 
-#include "scene/gl_context.h"
-
-#ifdef __GNUC__
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#pragma GCC diagnostic ignored "-Wsign-compare"
-#pragma GCC diagnostic ignored "-Wconversion"
-#endif
-#include <stb/stb_easy_font.h>
-#ifdef __GNUC__
-#pragma GCC diagnostic pop
-#endif
+#include "common/program_error.h"
+#include "image/lettering.h"
 
 namespace softgl::cli {
 namespace {
 
 constexpr int kGap = 12;  // around the pictures
-constexpr int kLine = 12; // of the font, with the space below
+constexpr int kLine = 12; // of letters of size 11, with the space below
+constexpr double kLetter = 11, kAscent = 9;
 constexpr int kWidestLabel = 450;
-constexpr int kReadable = 200; // pixels of a picture's width that a label of 30 letters takes
+constexpr int kReadable = 200;      // pixels of a picture's width that a label of 30 letters takes
+constexpr int kLargestSide = 65535; // of formats of pictures
+constexpr Color kTitleColor = {26, 26, 26}, kLabelColor = {77, 77, 77};
 
-// Text as quadrilaterals of the current context, drawn with a unit of one pixel and y downwards.
-class TextDrawer {
-public:
-  void draw(int x, int y, int scale, std::string text) {
-    vertices_.resize(
-        std::max<size_t>(vertices_.size(), 4 * 70 * (text.size() + 1))); // at most 70 quadrilaterals a letter
-    const int quads = stb_easy_font_print(0, 0, text.data(), nullptr, vertices_.data(),
-                                          int(vertices_.size() * sizeof(Vertex)));
-    glLoadIdentity();
-    glTranslatef(float(x), float(y), 0);
-    glScalef(float(scale), float(scale), 1);
-    glVertexPointer(3, GL_FLOAT, sizeof(Vertex), vertices_.data());
-    glEnableClientState(GL_VERTEX_ARRAY);
-    glDrawArrays(GL_QUADS, 0, 4 * quads);
+// The widest of the text's lines in letters of size 11.
+int width_of(const std::string& text) {
+  double widest = 0;
+  for (size_t at = 0, end; at <= text.size(); at = end + 1) {
+    end = std::min(text.find('\n', at), text.size());
+    widest = std::max(widest, text_width(text.substr(at, end - at), kLetter));
   }
-
-private:
-  struct Vertex { // stb_easy_font's
-    float position[3];
-    uint8_t color[4];
-  };
-  std::vector<Vertex> vertices_;
-};
-
-// The font has the letters of ASCII; others, letter by letter of UTF-8, become question marks.
-std::string ascii_only(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    const bool ascii = (c >= ' ' && c <= '~') || c == '\n', continued = (uint8_t(c) & 0xc0) == 0x80;
-    if (!continued) out += ascii ? c : '?';
-  }
-  return out;
-}
-
-int width_of(std::string text) { return stb_easy_font_width(text.data()); }
-
-// The line without as much of its middle as makes it too long.
-std::string shortened(const std::string& line, int most) {
-  if (width_of(line) <= most) return line;
-  size_t kept = line.size();
-  std::string text;
-  do {
-    --kept;
-    text = line.substr(0, kept / 2) + "..." + line.substr(line.size() - (kept - kept / 2));
-  } while (width_of(text) > most && kept > 1);
-  return text;
+  return int(std::ceil(widest));
 }
 
 class SheetComposer {
 public:
-  SheetComposer(const std::string& title, const std::vector<SheetRow>& rows)
-      : title_(ascii_only(title)), rows_(rows) {}
+  SheetComposer(const std::string& title, const std::vector<SheetRow>& rows) : title_(title), rows_(rows) {}
 
   Picture compose() {
     measure();
-    GrowingArray<uint8_t> pixels;
-    pixels.extend(size_t(4) * size_t(width_) * size_t(height_));
-    draw_text(pixels);
-    for (size_t row = 0; row < rows_.size(); ++row)
-      for (size_t column = 0; column < rows_[row].entries.size(); ++column)
-        place(rows_[row].entries[column].picture, left(column), top(row) + row_title_, pixels);
+    if (width_ > kLargestSide || height_ > kLargestSide)
+      throw ProgramError(kCannotRead, "a sheet of " + std::to_string(width_) + "x" + std::to_string(height_) +
+                                          " pixels is too large");
     Picture sheet;
     sheet.width = width_;
     sheet.height = height_;
     sheet.channels = 3;
-    const size_t count = size_t(width_) * size_t(height_);
-    for (size_t i = 0; i < count; ++i)
-      for (size_t channel = 0; channel < 3; ++channel) pixels[3 * i + channel] = pixels[4 * i + channel];
-    pixels.truncate(3 * count);
-    sheet.pixels = std::move(pixels);
+    sheet.pixels.fill(size_t(3) * size_t(width_) * size_t(height_), 255);
+    draw_texts(sheet);
+    for (size_t row = 0; row < rows_.size(); ++row)
+      for (size_t column = 0; column < rows_[row].entries.size(); ++column)
+        place(rows_[row].entries[column].picture, left(column), top(row) + row_title_, sheet);
     return sheet;
   }
 
@@ -114,10 +66,9 @@ private:
         column_width_ = std::max(column_width_, letter_ * width_of(entry.label));
     column_width_ = std::min(column_width_, std::max(part_width_, kWidestLabel));
     width_ = kGap + int(columns) * (column_width_ + kGap);
-    // A long title has smaller letters; one that is too long even so, loses its end.
+    // A long title has smaller letters; one that is too long even so, loses its middle.
     const int room = width_ - 2 * kGap;
-    for (size_t length = title_.size(); width_of(title_) > room && length > 0; --length)
-      title_ = title_.substr(0, length - 1) + "...";
+    title_ = shortened(title_, kLetter, room);
     title_letter_ = std::clamp(room / std::max(1, width_of(title_)), 1, 3 * letter_);
     height_ = sheet_title_ + int(rows_.size()) * (row_title_ + part_height_ + label_);
   }
@@ -125,47 +76,33 @@ private:
   int left(size_t column) const { return kGap + int(column) * (column_width_ + kGap); }
   int top(size_t row) const { return sheet_title_ + int(row) * (row_title_ + part_height_ + label_); }
 
-  // Each of the label's lines, none longer than its column.
-  std::string fitted(const std::string& label) const {
-    std::string text, line;
-    for (const char c : ascii_only(label) + "\n") {
-      line += c;
-      if (c != '\n') continue;
-      line.pop_back();
-      text += (text.empty() ? "" : "\n") + shortened(line, column_width_ / letter_);
-      line.clear();
-    }
-    return text;
+  // `x` and `y`: the left top corner of the first line.
+  static void draw_line(Picture& sheet, int x, int y, int letter, const std::string& line,
+                        const Color& color) {
+    draw_text(sheet, x, y + letter * kAscent, letter * kLetter, line, color);
   }
 
-  void draw_text(GrowingArray<uint8_t>& pixels) const {
-    const GlContext context(pixels.data(), width_, height_, 0);
-    glClearColor(1, 1, 1, 1);
-    glClear(GL_COLOR_BUFFER_BIT);
-    glMatrixMode(GL_PROJECTION);
-    glOrtho(0, width_, height_, 0, -1, 1);
-    glMatrixMode(GL_MODELVIEW);
-    TextDrawer text;
-    glColor3f(0.1f, 0.1f, 0.1f);
-    text.draw(kGap, kGap, title_letter_, title_);
+  void draw_texts(Picture& sheet) const {
+    draw_line(sheet, kGap, kGap, title_letter_, title_, kTitleColor);
     for (size_t row = 0; row < rows_.size(); ++row) {
-      glColor3f(0.1f, 0.1f, 0.1f);
-      text.draw(kGap, top(row) + kGap / 2, 2 * letter_, rows_[row].title);
-      glColor3f(0.3f, 0.3f, 0.3f);
-      for (size_t column = 0; column < rows_[row].entries.size(); ++column)
-        text.draw(left(column), top(row) + row_title_ + part_height_ + kGap / 3, letter_,
-                  fitted(rows_[row].entries[column].label));
+      draw_line(sheet, kGap, top(row) + kGap / 2, 2 * letter_, rows_[row].title, kTitleColor);
+      for (size_t column = 0; column < rows_[row].entries.size(); ++column) {
+        const std::string& label = rows_[row].entries[column].label;
+        int y = top(row) + row_title_ + part_height_ + kGap / 3;
+        for (size_t at = 0, end; at <= label.size(); at = end + 1, y += letter_ * kLine) {
+          end = std::min(label.find('\n', at), label.size());
+          draw_line(sheet, left(column), y, letter_,
+                    shortened(label.substr(at, end - at), letter_ * kLetter, column_width_), kLabelColor);
+        }
+      }
     }
-    GlContext::finish();
   }
 
-  void place(const Picture& picture, int x, int y, GrowingArray<uint8_t>& pixels) const {
-    const uint8_t* from = picture.pixels.data();
-    for (int row = 0; row < picture.height; ++row) {
-      uint8_t* to = &pixels[4 * (size_t(y + row) * size_t(width_) + size_t(x))];
-      for (int column = 0; column < picture.width; ++column, from += 3, to += 4)
-        std::copy(from, from + 3, to);
-    }
+  static void place(const Picture& picture, int x, int y, Picture& sheet) {
+    const size_t bytes = 3 * size_t(picture.width);
+    for (int row = 0; row < picture.height; ++row)
+      std::copy_n(&picture.pixels[size_t(row) * bytes], bytes,
+                  &sheet.pixels[3 * (size_t(y + row) * size_t(sheet.width) + size_t(x))]);
   }
 
   std::string title_;

@@ -14,12 +14,12 @@ struct SheetEntry {
 };
 
 struct SheetRow {
-  std::string title; // ASCII, one line; empty: none
+  std::string title; // UTF-8, one line; empty: none
   std::vector<SheetEntry> entries;
 };
 
-// At least one row with an entry; `title` is UTF-8, one line, or empty. Throws ProgramError if GL cannot draw
-// a sheet of that size.
+// At least one row with an entry; `title` is UTF-8, one line, or empty. Throws ProgramError if the
+// sheet is larger than a picture's file can be.
 Picture compose_sheet(const std::string& title, const std::vector<SheetRow>& rows);
 
 } // namespace softgl::cli
