@@ -1,10 +1,11 @@
 // A program of libFuzzer for what reads files of unknown origin: models (OBJ, PLY, STL, compressed or not),
-// material libraries, pictures. SOFTGL_FUZZ_READER names one of the functions below.
+// material libraries, pictures, cameras. SOFTGL_FUZZ_READER names one of the functions below.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
 
+#include "command/camera_file.h"
 #include "command/model_loader.h"
 #include "common/compressed_text.h"
 #include "common/program_error.h"
@@ -54,6 +55,14 @@ void require(bool good) {
   if (!decode_picture(text, picture).empty()) return;
   require(picture.rgba.size() == size_t(4) * size_t(picture.width) * size_t(picture.height));
   require(int64_t(picture.width) * picture.height <= kMostTexels);
+}
+
+[[maybe_unused]] void read_camera_file(const SourceText& text) {
+  try {
+    const CameraPlacement place = parse_camera(text);
+    for (const double value : place.eye) require(std::fabs(value) <= 1e30);
+    require(place.field_of_view >= 0 && place.field_of_view < 180 && place.height >= 0);
+  } catch (const ProgramError& error) { require(error.code == kCannotRead); }
 }
 
 } // namespace

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "common/program_error.h"
-#include "common/source_text.h"
 #include "image/image_writer.h"
 
 namespace softgl::cli {
@@ -54,17 +53,19 @@ CameraPlacement parse(const nlohmann::json& file) {
 
 } // namespace
 
-CameraPlacement read_camera(const std::string& path) {
-  const SourceText text = SourceText::open(path);
+CameraPlacement read_camera(const std::string& path) { return parse_camera(SourceText::open(path)); }
+
+CameraPlacement parse_camera(const SourceText& text) {
   std::string problem = "the file is too large";
   if (text.size() <= kMostBytes) {
     const nlohmann::json file = nlohmann::json::parse(text.begin(), text.end(), nullptr, false);
-    if (file.is_discarded()) throw ProgramError(kCannotRead, path + ": no camera: the file is no JSON");
+    if (file.is_discarded())
+      throw ProgramError(kCannotRead, text.name() + ": no camera: the file is no JSON");
     try {
       return parse(file);
     } catch (const std::invalid_argument& mistake) { problem = mistake.what(); }
   }
-  throw ProgramError(kCannotRead, path + ": no camera: " + problem);
+  throw ProgramError(kCannotRead, text.name() + ": no camera: " + problem);
 }
 
 void write_camera(const std::string& path, const CameraPlacement& place) {

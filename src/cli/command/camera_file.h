@@ -6,12 +6,14 @@
 
 #include <string>
 
+#include "common/source_text.h"
 #include "scene/camera.h"
 
 namespace softgl::cli {
 
-// Throws ProgramError (kCannotRead).
+// Throws ProgramError (kCannotRead), as the next.
 CameraPlacement read_camera(const std::string& path);
+CameraPlacement parse_camera(const SourceText& text);
 void write_camera(const std::string& path, const CameraPlacement& place);
 
 } // namespace softgl::cli

@@ -252,6 +252,10 @@ private:
     add_number(app, "--max-triangles", "N", "refuse models of more triangles", limits.load.triangles, 1,
                1e12);
     add_mebibytes(app, "--max-memory", "end where more memory is needed", limits.memory_bytes);
+    app.add_flag(
+        "--sandbox", limits.sandbox,
+        "allow the program no other files than the model's folder and the picture's, no network and no "
+        "other programs");
     add_number(app, "--timeout", "S", "end after so many seconds", limits.seconds, 0.01, 1e6);
   }
 

@@ -32,6 +32,7 @@ struct RunLimits {
   uint64_t memory_bytes = 0;
   int picture_side = 0;
   double seconds = 0;
+  bool sandbox = false;
 };
 
 struct NamedView {

@@ -13,6 +13,7 @@
 #include "command/model_loader.h"
 #include "command/options.h"
 #include "command/prepared_model.h"
+#include "command/sandbox_paths.h"
 #include "common/compressed_text.h"
 #include "common/program_error.h"
 #include "common/time_limit.h"
@@ -159,6 +160,12 @@ void start_limits(const RunLimits& limits) {
     throw ProgramError(kUsageError, "--max-memory: the system does not allow this limit");
 }
 
+void start_sandbox(const ProgramOptions& options) {
+  if (!options.limits.sandbox) return;
+  for (const std::string& lacking : enter_sandbox(sandbox_paths(options)))
+    if (options.verbose) std::fprintf(stderr, "softgl: note: %s\n", lacking.c_str());
+}
+
 } // namespace
 
 int run_program(int argc, const char* const* argv) {
@@ -175,6 +182,7 @@ int run_program(int argc, const char* const* argv) {
     if (parsed.options->threads)
       ::setenv("SOFTGL_THREADS", std::to_string(parsed.options->threads).c_str(), 1);
     start_limits(parsed.options->limits);
+    start_sandbox(*parsed.options);
     Program program(*parsed.options);
     try {
       const int code = program.run();

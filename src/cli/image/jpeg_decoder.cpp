@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
@@ -40,7 +41,8 @@ void watch_scans(j_common_ptr decoder) {
 
 class JpegReader {
 public:
-  JpegReader(const SourceText& bytes, DecodedPicture& picture) : picture_(picture) {
+  JpegReader(const SourceText& bytes, DecodedPicture& picture)
+      : picture_(picture), most_rows_(most_texels(bytes, false)), most_whole_(most_texels(bytes, true)) {
     std::memset(&info_, 0, sizeof info_);
     info_.err = jpeg_std_error(&failure_.manager);
     failure_.manager.error_exit = fail;
@@ -55,7 +57,8 @@ public:
   std::string read() {
     if (!start()) return problem();
     const int64_t width = info_.image_width, height = info_.image_height;
-    if (width * height > (jpeg_has_multiple_scans(&info_) ? kMostScannedTexels : kMostFileTexels))
+    const bool whole = jpeg_has_multiple_scans(&info_);
+    if (width * height > (whole ? std::min(most_whole_, kMostScannedTexels) : most_rows_))
       return kTooManyTexels;
     picture_.file_width = int(width);
     picture_.file_height = int(height);
@@ -110,6 +113,7 @@ private:
   }
 
   DecodedPicture& picture_;
+  const int64_t most_rows_, most_whole_;
   jpeg_decompress_struct info_;
   jpeg_progress_mgr progress_{};
   Failure failure_{};

@@ -1,6 +1,8 @@
 // A decoder for each kind of picture file; those of libraries are there if the build found the library.
 #pragma once
 
+#include <algorithm>
+
 #include "image/picture_decoder.h"
 
 namespace softgl::cli {
@@ -13,8 +15,12 @@ std::string decode_gif(const SourceText& bytes, DecodedPicture& picture);
 std::string decode_tiff(const SourceText& bytes, DecodedPicture& picture);
 std::string decode_webp(const SourceText& bytes, DecodedPicture& picture);
 
-// Rows are read one by one up to this many texels; more are refused.
-inline constexpr int64_t kMostFileTexels = int64_t(1) << 29;
-inline constexpr const char* kTooManyTexels = "has too many pixels";
+// Texels up to which a picture is read, by its file's size: a megabyte may claim any number, and must not
+// cost seconds. `whole`: it is in memory at once; else its rows are read one by one.
+inline int64_t most_texels(const SourceText& bytes, bool whole) {
+  const int64_t most = whole ? kMostTexels : 2 * kMostTexels, each = whole ? 64 : 128;
+  return std::clamp(each * int64_t(bytes.size()), most, 4 * most);
+}
+inline constexpr const char* kTooManyTexels = "has too many pixels for the size of its file";
 
 } // namespace softgl::cli

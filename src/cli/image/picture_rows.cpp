@@ -29,8 +29,11 @@ void PictureRows::add_written() {
     picture_.rgba.commit(size_t(4) * size_t(width_));
     return;
   }
-  for (size_t x = 0; x < size_t(width_); ++x)
-    for (size_t c = 0; c < 4; ++c) sums_[4 * (x / size_t(factor_)) + c] += row_[4 * x + c];
+  const uint8_t* texel = row_.data();
+  uint32_t* sum = sums_.data();
+  for (int x = 0; x < width_; x += factor_, sum += 4)
+    for (int i = std::min(factor_, width_ - x); i > 0; --i, texel += 4)
+      for (size_t c = 0; c < 4; ++c) sum[c] += texel[c];
   ++rows_;
   --rows_left_;
   if (rows_ == factor_ || rows_left_ == 0) emit();

@@ -13,7 +13,7 @@ namespace {
 class PngReader {
 public:
   PngReader(const SourceText& bytes, DecodedPicture& picture)
-      : picture_(picture), at_(bytes.begin()), end_(bytes.end()) {}
+      : picture_(picture), at_(bytes.begin()), end_(bytes.end()), most_texels_(most_texels(bytes, false)) {}
   ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
 
   std::string read() {
@@ -22,8 +22,9 @@ public:
     if (!start()) return problem();
     const int64_t width = png_get_image_width(png_, info_), height = png_get_image_height(png_, info_);
     const bool interlaced = png_get_interlace_type(png_, info_) != PNG_INTERLACE_NONE;
-    if (width * height > (interlaced ? kMostTexels : kMostFileTexels))
+    if (width * height > (interlaced ? kMostTexels : most_texels_))
       return interlaced ? "is interlaced and has too many pixels" : kTooManyTexels;
+    if (height * int64_t(png_get_rowbytes(png_, info_)) > 4 * most_texels_) return kTooManyTexels;
     picture_.file_width = int(width);
     picture_.file_height = int(height);
     if (!begin_rows()) return problem();
@@ -98,6 +99,7 @@ private:
   DecodedPicture& picture_;
   const char* at_;
   const char* const end_;
+  const int64_t most_texels_;
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
   int passes_ = 1;

@@ -6,6 +6,8 @@
 namespace softgl::cli {
 namespace {
 
+constexpr int64_t kMostTgaTexelsPerByte = 64;
+
 bool out_of_memory = false; // stb_image has asked in vain: its own messages do not always say so
 
 void* noticed(void* memory) {
@@ -30,7 +32,11 @@ std::string decode_with_stb(const SourceText& bytes, DecodedPicture& picture) {
   int channels = 0;
   if (!stbi_info_from_memory(data, size, &picture.width, &picture.height, &channels))
     return "is of no kind of picture that can be read";
-  if (int64_t(picture.width) * picture.height > kMostTexels) return kTooManyTexels; // it reads all at once
+  const int64_t texels = int64_t(picture.width) * picture.height;
+  if (texels > kMostTexels) return kTooManyTexels; // it reads all at once
+  // TGA packs 128 texels into two bytes at best, and what is cut off would be read as zeros.
+  const bool other = data[0] == 0x89 || data[0] == 0xff; // PNG, JPEG
+  if (!other && texels > kMostTgaTexelsPerByte * size) return kTooManyTexels;
   stbi_uc* pixels = stbi_load_from_memory(data, size, &picture.width, &picture.height, &channels, 4);
   if (out_of_memory) {
     stbi_image_free(pixels);

@@ -9,11 +9,20 @@
 namespace softgl::cli {
 namespace {
 
+constexpr int64_t kTexelsPerByte = 64;
+
 // False: a warning says why.
-bool read_picture(const std::string& file, DecodedPicture& picture, Warnings& warnings) {
+bool read_picture(const std::string& file, DecodedPicture& picture, TexelBudget& budget, Warnings& warnings) {
   std::string problem;
   try {
-    problem = decode_picture(SourceText::open_named(file), picture);
+    const SourceText bytes = SourceText::open_named(file);
+    if (budget.left > 0) {
+      problem = decode_picture(bytes, picture);
+      const int64_t free = budget.files.insert(file).second ? kTexelsPerByte * int64_t(bytes.size()) : 0;
+      budget.left -= std::max<int64_t>(0, int64_t(picture.file_width) * picture.file_height - free);
+    } else {
+      problem = "is left out: the pictures before it have too many pixels for the size of their files";
+    }
   } catch (const ProgramError&) { problem = "cannot be read"; }
   if (!problem.empty()) {
     warnings.add(file, "this picture " + problem);
@@ -68,17 +77,21 @@ void replace_alpha(DecodedPicture& color, const DecodedPicture& opacity) {
     }
 }
 
-// `channels` channels from `first` on, rows from the bottom.
+template <size_t kChannels> void copy_channels(const uint8_t* in, size_t count, uint8_t* out) {
+  for (size_t i = 0; i < count; ++i, in += 4, out += kChannels)
+    for (size_t c = 0; c < kChannels; ++c) out[c] = in[c];
+}
+
+// `channels` channels (1, 3 or 4) from `first` on, rows from the bottom.
 void take_channels(const DecodedPicture& picture, size_t first, int channels, TextureImage& image) {
   image.width = picture.width;
   image.height = picture.height;
   image.channels = channels;
   const auto width = size_t(image.width), height = size_t(image.height);
   uint8_t* out = image.texels.extend(width * height * size_t(channels));
-  for (size_t y = 0; y < height; ++y)
-    for (size_t x = 0; x < width; ++x)
-      for (size_t c = first; c < first + size_t(channels); ++c)
-        *out++ = picture.rgba[4 * ((height - 1 - y) * width + x) + c];
+  const auto copy = channels == 4 ? copy_channels<4> : channels == 3 ? copy_channels<3> : copy_channels<1>;
+  for (size_t y = 0; y < height; ++y, out += width * size_t(channels))
+    copy(&picture.rgba[4 * (height - 1 - y) * width + first], width, out);
 }
 
 const uint8_t* texel_at(const TextureImage& image, int x, int y) {
@@ -125,12 +138,12 @@ void stretch(TextureImage& image, int width, int height) {
 
 } // namespace
 
-bool load_texture(const Material& material, TextureImage& image, Warnings& warnings) {
+bool load_texture(const Material& material, TextureImage& image, TexelBudget& budget, Warnings& warnings) {
   DecodedPicture color, opacity;
   const TextureReference &color_map = material.diffuse_map, &opacity_map = material.opacity_map;
-  const bool has_color = !color_map.file.empty() && read_picture(color_map.file, color, warnings);
+  const bool has_color = !color_map.file.empty() && read_picture(color_map.file, color, budget, warnings);
   const bool has_opacity = !opacity_map.file.empty() && opacity_map.file != color_map.file &&
-                           read_picture(opacity_map.file, opacity, warnings);
+                           read_picture(opacity_map.file, opacity, budget, warnings);
   if (has_opacity) make_opacity(opacity, opacity_map);
   if (!has_color) {
     if (has_opacity) take_channels(opacity, 3, 1, image);

@@ -91,6 +91,10 @@ std::string decode_tiff(const SourceText& bytes, DecodedPicture& picture) {
       !library.get_field(tiff.get(), TIFFTAG_IMAGELENGTH, &height) || width == 0 || height == 0)
     return "cannot be decoded (no TIFF image in it)";
   if (width > 0xffffff || height > 0xffffff || int64_t(width) * height > kMostTexels) return kTooManyTexels;
+  uint16_t samples = 1, bits = 1;
+  library.get_field(tiff.get(), TIFFTAG_SAMPLESPERPIXEL, &samples);
+  library.get_field(tiff.get(), TIFFTAG_BITSPERSAMPLE, &bits);
+  if (samples > 8 || bits > 16) return "cannot be decoded (of an unusual kind)"; // strips are in memory whole
   picture.width = picture.file_width = int(width);
   picture.height = picture.file_height = int(height);
   const size_t count = size_t(width) * height;

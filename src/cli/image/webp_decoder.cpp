@@ -14,6 +14,7 @@ std::string decode_webp(const SourceText& bytes, DecodedPicture& picture) {
   if (!WebPInitDecoderConfig(&config)) return "cannot be decoded (another version of the library)";
   if (WebPGetFeatures(data, bytes.size(), &config.input) != VP8_STATUS_OK)
     return "cannot be decoded (no WebP picture)";
+  if (int64_t(config.input.width) * config.input.height > most_texels(bytes, true)) return kTooManyTexels;
   picture.file_width = config.input.width;
   picture.file_height = config.input.height;
   const int factor = reduction_of(picture.file_width, picture.file_height);

@@ -243,16 +243,18 @@ private:
                     std::vector<Batch>& batches) {
     std::vector<uint32_t> places;
     batches = lay_out(runs, per_element, places);
-    // By material: a pass per batch keeps file order within it.
-    for (const Batch& batch : batches)
-      for (const MaterialRun& run : runs) {
-        if (run.material != batch.material) continue;
-        const GrowingArray<int32_t>& vertices = (model_.chunks[run.chunk].*list).values;
-        for (size_t i = size_t(run.first) * per_element; i < size_t(run.last) * per_element; ++i) {
-          positions.append(&frame_.positions[3 * size_t(vertices[i])], 3);
-          if (!model_.colors.empty()) add_color(colors, vertices[i], 1);
-        }
+    // By material, in file order within each.
+    std::vector<size_t> order(runs.size());
+    for (size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::sort(order.begin(), order.end(), [&](size_t a, size_t b) { return places[a] < places[b]; });
+    for (const size_t number : order) {
+      const MaterialRun& run = runs[number];
+      const GrowingArray<int32_t>& vertices = (model_.chunks[run.chunk].*list).values;
+      for (size_t i = size_t(run.first) * per_element; i < size_t(run.last) * per_element; ++i) {
+        positions.append(&frame_.positions[3 * size_t(vertices[i])], 3);
+        if (!model_.colors.empty()) add_color(colors, vertices[i], 1);
       }
+    }
   }
 
   struct Variant {

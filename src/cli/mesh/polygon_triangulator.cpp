@@ -4,6 +4,15 @@
 #include <cmath>
 
 namespace softgl::cli {
+namespace {
+
+// How much work a polygon may be, in steps of about 2 ns along its corners. Nearly all take less than a
+// hundred looks a corner.
+constexpr uint64_t kLook = 4; // steps for a look at a corner that may lie in an ear
+constexpr uint64_t kStepsEach = 80 * kLook, kSpareStepsEach = 40 * kLook, kMostStepsEach = 2000 * kLook;
+constexpr uint32_t kNone = 0xffffffff;
+
+} // namespace
 
 void PolygonTriangulator::triangulate(const double* corners, uint32_t size, uint32_t* triangles) {
   size_ = size;
@@ -119,9 +128,14 @@ void PolygonTriangulator::build_grid() {
     if (bend_[i] < 0) ++cell_start_[cell(i) + 1];
   for (size_t i = 0; i < cells; ++i) cell_start_[i + 1] += cell_start_[i];
   for (uint32_t i = size_; i-- > 0;) // from behind, so that each cell's start comes out right afterwards
-    if (bend_[i] < 0) cell_corners_[--cell_start_[cell(i) + 1]] = i;
+    if (bend_[i] < 0) cell_corners_[--cell_start_[cell(i) + 1]] = {x_[i], y_[i], i};
   for (size_t i = 0; i < cells; ++i) cell_start_[i] = cell_start_[i + 1];
   cell_start_[cells] = reflex_count_;
+}
+
+void PolygonTriangulator::spend(uint64_t steps) {
+  steps_left_ -= std::min(steps_left_, steps);
+  steps_ += steps;
 }
 
 // No reflex corner lies in the triangle of the corner and its neighbours. Corners at the same place as one of
@@ -131,19 +145,25 @@ bool PolygonTriangulator::is_ear(uint32_t b, bool strictly) {
   const double ax = x_[a], ay = y_[a], bx = x_[b], by = y_[b], cx = x_[c], cy = y_[c];
   const double low_x = std::min({ax, bx, cx}), high_x = std::max({ax, bx, cx});
   const double low_y = std::min({ay, by, cy}), high_y = std::max({ay, by, cy});
+  const auto blocks = [&](double px, double py, uint32_t p) {
+    if (px < low_x || px > high_x || py < low_y || py > high_y || bend_[p] >= 0) return false;
+    if ((px == ax && py == ay) || (px == bx && py == by) || (px == cx && py == cy)) return false;
+    const double ab = turn(a, b, p), bc = turn(b, c, p), ca = turn(c, a, p);
+    return strictly ? ab > 0 && bc > 0 && ca > 0 : ab >= 0 && bc >= 0 && ca >= 0;
+  };
+  // What was in the way the last time is most probably still there.
+  if (const uint32_t p = blocker_[b]; p != kNone && blocks(x_[p], y_[p], p)) return false;
   const uint32_t first_column = cell_of(low_x, 0), last_column = cell_of(high_x, 0);
   const uint32_t first_row = cell_of(low_y, 1), last_row = cell_of(high_y, 1);
   for (uint32_t row = first_row; row <= last_row; ++row) {
     const uint32_t begin = cell_start_[row * columns_ + first_column];
     const uint32_t end = cell_start_[row * columns_ + last_column + 1];
-    tests_left_ -= std::min<uint64_t>(tests_left_, end - begin + 1);
+    spend(kLook * (end - begin + 1));
     for (uint32_t i = begin; i < end; ++i) {
-      const uint32_t p = cell_corners_[i];
-      const double px = x_[p], py = y_[p];
-      if (px < low_x || px > high_x || py < low_y || py > high_y || bend_[p] >= 0) continue;
-      if ((px == ax && py == ay) || (px == bx && py == by) || (px == cx && py == cy)) continue;
-      const double ab = turn(a, b, p), bc = turn(b, c, p), ca = turn(c, a, p);
-      if (strictly ? ab > 0 && bc > 0 && ca > 0 : ab >= 0 && bc >= 0 && ca >= 0) return false;
+      const ReflexCorner& p = cell_corners_[i];
+      if (!blocks(p.x, p.y, p.corner)) continue;
+      blocker_[b] = p.corner;
+      return false;
     }
   }
   return true;
@@ -168,6 +188,8 @@ void PolygonTriangulator::clip_ears() {
   }
   bend_.truncate(0);
   bend_.extend(size_);
+  blocker_.truncate(0);
+  blocker_.fill(size_, kNone);
   for (uint32_t i = 0; i < size_; ++i) {
     previous_[i] = i ? i - 1 : size_ - 1;
     next_[i] = i + 1 < size_ ? i + 1 : 0;
@@ -179,12 +201,17 @@ void PolygonTriangulator::clip_ears() {
   }
   build_grid();
 
-  // A polygon that never yields an ear must not cost more than a well-behaved one of its size.
-  tests_left_ = uint64_t(2000) * size_ + 200000;
+  // A polygon that never yields an ear must not cost much more than a well-behaved one of its size, and a
+  // thousand such polygons not a thousand times that.
+  spare_steps_ += kSpareStepsEach * size_;
+  const uint64_t own = kStepsEach * size_, all = kMostStepsEach * size_ + 100 * kMostStepsEach;
+  steps_left_ = std::min(all, own + spare_steps_);
+  const uint64_t borrowed_at = steps_left_ - std::min(steps_left_, own);
   uint32_t left = size_, corner = 0, misses = 0;
   enum { kCareful, kTouching, kForced } mode = kCareful;
   while (left > 3) {
-    if (tests_left_ == 0) mode = kForced;
+    if (steps_left_ == 0) mode = kForced;
+    const uint32_t patience = steps_left_ ? left : std::min(left, 16u);
     const int shape = bend_[corner];
     bool clipped = false;
     if (mode == kCareful)
@@ -192,9 +219,10 @@ void PolygonTriangulator::clip_ears() {
     else if (mode == kTouching)
       clipped = shape == 0 || (shape > 0 && is_ear(corner, true));
     else
-      clipped = shape >= 0 || misses >= left;
+      clipped = shape >= 0 || misses >= patience;
     if (!clipped) {
       corner = next_[corner];
+      spend(1);
       if (++misses < left) continue;
       if (mode == kCareful)
         mode = kTouching, misses = 0;
@@ -206,13 +234,14 @@ void PolygonTriangulator::clip_ears() {
     clip(corner);
     --left;
     misses = 0;
-    if (mode == kForced && tests_left_ > 0) mode = kTouching;
+    if (mode == kForced && steps_left_ > 0) mode = kTouching;
     corner = next_[following]; // every second corner: rounder triangles than clipping one fan
     if (bend_[corner] == 2) corner = following;
   }
   *out_++ = previous_[corner];
   *out_++ = corner;
   *out_++ = next_[corner];
+  spare_steps_ -= borrowed_at - std::min(borrowed_at, steps_left_);
 }
 
 } // namespace softgl::cli

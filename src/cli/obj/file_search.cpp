@@ -7,7 +7,6 @@
 #include <dirent.h>
 #include <memory>
 #include <new>
-#include <strings.h>
 
 #include "common/source_text.h"
 
@@ -24,6 +23,13 @@ namespace {
 struct CloseFolder {
   void operator()(DIR* folder) const { ::closedir(folder); }
 };
+
+constexpr size_t kMostListings = 16;
+
+std::string in_small_letters(std::string text) {
+  for (char& c : text) c = char(c >= 'A' && c <= 'Z' ? c + 32 : c);
+  return text;
+}
 
 std::string without_links(const std::string& path) {
   char resolved[PATH_MAX];
@@ -48,16 +54,28 @@ std::string ModelFiles::not_found(const std::string& what) const {
                            : " not found in the model's folder (--allow-any-path looks elsewhere, too)");
 }
 
+// A folder is read once, whatever a model names: it may have a hundred thousand files.
+const ModelFiles::Listing& ModelFiles::listing_of(const std::string& folder) const {
+  const auto known = listings_.find(folder);
+  if (known != listings_.end()) return known->second;
+  if (listings_.size() >= kMostListings) listings_.clear();
+  const std::unique_ptr<DIR, CloseFolder> stream(::opendir(folder.c_str()));
+  if (!stream && errno == ENOMEM) throw std::bad_alloc();
+  Listing& listing = listings_[folder];
+  if (!stream) return listing;
+  while (const dirent* entry = ::readdir(stream.get())) {
+    // The alphabetically first, so that the answer does not depend on the file system.
+    const auto [place, is_new] = listing.emplace(in_small_letters(entry->d_name), entry->d_name);
+    if (!is_new && place->second > entry->d_name) place->second = entry->d_name;
+  }
+  return listing;
+}
+
 std::string ModelFiles::ignoring_case(const std::string& folder, const std::string& file) const {
-  const std::unique_ptr<DIR, CloseFolder> listing(::opendir(folder.c_str()));
-  if (!listing && errno == ENOMEM) throw std::bad_alloc();
-  if (!listing) return {};
-  std::string best; // the alphabetically first, so that the answer does not depend on the file system
-  while (const dirent* entry = ::readdir(listing.get()))
-    if (::strcasecmp(entry->d_name, file.c_str()) == 0 && (best.empty() || best > entry->d_name))
-      best = entry->d_name;
-  if (best.empty() || !may_read(folder + "/" + best)) return {};
-  return folder + "/" + best;
+  const Listing& listing = listing_of(folder);
+  const auto found = listing.find(in_small_letters(file));
+  if (found == listing.end() || !may_read(folder + "/" + found->second)) return {};
+  return folder + "/" + found->second;
 }
 
 std::string ModelFiles::find(const std::string& folder, std::string_view name, bool any_case) const {

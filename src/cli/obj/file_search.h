@@ -2,8 +2,10 @@
 // path.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 
 namespace softgl::cli {
 
@@ -30,10 +32,13 @@ public:
 private:
   bool may_read(const std::string& path) const;
   std::string ignoring_case(const std::string& folder, const std::string& file) const;
+  using Listing = std::unordered_map<std::string, std::string>; // the name by the name in small letters
+  const Listing& listing_of(const std::string& folder) const;
 
   std::string folder_;
   bool anywhere_;
   std::string root_; // the folder without symbolic links, and a slash; empty: there is none
+  mutable std::map<std::string, Listing> listings_; // of folders that were read
 };
 
 } // namespace softgl::cli

@@ -16,6 +16,7 @@ namespace softgl::cli {
 namespace {
 
 constexpr int kMostMissingPictures = 1000; // each costs a look into the folder
+constexpr size_t kMostLibraries = 256;     // of one model that are looked for; lines and names in them
 constexpr size_t kLargestLibrary = size_t(256) << 20;
 
 std::string_view trimmed(std::string_view text) {
@@ -341,11 +342,15 @@ uint32_t MaterialLibrary::find(std::string_view name) const {
 void MaterialLibrary::load_for(const ObjModel& model, const ModelFiles& files, RemarkList& model_remarks,
                                Warnings& warnings, Warnings& notes) {
   std::unordered_set<std::string> seen, tried;
+  size_t looked_for = 0;
   for (const ObjChunk& chunk : model.chunks) {
     for (const StateChange& change : chunk.changes) {
       if (change.kind != StateChange::kLibrary) continue;
-      if (seen.size() >= 256 || !seen.insert(std::string(change.name)).second) continue;
+      if (seen.size() >= kMostLibraries || looked_for >= kMostLibraries ||
+          !seen.insert(std::string(change.name)).second)
+        continue;
       for (const std::string& name : library_names(change.name, files)) {
+        ++looked_for;
         const std::string path = files.find(files.folder(), name);
         if (path.empty()) {
           model_remarks.add("material library not found", change.name.data(),

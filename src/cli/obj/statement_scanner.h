@@ -1,6 +1,7 @@
 // Reads one statement of an OBJ file after the other: blanks, continued lines, comments, numbers.
 #pragma once
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 #include <string_view>
@@ -41,13 +42,16 @@ struct StatementScanner {
 
   // To the next line; a comment is not continued by a backslash.
   void finish_line() {
-    const auto rest = size_t(end - p);
-    const char* line_feed = static_cast<const char*>(std::memchr(p, '\n', rest));
-    const char* limit = line_feed ? line_feed : end;
-    if (const auto* carriage_return = static_cast<const char*>(std::memchr(p, '\r', size_t(limit - p))))
-      limit = carriage_return;
-    p = limit;
-    if (p < end) ++p;
+    // Piece by piece: a file may have no line feed at all.
+    for (size_t piece; p < end; p += piece) {
+      piece = std::min<size_t>(size_t(end - p), 1024);
+      const auto* line_feed = static_cast<const char*>(std::memchr(p, '\n', piece));
+      const size_t length = line_feed ? size_t(line_feed - p) : piece;
+      const auto* carriage_return = static_cast<const char*>(std::memchr(p, '\r', length));
+      if (!line_feed && !carriage_return) continue;
+      p = (carriage_return ? carriage_return : line_feed) + 1;
+      return;
+    }
   }
 
   void end_statement() {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <string>
 
-#include "image/texture_loader.h"
-
 namespace softgl::cli {
 namespace {
 
@@ -78,7 +76,7 @@ void UploadedMesh::prepare_material(uint32_t number, Warnings& warnings) {
 UploadedMesh::Uploaded UploadedMesh::upload_texture(const Material& material, bool clamp,
                                                     Warnings& warnings) {
   TextureImage image;
-  if (!load_texture(material, image, warnings)) return {};
+  if (!load_texture(material, image, texels_, warnings)) return {};
   GLint largest = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
   const auto* version = reinterpret_cast<const char*>(glGetString(GL_VERSION));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/warnings.h"
+#include "image/texture_loader.h"
 #include "mesh/mesh_builder.h"
 #include "obj/material.h"
 #include "scene/gl_functions.h"
@@ -51,6 +52,7 @@ private:
   bool linear_;
   std::vector<PreparedMaterial> prepared_;
   std::map<TextureKey, Uploaded> textures_;
+  TexelBudget texels_;
   GLuint vertex_buffer_ = 0, index_buffer_ = 0;
   size_t offsets_[4] = {0, 0, 0, 0}; // of positions, normals, texture coordinates and colors in the buffer
 };
