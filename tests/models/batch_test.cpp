@@ -118,6 +118,21 @@ TEST_CASE("batch: a folder goes on over a bad file, or stops", "[models][batch]"
       has(run({folder() + "empty", "-o", "{model}.png"}).errors, "no OBJ, PLY or STL files in this folder"));
 }
 
+TEST_CASE("batch: folders within folders", "[models][batch]") {
+  boxes("tree/b.obj");
+  boxes("tree/inner/a.obj");
+  boxes("tree/inner/deep/b.obj");
+  const std::string tree = folder() + "tree";
+  CHECK(run({tree, "-o", folder() + "flat/{model}.png"}).exit_code == 0);
+  CHECK(files_in(folder() + "flat") == 1);
+  const ProgramRun same = run({tree, "-o", folder() + "same/{model}.png", "--recursive"});
+  CHECK(same.exit_code == 2); // two of one name
+  CHECK(has(same.errors, "would be two pictures"));
+  CHECK(run({tree, "-o", "{dir}/{model}.ppm", "--recursive"}).exit_code == 0);
+  CHECK(read_ppm(tree + "/inner/deep/b.ppm").rgb == read_ppm(tree + "/b.ppm").rgb);
+  CHECK(read_ppm(tree + "/inner/a.ppm").colors() > 2);
+}
+
 TEST_CASE("batch: what exists is skipped", "[models][batch]") {
   const std::string a = boxes("skip/a.obj"), b = write("skip/b.obj", "words\n");
   write("skip/b.png", "kept");

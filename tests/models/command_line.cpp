@@ -35,8 +35,6 @@ std::string shared_file(const std::string& name) {
   return path;
 }
 
-bool has_program(const std::string& name) { return run_shell("command -v " + name).code == 0; }
-
 ShellRun run_shell(const std::string& command) {
   FILE* pipe = ::popen(("export XDG_CONFIG_HOME=/nonexistent; exec 2>&1; " + command).c_str(), "r");
   if (!pipe) throw std::runtime_error("no shell");
@@ -48,7 +46,7 @@ ShellRun run_shell(const std::string& command) {
   return run;
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
+std::vector<std::string> text_lines(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);) lines.push_back(line);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "clients/client_runs.h" // has_program()
 #include "command/options.h"
 
 namespace softgl::test {
@@ -20,8 +21,6 @@ std::string words_of(const cli::CommandRow& command);
 // Of the build, below the folder share.
 std::string shared_file(const std::string& name);
 
-bool has_program(const std::string& name);
-
 // What /bin/sh -c prints, errors as well.
 struct ShellRun {
   int code = -1;
@@ -29,6 +28,6 @@ struct ShellRun {
 };
 ShellRun run_shell(const std::string& command);
 
-std::vector<std::string> lines_of(const std::string& text);
+std::vector<std::string> text_lines(const std::string& text);
 
 } // namespace softgl::test

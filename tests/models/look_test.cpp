@@ -82,6 +82,24 @@ TEST_CASE("look: edges are those of the file's faces, or the sharp ones", "[mode
         count(all, kRed) * 7 / 5);
 }
 
+TEST_CASE("look: the angle from which on an edge is sharp", "[models][look]") {
+  // Three strips that rise by 0, 30 and 60 degrees.
+  const std::string strips = write(
+      "strips.obj", "v -2 -1 0\nv -2 1 0\nv -1 -1 0\nv -1 1 0\nv 0 -1 .5774\nv 0 1 .5774\nv 1 -1 2.3094\n"
+                    "v 1 1 2.3094\nf 1 3 4 2\nf 3 5 6 4\nf 5 7 8 6\n");
+  const auto red = [&](std::vector<std::string> options) {
+    options.insert(options.end(), {"--line-color", "red", "--ks", "0"});
+    return count(front(strips, options), kRed);
+  };
+  const int border = red({"--edges", "sharp"});
+  CHECK(border > 100);
+  CHECK(red({"--edge-angle", "40"}) == border);
+  CHECK(red({"--edge-angle", "31"}) == border);
+  CHECK(red({"--edges", "sharp", "--edge-angle", "29"}) > border + 60); // two more edges of 40 pixels
+  CHECK(front(strips, {"--wireframe", "--edge-angle", "90"}).rgb != front(strips, {"--wireframe"}).rgb);
+  CHECK(run_softgl({strips, "-o", folder() + "x.png", "--edges", "all", "--edge-angle", "9"}).exit_code == 2);
+}
+
 TEST_CASE("look: wireframe and points, with and without what is hidden", "[models][look]") {
   const TestPicture wire = front(cube(), {"--wireframe", "--line-color", "red", "--bg", "white"});
   CHECK(at(wire, 41, 21) == kWhite);

@@ -73,7 +73,7 @@ void check_offers(const std::vector<Trial>& all, const std::string& command, con
   const ShellRun run = run_shell(command + " '" + path + "'");
   INFO(run.output.substr(0, 2000));
   REQUIRE(run.code == 0);
-  const std::vector<std::string> lines = lines_of(run.output);
+  const std::vector<std::string> lines = text_lines(run.output);
   auto next = lines.begin();
   for (const Trial& trial : all) {
     const auto end = std::find(next, lines.end(), "end");
@@ -97,7 +97,7 @@ TEST_CASE("manual: each help fits a screen and has examples of its own", "[model
                                         : std::vector<std::string>{command.word, "--help"});
     CHECK(run.exit_code == 0);
     CHECK(run.errors.empty());
-    const std::vector<std::string> lines = lines_of(run.output);
+    const std::vector<std::string> lines = text_lines(run.output);
     CHECK(lines.size() <= 100);
     for (const std::string& line : lines) {
       CAPTURE(line);
@@ -180,7 +180,7 @@ TEST_CASE("manual: zsh is told every option and every choice", "[models][program
     const std::string script = output_folder("manual") + "words.zsh";
     std::ofstream(script) << "_arguments() { print -l -- \"$@\" }\nwords=(" << words_of(command)
                           << " --x)\nCURRENT=$#words\n. '" << file << "'\n";
-    const std::vector<std::string> told = lines_of(run_shell("zsh -f '" + script + "'").output);
+    const std::vector<std::string> told = text_lines(run_shell("zsh -f '" + script + "'").output);
     for (const OptionRow& option : options_of(command))
       for (const std::string& name : option.names) {
         CAPTURE(name);

@@ -81,7 +81,7 @@ struct Row {
 std::vector<Row> read_rows() {
   std::vector<Row> rows;
   for (const std::string& line :
-       lines_of(read_bytes(SOFTGL_TEST_SOURCE_DIR "/tests/models/option_tests.tsv"))) {
+       text_lines(read_bytes(SOFTGL_TEST_SOURCE_DIR "/tests/models/option_tests.tsv"))) {
     if (line.empty() || line[0] == '#') continue;
     const size_t tab = line.find('\t');
     REQUIRE(tab != std::string::npos);

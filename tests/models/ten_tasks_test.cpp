@@ -25,7 +25,7 @@ std::map<std::string, std::string> read_tasks() {
   if (start == std::string::npos) return {};
   std::map<std::string, std::string> tasks;
   bool in_table = false;
-  for (const std::string& line : lines_of(text.substr(start))) {
+  for (const std::string& line : text_lines(text.substr(start))) {
     if (line.empty() && in_table && !tasks.empty()) break;
     in_table = in_table || line.rfind("|---", 0) == 0;
     std::smatch parts;

@@ -24,6 +24,7 @@ void add_batch(CLI::App& app, ProgramOptions& options) {
   add_parsed(
       app, "--sheet", "CxR", "contact sheets of C columns and R rows, by {page}; C alone: one sheet",
       [&options](const std::string& text) { parse_sheet(text, options.sheet_columns, options.sheet_rows); });
+  app.add_flag("--recursive", options.recursive, "also the models in folders within folders");
   app.add_flag("--skip-existing", options.skip_existing, "do not draw pictures whose files are there");
   app.add_flag("--keep-going", options.keep_going,
                "draw the others when one fails; the exit code is that of the first");

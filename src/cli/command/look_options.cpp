@@ -13,6 +13,8 @@ void add_look(CLI::App& app, ProgramOptions& options) {
          "edges over the surface: all of the file's faces, or sharp and open ones")
       ->check(one_of({"all", "sharp"}))
       ->type_name("WHICH");
+  add_number(app, "--edge-angle", "DEG", "sharp edges: those where faces meet at more than this [40]",
+             lines.edge_angle, 0, 180);
   app.add_flag_callback(
       "--wireframe", [&lines] { lines.style = LineOptions::kWireframe; }, "edges only, not the surface");
   app.add_flag_callback(
@@ -45,6 +47,8 @@ void add_camera_place(CLI::App& app, ProgramOptions& options) {
 std::string complete_look(ProgramOptions& options) {
   const CameraPlaceOptions& place = options.place;
   LineOptions& lines = options.render.lines;
+  if (lines.edge_angle && lines.edges == Edges::kAll) return "--edge-angle is for sharp edges";
+  if (lines.edge_angle) lines.edges = Edges::kSharp;
   if (lines.style == LineOptions::kWireframe && lines.edges == Edges::kNone) lines.edges = Edges::kAll;
   const bool placed = place.eye || !place.file.empty();
   if (place.eye && !place.file.empty()) return "--eye and --camera are two places of one camera";

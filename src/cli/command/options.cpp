@@ -353,7 +353,7 @@ private:
     RenderOptions& render = options_.render;
     if (render.background.transparent || render.background.below || !render.background.file.empty())
       return "a figure's background has one color";
-    if (render.srgb || render.ground || render.lines.edges != Edges::kNone ||
+    if (render.srgb || render.ground || render.lines.edges != Edges::kNone || render.lines.edge_angle ||
         render.lines.style != LineOptions::kSurface || options_.place.eye || !options_.place.file.empty() ||
         !options_.place.output.empty())
       return "a figure has no lines, no ground, no --srgb and no place of the camera";

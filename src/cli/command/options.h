@@ -66,7 +66,7 @@ struct ProgramOptions {
   int turntable = 0; // pictures of a turn around the model; 0: no turn
   int frames_per_second = 25;
   int sheet_columns = 0, sheet_rows = 0; // no columns: no sheet; no rows: as many as it takes
-  bool skip_existing = false, keep_going = false;
+  bool recursive = false, skip_existing = false, keep_going = false;
   RenderOptions render;
   NormalOptions normals;
   MaterialOptions materials;

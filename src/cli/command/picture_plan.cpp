@@ -19,10 +19,10 @@ bool is_model_name(const std::string& path) {
   return name.ends_with(".obj") || name.ends_with(".ply") || name.ends_with(".stl");
 }
 
-std::vector<std::string> models_in(const std::string& folder) {
+template <class Iterator> std::vector<std::string> models_in(const std::string& folder) {
   std::vector<std::string> models;
   std::error_code problem;
-  for (fs::directory_iterator i(folder, problem), end; !problem && i != end; i.increment(problem))
+  for (Iterator i(folder, problem), end; !problem && i != end; i.increment(problem))
     if (is_model_name(i->path().string()) && !i->is_directory()) models.push_back(i->path().string());
   if (problem) throw ProgramError(kCannotRead, folder + ": cannot read: " + problem.message());
   if (models.empty()) throw ProgramError(kCannotRead, folder + ": no OBJ, PLY or STL files in this folder");
@@ -73,7 +73,9 @@ public:
   PicturePlan plan() {
     for (const std::string& model : options_.models) {
       if (model != "-" && fs::is_directory(model)) {
-        const std::vector<std::string> inside = models_in(model);
+        const std::vector<std::string> inside = options_.recursive
+                                                    ? models_in<fs::recursive_directory_iterator>(model)
+                                                    : models_in<fs::directory_iterator>(model);
         plan_.models.insert(plan_.models.end(), inside.begin(), inside.end());
       } else {
         plan_.models.push_back(model);

@@ -47,9 +47,10 @@ UpAxis guess_up_axis(const PreparedModel& prepared, const LoadedModel& loaded, c
   return UpAxis::kPlusZ;
 }
 
-void add_edges(Edges edges, const GrowingArray<uint32_t>& ends, PreparedModel& prepared) {
-  if (edges == Edges::kSharp) prepared.mesh.edge_positions = sharp_edges(prepared.mesh, kDefaultCreaseAngle);
-  for (size_t i = 0; edges == Edges::kAll && i < ends.size(); ++i)
+void add_edges(const LineOptions& lines, const GrowingArray<uint32_t>& ends, PreparedModel& prepared) {
+  if (lines.edges == Edges::kSharp)
+    prepared.mesh.edge_positions = sharp_edges(prepared.mesh, lines.edge_angle.value_or(kDefaultCreaseAngle));
+  for (size_t i = 0; lines.edges == Edges::kAll && i < ends.size(); ++i)
     prepared.mesh.edge_positions.append(&prepared.frame.positions[3 * size_t(ends[i])], 3);
 }
 
@@ -108,7 +109,7 @@ PreparedModel prepare_model(const std::string& path, const ProgramOptions& optio
   prepared.up = options.views.front().camera.up;
   if (prepared.up == UpAxis::kAuto) prepared.up = guess_up_axis(prepared, loaded, text, warnings, notes);
   notes.add(text.name(), std::string("up is ") + name_of(prepared.up));
-  add_edges(options.render.lines.edges, loaded.edges, prepared);
+  add_edges(options.render.lines, loaded.edges, prepared);
   if (options.render.srgb) decode_colors(prepared.mesh, loaded.library.materials());
   prepared.report = std::move(loaded.report);
   prepared.materials = std::move(loaded.library.materials());

@@ -24,6 +24,7 @@ enum class Edges { kNone, kAll, kSharp };
 struct LineOptions {
   enum Style { kSurface, kWireframe, kPoints } style = kSurface;
   Edges edges = Edges::kNone;         // over the surface
+  std::optional<double> edge_angle;   // degrees from which on an edge is sharp
   bool hidden = false;                // lines and points behind the surface are seen, too
   float width = 1.5f, point_size = 4; // in pixels of the finished picture
   std::optional<std::array<float, 3>> color;
