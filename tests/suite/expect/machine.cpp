@@ -36,7 +36,9 @@ Vec4 vec4(const std::vector<double>& v) { return {v[0], v[1], v[2], v.size() > 3
 
 class Machine {
 public:
-  Machine(Expectation& picture, const Precision& precision) : raster_(picture, precision) {}
+  Machine(Expectation& picture, const Precision& precision) : raster_(picture, precision) {
+    state_.viewport[2] = picture.width, state_.viewport[3] = picture.height; // 2.11.1
+  }
   void play(const Call& call);
 
 private:

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <set>
 
 #include "expect/machine.h"
 #include "report/pictures.h"
@@ -25,28 +26,32 @@ int run_suite(int argc, char** argv) {
   RunOptions options;
   ReportFiles files;
   std::string gl, levels = "all", sheet;
+  std::set<std::string> suites = {"all"};
+  for (const Test& test : all_tests()) suites.insert(suite_of(test));
   bool list = false, quiet = false;
   app.add_option("--gl", gl, "The GL under test: osmesa:PATH, egl[:PATH], glx[:PATH] or softgl");
   app.add_option("--suite", options.suite, "A chapter, or all")
-      ->check(CLI::IsMember({"lighting", "vertices", "raster", "texture", "pixels", "all"}))
+      ->check(CLI::IsMember(suites))
       ->capture_default_str();
   app.add_option("--filter", options.filter,
                  "Only tests whose names match this pattern, as in lighting.spot.*");
   app.add_option("--seed", options.seed, "Chooses the path levels of --levels some");
-  app.add_option("--levels", levels, "Path levels of each test: all, or some (the plain one and one more)")
-      ->check(CLI::IsMember({"all", "some"}))
+  app.add_option("--levels", levels,
+                 "Path levels of each test: all, some (the plain one and one more), or plain")
+      ->check(CLI::IsMember({"all", "some", "plain"}))
       ->capture_default_str();
   app.add_option("--time", options.seconds, "Seconds that one test may take")->check(CLI::PositiveNumber);
   app.add_option("--report", files.folder,
                  "Writes index.html, results.json and a C program for each failure here");
   app.add_option("--json", files.json, "Writes the results as JSON");
   app.add_option("--junit", files.junit, "Writes the results as JUnit's XML");
+  app.add_option("--hashes", files.hashes, "Writes the rows of run/osmesa_hashes.inc");
   app.add_option("--sheet", sheet, "Writes the expected pictures of the tests as one PNG; needs no GL");
   app.add_flag("--list", list, "Lists the tests");
   app.add_flag("--quiet", quiet, "Prints failures and the summary only");
   try {
     app.parse(argc, argv);
-    options.all_levels = levels == "all";
+    options.levels = levels == "all" ? Levels::All : levels == "some" ? Levels::Some : Levels::Plain;
     if (list) {
       list_tests(options);
       return kAllPass;
@@ -83,8 +88,9 @@ int run_suite(int argc, char** argv) {
     std::fflush(stdout);
   });
   const int pass = result.count(Outcome::Pass), fail = result.count(Outcome::Fail);
-  std::printf("%d pass, %d fail, %d not supported\n", pass, fail, result.count(Outcome::NotSupported));
-  write_reports(files, result);
+  std::printf("%d pass, %d fail, %d not supported; %d of %zu byte for byte as OSMesa 22.3.6\n", pass, fail,
+              result.count(Outcome::NotSupported), count_exact(result), result.tests.size());
+  write_reports(files, result, options);
   return fail || !pass ? kSomeFail : kAllPass;
 }
 

@@ -3,6 +3,7 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 
 #include "expect/machine.h"
@@ -46,7 +47,21 @@ uint64_t hash_of(const std::vector<uint8_t>& bytes) { // FNV-1a
   return hash;
 }
 
+int count_exact(const RunResult& result) {
+  return int(std::count_if(result.tests.begin(), result.tests.end(),
+                           [](const TestResult& t) { return t.exact == Exact::Same; }));
+}
+
 namespace {
+
+const std::map<std::string, uint64_t>& osmesa_hashes() {
+  static const std::map<std::string, uint64_t> hashes = {
+#define HASH(name, hash) {name, hash},
+#include "run/osmesa_hashes.inc"
+#undef HASH
+  };
+  return hashes;
+}
 
 TestResult run_test(const Test& test, size_t index, const RunOptions& options, const SubjectFacts& facts) {
   TestResult result;
@@ -65,7 +80,7 @@ TestResult run_test(const Test& test, size_t index, const RunOptions& options, c
   const std::vector<PathLevel>& levels = path_levels();
   const size_t other = 1 + (index * 7 + options.seed) % (levels.size() - 1);
   for (size_t i = 0; i < levels.size(); i++) {
-    if (i != 0 && i != other && !options.all_levels) continue;
+    if (i != 0 && options.levels != Levels::All && (i != other || options.levels == Levels::Plain)) continue;
     if (std::optional<Script> script = levels[i].make(body)) {
       scripts.push_back(std::move(*script));
       result.levels.push_back({levels[i].name, false, "", {}, {}});
@@ -81,7 +96,12 @@ TestResult run_test(const Test& test, size_t index, const RunOptions& options, c
       level.verdict = judge(expected, picture.color, facts.precision);
       level.pass = level.verdict.pass, level.text = level.verdict.text;
     }
-    if (i == 0) result.hash = hash_of(picture.color);
+    if (i == 0 && picture.fault.empty()) {
+      result.hash = hash_of(picture.color);
+      const auto osmesa = osmesa_hashes().find(test.name);
+      if (osmesa != osmesa_hashes().end())
+        result.exact = osmesa->second == result.hash ? Exact::Same : Exact::Different;
+    }
     if (!level.pass) level.color = picture.color;
   }
   result.outcome = Outcome::Pass;

@@ -13,6 +13,9 @@ namespace softgl::suite {
 
 enum class Outcome { Pass, Fail, NotSupported };
 
+/// Whether the plain picture is OSMesa 22.3.6's, byte for byte. The specification does not ask for it.
+enum class Exact { NotCompared, Same, Different };
+
 struct LevelResult {
   std::string level; // of paths.h
   bool pass = false;
@@ -26,8 +29,8 @@ struct TestResult {
   Outcome outcome = Outcome::Fail;
   std::string text; // of the first failure
   std::vector<LevelResult> levels;
-  uint64_t hash = 0;                                         // of the plain picture
-  enum { NotCompared, Same, Different } exact = NotCompared; // with OSMesa's bytes
+  uint64_t hash = 0; // of the plain picture
+  Exact exact = Exact::NotCompared;
 };
 
 struct RunResult {
@@ -37,13 +40,15 @@ struct RunResult {
   int count(Outcome outcome) const;
 };
 
+/// Which path levels: all, the plain one and one more that the seed chooses, the plain one.
+enum class Levels { All, Some, Plain };
+
 struct RunOptions {
   SubjectName subject;
   std::string suite = "all", filter;
-  bool all_levels = true; // else the plain one and one more, which the seed chooses
+  Levels levels = Levels::All;
   uint64_t seed = 0;
   double seconds = 60; // for the levels of one test
-  int jobs = 1;
 };
 
 /// The tests that the options choose.
@@ -54,6 +59,8 @@ bool is_supported(const Need& need, const SubjectFacts& facts);
 /// `done` is called in the parent after each test.
 RunResult run(const RunOptions& options, const SubjectFacts& facts,
               const std::function<void(const TestResult&)>& done);
+/// The number of tests whose plain picture is OSMesa's.
+int count_exact(const RunResult& result);
 uint64_t hash_of(const std::vector<uint8_t>& bytes);
 
 } // namespace softgl::suite

@@ -7,7 +7,10 @@ namespace softgl::suite {
 const std::vector<Test>& all_tests() {
   static const std::vector<Test> tests = [] {
     std::vector<Test> all;
-    for (const auto& chapter : {lighting_term_tests})
+    for (const auto& chapter :
+         {lighting_term_tests, lighting_attenuation_tests, lighting_spot_tests, lighting_position_tests,
+          lighting_count_tests, lighting_normal_tests, lighting_face_tests, lighting_material_tests,
+          lighting_color_material_tests, lighting_result_tests, lighting_flat_tests, lighting_sequence_tests})
       for (Test& test : chapter()) all.push_back(std::move(test));
     return all;
   }();
