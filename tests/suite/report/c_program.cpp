@@ -58,7 +58,7 @@ Script minimized(const Script& script, const RunOptions& options, const SubjectF
                  Verdict* verdict) {
   int runs = 0;
   const auto fails = [&](const std::vector<Unit>& units) {
-    if (++runs > 250) return false;
+    if (++runs > 120) return false;
     const Script s = joined(units);
     try {
       const Expectation expected = expected_picture(s, kWindowWidth, kWindowHeight, facts.precision);
