@@ -38,7 +38,7 @@ class Machine {
 public:
   Machine(Expectation& picture, const Precision& precision) : raster_(picture, precision) {
     state_.viewport[2] = picture.width, state_.viewport[3] = picture.height; // 2.11.1
-    for (Interval& white : raster_position_.front.primary) white = 1; // table 6.6
+    for (Interval& white : raster_position_.front.primary) white = 1;        // table 6.6
   }
   void play(const Call& call);
 

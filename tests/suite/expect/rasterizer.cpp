@@ -177,10 +177,11 @@ void Rasterizer::line(const State& state, const LitVertex& a, const LitVertex& b
       f.depth = spec::hull(p.z, q.z);
       fragment(state, x, y, f);
     }
-  // Each column (or row) between the ends has a fragment (3.4.1).
+  // Each column (or row) between the ends has a fragment (3.4.1). Near an end another line of a strip may
+  // hide it.
   const double from = x_major ? std::min(p.x, q.x) : std::min(p.y, q.y);
   const double to = x_major ? std::max(p.x, q.x) : std::max(p.y, q.y);
-  for (int major = int(from) + 2; major < int(to) - 1; major++) {
+  for (int major = int(from) + 7; major < int(to) - 6; major++) {
     const double t = x_major ? (major + 0.5 - p.x) / (q.x - p.x) : (major + 0.5 - p.y) / (q.y - p.y);
     const double minor = x_major ? p.y + t * (q.y - p.y) : p.x + t * (q.x - p.x);
     Witness witness;
@@ -207,7 +208,7 @@ void Rasterizer::point(const State& state, const LitVertex& vertex) {
       if (i < 0 || j < 0 || i >= picture_.width || j >= picture_.height) continue;
       const double off = std::max(std::abs(i + 0.5 - x), std::abs(j + 0.5 - y));
       // The size is rounded, and a point of even size begins at a whole coordinate (3.3).
-      if (off > size / 2 + 0.5 + slack()) continue;
+      if (off > size / 2 + (size <= 1 ? 0 : 0.5) + slack()) continue;
       f.certain = size <= 1 ? off < 0.5 - slack() : off < size / 2 - 1, f.nominal = off < size / 2;
       fragment(state, i, j, f);
       witness.pixels.push_back(j * picture_.width + i);
