@@ -6,6 +6,7 @@
 
 #include "shaders/common/exp_log.inl"
 #include "shaders/common/lighting.h"
+#include "shaders/common/seeded_faults.h"
 
 namespace softgl {
 namespace SOFTGL_ISA {
@@ -76,7 +77,8 @@ static inline void light_scene_color(LightingBlock& b, const LightingConstants& 
   if (alpha) {
     SOFTGL_FOR_LANES(i, n) out[i] = alpha[i];
   } else {
-    const float constant = k.material[kMaterialDiffuse][face][3];
+    const float constant =
+        k.material[SOFTGL_FAULT(alpha_of_ambient) ? kMaterialAmbient : kMaterialDiffuse][face][3];
     SOFTGL_FOR_LANES(i, n) out[i] = constant;
   }
 }
@@ -146,18 +148,20 @@ static inline void light_directional_vector(LightingBlock& b, const LightConstan
 /// Attenuation by the spot cone; multiplies the distance attenuation where there is one.
 static inline void light_spot(LightingBlock& b, const LightConstants& l, int n) {
   const float sx = l.spot_direction[0], sy = l.spot_direction[1], sz = l.spot_direction[2];
-  const float cosine = l.spot_cosine, exponent = l.spot_exponent;
+  const float cosine = l.spot_cosine, exponent = SOFTGL_FAULT(spot_exponent_ignored) ? 0.0f : l.spot_exponent;
+  const int32_t outside = SOFTGL_FAULT(spot_test_inverted) ? -1 : 0,
+                anywhere = SOFTGL_FAULT(spot_no_cutoff) ? -1 : 0;
   const float *vx = b.light_vector[0], *vy = b.light_vector[1], *vz = b.light_vector[2];
   float* att = b.attenuation;
-  if (l.positional && l.attenuated) {
+  if (l.positional && l.attenuated && !SOFTGL_FAULT(spot_without_attenuation)) {
     SOFTGL_FOR_LANES(i, n) {
       const float s = dot3(-vx[i], -vy[i], -vz[i], sx, sy, sz);
-      att[i] = att[i] * keep(mask_of(cosine < s), pow_lane(absolute(s), exponent));
+      att[i] = att[i] * keep((mask_of(cosine < s) ^ outside) | anywhere, pow_lane(absolute(s), exponent));
     }
   } else {
     SOFTGL_FOR_LANES(i, n) {
       const float s = dot3(-vx[i], -vy[i], -vz[i], sx, sy, sz);
-      att[i] = keep(mask_of(cosine < s), pow_lane(absolute(s), exponent));
+      att[i] = keep((mask_of(cosine < s) ^ outside) | anywhere, pow_lane(absolute(s), exponent));
     }
   }
 }
@@ -171,7 +175,7 @@ static inline void light_half_vector(LightingBlock& b, bool local_viewer, int n)
     const float *ux = b.eye_unit[0], *uy = b.eye_unit[1], *uz = b.eye_unit[2];
     SOFTGL_FOR_LANES(i, n) {
       const float x = vx[i] - ux[i], y = vy[i] - uy[i], z = vz[i] - uz[i];
-      const float r = reciprocal_root(dot3(x, y, z, x, y, z));
+      const float r = SOFTGL_FAULT(local_half_not_unit) ? 1.0f : reciprocal_root(dot3(x, y, z, x, y, z));
       hx[i] = x * r;
       hy[i] = y * r;
       hz[i] = z * r;
@@ -179,7 +183,7 @@ static inline void light_half_vector(LightingBlock& b, bool local_viewer, int n)
   } else {
     SOFTGL_FOR_LANES(i, n) {
       const float x = vx[i] + 0.0f, y = vy[i] + 0.0f, z = vz[i] + 1.0f;
-      const float r = reciprocal_root(dot3(x, y, z, x, y, z));
+      const float r = SOFTGL_FAULT(half_not_unit) ? 1.0f : reciprocal_root(dot3(x, y, z, x, y, z));
       hx[i] = x * r;
       hy[i] = y * r;
       hz[i] = z * r;
@@ -259,11 +263,15 @@ static inline void light_highlight(LightingBlock& b, const LightingConstants& k,
   float *front = b.specular[0], *back = b.specular[1];
   const float* shininess[2] = {lanes.component[kMaterialShininess][0][0],
                                lanes.component[kMaterialShininess][1][0]};
-  const float constant[2] = {k.material[kMaterialShininess][0][0], k.material[kMaterialShininess][1][0]};
+  const float constant[2] = {
+      k.material[kMaterialShininess][0][0],
+      k.material[kMaterialShininess][SOFTGL_FAULT(back_shininess_of_front) ? 0 : 1][0]};
+  const int32_t anywhere = SOFTGL_FAULT(highlight_behind) ? -1 : 0;
   if (!k.two_sided) {
     if (!shininess[0]) {
       const float e = constant[0];
-      SOFTGL_FOR_LANES(i, n) front[i] = keep(~mask_of(0.0f >= nl[i]), pow_lane(maximum(front[i], 0.0f), e));
+      SOFTGL_FOR_LANES(i, n)
+      front[i] = keep(~mask_of(0.0f >= nl[i]) | anywhere, pow_lane(maximum(front[i], 0.0f), e));
     } else {
       const float* e = shininess[0];
       SOFTGL_FOR_LANES(i, n)
@@ -298,7 +306,8 @@ static inline void light_zero_highlight(LightingBlock& b, bool two_sided, bool a
   const float* nl = b.diffuse[0];
   float *front = b.specular[0], *back = b.specular[1];
   if (!attenuated) {
-    SOFTGL_FOR_LANES(i, n) front[i] = keep(mask_of(0.0f < nl[i]), 1.0f);
+    const float one = SOFTGL_FAULT(zero_shininess_dark) ? 0.0f : 1.0f;
+    SOFTGL_FOR_LANES(i, n) front[i] = keep(mask_of(0.0f < nl[i]), one);
     if (two_sided) SOFTGL_FOR_LANES(i, n) back[i] = keep(mask_of(nl[i] < 0.0f), 1.0f);
     return;
   }
@@ -314,13 +323,15 @@ static inline void light_zero_highlight(LightingBlock& b, bool two_sided, bool a
 static inline void light_factors(LightingBlock& b, bool two_sided, bool attenuated, int n) {
   float *front = b.diffuse[0], *back = b.diffuse[1];
   const float* att = b.attenuation;
+  if (SOFTGL_FAULT(diffuse_absolute)) SOFTGL_FOR_LANES(i, n) front[i] = absolute(front[i]);
   if (two_sided) SOFTGL_FOR_LANES(i, n) back[i] = maximum(-front[i], 0.0f);
+  if (SOFTGL_FAULT(back_normal_not_turned)) SOFTGL_FOR_LANES(i, n) back[i] = maximum(front[i], 0.0f);
   SOFTGL_FOR_LANES(i, n) front[i] = maximum(front[i], 0.0f);
   if (!attenuated) return;
   for (int face = 0; face <= int(two_sided); ++face) {
     float *diffuse = b.diffuse[face], *specular = b.specular[face];
-    SOFTGL_FOR_LANES(i, n) diffuse[i] = diffuse[i] * att[i];
-    SOFTGL_FOR_LANES(i, n) specular[i] = specular[i] * att[i];
+    if (!SOFTGL_FAULT(diffuse_not_attenuated)) SOFTGL_FOR_LANES(i, n) diffuse[i] = diffuse[i] * att[i];
+    if (!SOFTGL_FAULT(specular_not_attenuated)) SOFTGL_FOR_LANES(i, n) specular[i] = specular[i] * att[i];
   }
 }
 
@@ -408,11 +419,14 @@ static inline void light_block(LightingBlock& b, const LightingConstants& k, con
       light_highlight(b, k, lanes, n);
     }
     light_factors(b, two_sided, attenuated, n);
+    const bool weakens = attenuated && !SOFTGL_FAULT(ambient_not_attenuated);
+    if (SOFTGL_FAULT(last_light_wins) && j > 0)
+      for (int face = 0; face <= int(two_sided); ++face) light_scene_color(b, k, lanes, face, n);
     for (int face = 0; face <= int(two_sided); ++face) {
       if (k.varies[face])
-        light_add_varying(b, k, lanes, l, face, attenuated, n);
+        light_add_varying(b, k, lanes, l, face, weakens, n);
       else
-        light_add_constant(b, k, l, face, attenuated, n);
+        light_add_constant(b, k, l, face, weakens, n);
     }
   }
 }

@@ -85,6 +85,8 @@ static inline void shade_block(VertexBlock& b, const VertexJob& job, uint32_t fi
   if (p.eye_position || p.eye_position_late)
     transform_points(b.position, p.transform->modelview, b.lighting.eye, n);
   if (p.eye_unit) (p.unit_normal ? unit_lanes : normalize_lanes)(b.lighting.eye, b.lighting.eye_unit, n);
+  if (SOFTGL_FAULT(local_viewer_behind) && p.eye_unit)
+    for (int c = 0; c < 3; ++c) SOFTGL_FOR_LANES(i, n) b.lighting.eye_unit[c][i] = -b.lighting.eye_unit[c][i];
   if (p.normal) {
     fetch_attribute(job, kNormal, first, count, n, 3, b.lighting.normal);
     transform_normals(b, p, n);
@@ -97,7 +99,7 @@ static inline void shade_block(VertexBlock& b, const VertexJob& job, uint32_t fi
       float(*color)[kLanes] = b.lighting.color[face];
       const int slot = face ? layout.back_color : layout.color;
       if (slot < 0) continue;
-      if (p.clamp_colors) clamp_lanes(color, 4, n);
+      if (p.clamp_colors && !SOFTGL_FAULT(colors_clamped_late)) clamp_lanes(color, 4, n);
       store_slot(color[0], color[1], color[2], color[3], out + slot, slots, count);
     }
   } else if (layout.color >= 0) {
@@ -126,7 +128,7 @@ static inline void shade_block(VertexBlock& b, const VertexJob& job, uint32_t fi
         for (int c = 0; c < 3; ++c) broadcast(0.0f, color[c], n);
       else if (!separate)
         fetch_attribute(job, kSecondaryColor, first, count, n, 3, color);
-      if (p.clamp_colors) clamp_lanes(color, 3, n);
+      if (p.clamp_colors && !SOFTGL_FAULT(secondary_not_clamped)) clamp_lanes(color, 3, n);
       store_slot(color[0], color[1], color[2], b.fog, out + slot, slots, count);
     }
   }

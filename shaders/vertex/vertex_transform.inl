@@ -51,7 +51,7 @@ static inline void transform_normals(VertexBlock& b, const VertexProgram& p, int
   }
   if (p.unit_normal) {
     unit_lanes(normal, normal, n);
-  } else if (p.normalize) {
+  } else if (p.normalize && !SOFTGL_FAULT(normalize_ignored)) {
     normalize_lanes(normal, normal, n);
   } else if (k.normal_scale != 1.0f) {
     const float scale = k.normal_scale;

@@ -11,6 +11,7 @@
 #include "context/viewport_transform.h"
 #include "fragment/fragment_keys.h"
 #include "fragment/fragment_stages.h"
+#include "shaders/common/seeded_faults.h"
 #include "shaders/fragment/pixel_image.h"
 #include "snapshot/texture_snapshot.h"
 
@@ -134,7 +135,7 @@ const FragmentProgram* make_fragment_program(Context& context, Arena& arena, con
 
   key.color_format = uint64_t(surface.color_format);
   key.depth_format = uint64_t(surface.depth_format);
-  key.flat = s.lighting.shade_model == GL_FLAT;
+  key.flat = s.lighting.shade_model == GL_FLAT && !SOFTGL_FAULT(flat_is_smooth);
   const bool separate = s.lighting.enabled && s.lighting.color_control == GL_SEPARATE_SPECULAR_COLOR;
   key.color_sum = separate || (!s.lighting.enabled && s.fog.color_sum);
   key.lit = !image && lights_fragments(s.lighting, context.smooth_is_phong); // a raster position has been lit

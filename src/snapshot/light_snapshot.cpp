@@ -5,6 +5,7 @@
 
 #include "base/trigonometry.h"
 #include "context/context.h"
+#include "shaders/common/seeded_faults.h"
 #include "snapshot/vertex_snapshot.h"
 
 namespace softgl {
@@ -42,27 +43,30 @@ void place_light(LightConstants& k, const Light& light, const Matrix& modelview,
   copy3(k.position, position);
   if (k.positional) {
     const float scale = 1.0f / position[3];
-    for (float& p : k.position) p *= scale;
+    for (float& p : k.position) p *= SOFTGL_FAULT(position_not_divided) ? 1.0f : scale;
   } else {
-    normalize(k.position);
+    if (!SOFTGL_FAULT(direction_not_unit)) normalize(k.position);
     for (int i = 0; i < 3; ++i) {
       // The eye's z axis; in object space a row of the modelview.
       const float z_axis = eye_space ? (i == 2 ? 1.0f : 0.0f) : m[4 * i + 2];
-      k.half_vector[i] = k.position[i] + z_axis;
+      k.half_vector[i] = k.position[i] + (SOFTGL_FAULT(infinite_half_is_light) ? 0.0f : z_axis);
     }
-    normalize(k.half_vector);
+    if (!SOFTGL_FAULT(infinite_half_not_unit)) normalize(k.half_vector);
   }
   k.attenuated =
       light.constant_attenuation != 1 || light.linear_attenuation != 0 || light.quadratic_attenuation != 0;
   k.attenuation[0] = light.constant_attenuation;
   k.attenuation[1] = light.linear_attenuation;
   k.attenuation[2] = light.quadratic_attenuation;
-  k.spot = light.spot_cutoff != 180;
+  if (SOFTGL_FAULT(constant_attenuation_forgotten)) k.attenuation[0] = 0;
+  if (SOFTGL_FAULT(distance_squared)) k.attenuation[2] += k.attenuation[1], k.attenuation[1] = 0;
+  k.spot = light.spot_cutoff != 180 && !(SOFTGL_FAULT(cutoff_90_is_none) && light.spot_cutoff == 90);
   if (k.spot) { // implies eye space
     copy3(k.spot_direction, &light.spot_direction[0]);
-    normalize(k.spot_direction);
-    normalize(k.spot_direction); // twice, as OSMesa
-    const float cosine_of_cutoff = cosine(float(double(light.spot_cutoff) * M_PI / 180.0));
+    if (!SOFTGL_FAULT(spot_direction_not_unit)) normalize(k.spot_direction);
+    if (!SOFTGL_FAULT(spot_direction_not_unit)) normalize(k.spot_direction); // twice, as OSMesa
+    const double degrees = double(light.spot_cutoff) / (SOFTGL_FAULT(cutoff_is_whole_angle) ? 2 : 1);
+    const float cosine_of_cutoff = cosine(float(degrees * M_PI / 180.0));
     k.spot_cosine = cosine_of_cutoff < 0 ? 0 : cosine_of_cutoff;
     k.spot_exponent = light.spot_exponent;
   }
@@ -81,6 +85,8 @@ bool tracks(GLenum color_material, int parameter) {
 
 bool is_tracked(const LightingState& l, int parameter, int face) {
   if (!l.color_material_enabled || !tracks(l.color_material_parameter, parameter)) return false;
+  if (SOFTGL_FAULT(color_material_ignored) || (SOFTGL_FAULT(color_material_one_face) && face == 1))
+    return false;
   return l.color_material_face == GL_FRONT_AND_BACK || (l.color_material_face == GL_FRONT) == (face == 0);
 }
 
@@ -134,7 +140,9 @@ const LightingConstants* make_lighting(const Context& c, const int8_t source[5][
       std::memset(k.material[kMaterialEmission][face], 0, sizeof(float[4]));
     for (int i = 0; i < 3; ++i)
       k.scene[face][i] =
-          k.model_ambient[i] * k.material[kMaterialAmbient][face][i] + k.material[kMaterialEmission][face][i];
+          k.model_ambient[i] *
+              (SOFTGL_FAULT(scene_without_material) ? 1 : k.material[kMaterialAmbient][face][i]) +
+          (SOFTGL_FAULT(emission_forgotten) ? 0 : k.material[kMaterialEmission][face][i]);
     k.scene[face][3] = k.material[kMaterialDiffuse][face][3];
   }
   auto shines = [&](int face) {
@@ -146,18 +154,26 @@ const LightingConstants* make_lighting(const Context& c, const int8_t source[5][
   LightConstants* out = k.light;
   for (const Light& light : l.light) {
     if (!light.enabled) continue;
+    if (SOFTGL_FAULT(last_light_forgotten) && &light == &l.light[kMaxLights - 1]) continue;
     place_light(*out, light, c.matrices.modelview.top(), eye_space);
     copy_term(out->ambient, light.ambient, l, GL_AMBIENT_TERM_BIT_SOFTGL);
     copy_term(out->diffuse, light.diffuse, l, GL_DIFFUSE_TERM_BIT_SOFTGL);
     copy_term(out->specular, light.specular, l, GL_SPECULAR_TERM_BIT_SOFTGL);
+    if (SOFTGL_FAULT(light_ambient_forgotten)) out->ambient[0] = out->ambient[1] = out->ambient[2] = 0;
+    if (SOFTGL_FAULT(light_diffuse_of_ambient)) copy3(out->diffuse, out->ambient);
+    if (SOFTGL_FAULT(attenuated_at_infinity) && !out->positional)
+      for (int i = 0; i < 3; ++i) out->diffuse[i] /= light.constant_attenuation;
     for (int face = 0; face <= int(k.two_sided); ++face)
       for (int i = 0; i < 3; ++i) {
-        out->ambient_product[face][i] = out->ambient[i] * k.material[kMaterialAmbient][face][i];
-        out->diffuse_product[face][i] = out->diffuse[i] * k.material[kMaterialDiffuse][face][i];
-        out->specular_product[face][i] = out->specular[i] * k.material[kMaterialSpecular][face][i];
+        const int from = SOFTGL_FAULT(back_terms_of_front) ? 0 : face;
+        const int shiny = SOFTGL_FAULT(specular_of_diffuse) ? kMaterialDiffuse : kMaterialSpecular;
+        out->ambient_product[face][i] = out->ambient[i] * k.material[kMaterialAmbient][from][i];
+        out->diffuse_product[face][i] = out->diffuse[i] * k.material[kMaterialDiffuse][from][i];
+        out->specular_product[face][i] = out->specular[i] * k.material[shiny][from][i];
       }
     ++out;
   }
+  if (SOFTGL_FAULT(last_light_forgotten)) k.light_count = int(out - k.light);
   return &k;
 }
 

@@ -5,6 +5,7 @@
 #include "context/context.h"
 #include "context/shading.h"
 #include "context/viewport_transform.h"
+#include "shaders/common/seeded_faults.h"
 #include "snapshot/drawn_box.h"
 #include "snapshot/polygons.h"
 
@@ -63,7 +64,8 @@ const RasterConstants* make_raster_constants(const Context& context, Arena& aren
   r.x0 = box.x0, r.y0 = box.y0;
   r.x1 = box.x1, r.y1 = box.y1;
   // Positive areas are counter-clockwise in GL's y-up sense where rows go down.
-  const bool positive_is_front = counter_clockwise_is_front(s) != surface.y_up;
+  const bool positive_is_front =
+      counter_clockwise_is_front(s) != (SOFTGL_FAULT(faces_swapped) ? !surface.y_up : surface.y_up);
   // An origin above turns the rule for pixels on an edge round, too (OSMesa 22.3.6).
   r.top_edge_rule = surface.y_up != (s.clip_control.origin == GL_UPPER_LEFT);
   r.back = positive_is_front ? 0 : 1;
@@ -71,7 +73,7 @@ const RasterConstants* make_raster_constants(const Context& context, Arena& aren
                                 (s.polygon.culls(positive_is_front) ? 2 : 0));
   r.samples = surface.samples;
   set_multisampling(s.multisample, r);
-  r.flat = s.lighting.shade_model == GL_FLAT;
+  r.flat = s.lighting.shade_model == GL_FLAT && !SOFTGL_FAULT(flat_is_smooth);
   const bool before = polygons_before_raster(s); // geometry has colored and offset polygons
   r.two_sided = s.lighting.enabled && s.lighting.two_side &&
                 (!before || lights_fragments(s.lighting, context.smooth_is_phong));

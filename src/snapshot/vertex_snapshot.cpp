@@ -6,6 +6,7 @@
 #include "context/color_clamping.h"
 #include "context/context.h"
 #include "context/viewport_transform.h"
+#include "shaders/common/seeded_faults.h"
 #include "shaders/fragment/fragment_program.h"
 #include "snapshot/polygons.h"
 
@@ -65,7 +66,9 @@ const TransformConstants* make_transform(Context& c, bool eye_space, Arena& aren
   std::memcpy(k->mvp, mvp.data(), sizeof k->mvp);
   std::memcpy(k->modelview, modelview.data(), sizeof k->modelview);
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) k->normal_matrix[i][j] = inverted[4 * i + j];
+    for (int j = 0; j < 3; ++j)
+      k->normal_matrix[i][j] =
+          SOFTGL_FAULT(normal_by_modelview) ? k->modelview[4 * j + i] : inverted[4 * i + j];
 
   // In eye space GL_RESCALE_NORMAL asks for the scale; in object space its absence does, since the normal is
   // not transformed there.
@@ -75,6 +78,7 @@ const TransformConstants* make_transform(Context& c, bool eye_space, Arena& aren
     float f = (inverted[2] * inverted[2] + inverted[6] * inverted[6]) + inverted[10] * inverted[10];
     if (f < 1e-12f) f = 1;
     k->normal_scale = eye_space ? 1.0f / std::sqrt(f) : std::sqrt(f);
+    if (SOFTGL_FAULT(rescale_ignored)) k->normal_scale = 1;
   }
 
   const ViewportTransform window = viewport_transform(c.state);
@@ -186,7 +190,7 @@ const VertexProgram* make_vertex_program(const Context& c, const SnapshotCache& 
   p->depths_from_zero = depths_from_zero(s);
   p->clamp_colors = clamps_vertex_colors(c);
   p->normal_to_eye = cache.eye_space;
-  p->normalize = s.transform.normalize;
+  p->normalize = s.transform.normalize || (SOFTGL_FAULT(rescale_is_normalize) && s.transform.rescale_normal);
   p->unit_normal = p->normalize && key.lit;
 
   if (cache.lighting) {

@@ -6,6 +6,7 @@
 #include "commands/generated/commands.h"
 #include "commands/get_conversion.h"
 #include "commands/vertices/attribute_doors.h"
+#include "shaders/common/seeded_faults.h"
 
 namespace softgl {
 
@@ -15,9 +16,14 @@ uint32_t material_slots(GLenum face, GLenum parameter) {
   case GL_AMBIENT: parameters = 1u << kMaterialAmbient; break;
   case GL_DIFFUSE: parameters = 1u << kMaterialDiffuse; break;
   case GL_SPECULAR: parameters = 1u << kMaterialSpecular; break;
-  case GL_EMISSION: parameters = 1u << kMaterialEmission; break;
+  case GL_EMISSION:
+    parameters = 1u << (SOFTGL_FAULT(emission_is_ambient) ? kMaterialAmbient : kMaterialEmission);
+    break;
   case GL_SHININESS: parameters = 1u << kMaterialShininess; break;
-  case GL_AMBIENT_AND_DIFFUSE: parameters = 1u << kMaterialAmbient | 1u << kMaterialDiffuse; break;
+  case GL_AMBIENT_AND_DIFFUSE:
+    parameters = 1u << kMaterialAmbient;
+    if (!SOFTGL_FAULT(ambient_and_diffuse_is_ambient)) parameters |= 1u << kMaterialDiffuse;
+    break;
   default: return 0;
   }
   uint32_t front = 0;
@@ -25,15 +31,15 @@ uint32_t material_slots(GLenum face, GLenum parameter) {
     if (parameters >> i & 1) front |= 1u << (material_slot(MaterialParameter(i), 0) - kMaterial0);
   switch (face) {
   case GL_FRONT: return front;
-  case GL_BACK: return front << 1;
-  case GL_FRONT_AND_BACK: return front | front << 1;
+  case GL_BACK: return SOFTGL_FAULT(back_material_is_front) ? front : front << 1;
+  case GL_FRONT_AND_BACK: return SOFTGL_FAULT(both_faces_front_only) ? front : front | front << 1;
   default: return 0;
   }
 }
 
 void track_color_material(Context& c) {
   const uint32_t slots = tracked_material_slots(c.state.lighting);
-  if (slots == 0) return;
+  if (slots == 0 || SOFTGL_FAULT(tracked_color_lost)) return;
   Vec4* slot = c.state.current.slot;
   for (int i = 0; i < kMaterialSlots; ++i)
     if (slots >> i & 1) slot[kMaterial0 + i] = slot[kColor];
@@ -92,8 +98,10 @@ void Light(Context& c, GLenum name, GLenum pname, const float* params) {
   case GL_POSITION: {
     const float* m = c.matrices.modelview.top().data();
     for (int i = 0; i < 4; ++i)
-      light->position[i] =
-          m[i] * params[0] + m[4 + i] * params[1] + m[8 + i] * params[2] + m[12 + i] * params[3];
+      light->position[i] = m[i] * params[0] + m[4 + i] * params[1] + m[8 + i] * params[2] +
+                           m[12 + i] * (SOFTGL_FAULT(direction_translated) ? 1.0f : params[3]);
+    if (SOFTGL_FAULT(direction_translated)) light->position.w = params[3];
+    if (SOFTGL_FAULT(position_not_transformed)) light->position = vector4(params);
     break;
   }
   case GL_SPOT_DIRECTION: {
@@ -102,11 +110,15 @@ void Light(Context& c, GLenum name, GLenum pname, const float* params) {
     const float* m = modelview.data();
     for (int i = 0; i < 3; ++i)
       light->spot_direction[i] = params[0] * m[i] + params[1] * m[4 + i] + params[2] * m[8 + i];
+    for (int i = 0; i < 3 && SOFTGL_FAULT(spot_direction_not_transformed); ++i)
+      light->spot_direction[i] = params[i];
+    for (int i = 0; i < 3 && SOFTGL_FAULT(spot_direction_translated); ++i)
+      light->spot_direction[i] += m[12 + i];
     break;
   }
   case GL_SPOT_EXPONENT:
     if (v < 0.0f || v > 128.0f) return set_error(c, GL_INVALID_VALUE, "params");
-    light->spot_exponent = v;
+    if (!SOFTGL_FAULT(spot_exponent_not_stored)) light->spot_exponent = v;
     break;
   case GL_SPOT_CUTOFF:
     if ((v < 0.0f || v > 90.0f) && v != 180.0f) return set_error(c, GL_INVALID_VALUE, "params");
@@ -116,9 +128,10 @@ void Light(Context& c, GLenum name, GLenum pname, const float* params) {
   case GL_LINEAR_ATTENUATION:
   case GL_QUADRATIC_ATTENUATION:
     if (v < 0.0f) return set_error(c, GL_INVALID_VALUE, "params");
-    (pname == GL_CONSTANT_ATTENUATION ? light->constant_attenuation
-     : pname == GL_LINEAR_ATTENUATION ? light->linear_attenuation
-                                      : light->quadratic_attenuation) = v;
+    (pname == GL_CONSTANT_ATTENUATION                                      ? light->constant_attenuation
+     : pname == GL_LINEAR_ATTENUATION || SOFTGL_FAULT(quadratic_is_linear) ? light->linear_attenuation
+                                                                           : light->quadratic_attenuation) =
+        v;
     break;
   default: return set_error(c, GL_INVALID_ENUM, "pname");
   }
@@ -145,12 +158,16 @@ void LightModel(Context& c, GLenum pname, const float* params) {
   LightingState& lighting = c.state.lighting;
   switch (pname) {
   case GL_LIGHT_MODEL_AMBIENT: lighting.model_ambient = vector4(params); break;
-  case GL_LIGHT_MODEL_LOCAL_VIEWER: lighting.local_viewer = params[0] != 0.0f; break;
-  case GL_LIGHT_MODEL_TWO_SIDE: lighting.two_side = params[0] != 0.0f; break;
+  case GL_LIGHT_MODEL_LOCAL_VIEWER:
+    lighting.local_viewer = params[0] != 0.0f && !SOFTGL_FAULT(local_viewer_not_stored);
+    break;
+  case GL_LIGHT_MODEL_TWO_SIDE:
+    lighting.two_side = params[0] != 0.0f && !SOFTGL_FAULT(two_side_not_stored);
+    break;
   case GL_LIGHT_MODEL_COLOR_CONTROL:
     if (params[0] != float(GL_SINGLE_COLOR) && params[0] != float(GL_SEPARATE_SPECULAR_COLOR))
       return set_error(c, GL_INVALID_ENUM, "params");
-    lighting.color_control = GLenum(params[0]);
+    if (!SOFTGL_FAULT(separate_specular_not_stored)) lighting.color_control = GLenum(params[0]);
     break;
   case GL_LIGHT_MODEL_SPECULAR_VECTOR_SOFTGL:
     if (params[0] != float(GL_HALF_VECTOR_SOFTGL) && params[0] != float(GL_REFLECTION_VECTOR_SOFTGL))
@@ -182,6 +199,7 @@ void Material(Context& c, GLenum face, GLenum pname, const float* params) {
   Vec4 value(params[0], 0, 0, 1);
   if (pname == GL_SHININESS) {
     if (params[0] < 0.0f || params[0] > 128.0f) return set_error(c, GL_INVALID_VALUE, "params");
+    if (SOFTGL_FAULT(shininess_not_stored)) return;
   } else {
     value = vector4(params);
   }

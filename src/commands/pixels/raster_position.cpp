@@ -10,6 +10,7 @@
 #include "context/context.h"
 #include "context/viewport_transform.h"
 #include "geometry/geometry.h"
+#include "shaders/common/seeded_faults.h"
 #include "shaders/fragment/fragment_key.h"
 #include "snapshot/feedback.h"
 #include "snapshot/render_targets.h"
@@ -79,7 +80,7 @@ void shade_attributes(Context& c, const Vec4& object, RasterPosition& position) 
     const float* v = out.slot[slot].v;
     return Vec4(v[0], v[1], v[2], v[3]);
   };
-  if (s.lighting.enabled) {
+  if (s.lighting.enabled && !SOFTGL_FAULT(raster_position_unlit)) {
     position.color = value(own.layout.color);
     position.secondary_color = Vec4(glm::vec3(value(own.layout.secondary)), 1);
   }

@@ -11,6 +11,7 @@
 #include "commands/lighting/color_material.h"
 #include "commands/state/capabilities.h"
 #include "context/context.h"
+#include "shaders/common/seeded_faults.h"
 #include "texture/texture_object.h"
 
 namespace softgl {
@@ -204,6 +205,7 @@ void PopAttrib(Context& c) {
     for (const EnablePlace& e : enables().all) {
       const bool value = bool(*from++);
       if (e.get(state) == value) continue;
+      if (SOFTGL_FAULT(enable_bit_without_lights) && e.dirty & kDirtyLights) continue;
       c.dirty |= e.dirty;
       e.set(state, value);
     }

@@ -4,6 +4,7 @@
 #include "commands/buffers/pixel_buffers.h"
 #include "commands/generated/commands.h"
 #include "context/context.h"
+#include "shaders/common/seeded_faults.h"
 
 namespace softgl::gl {
 
@@ -52,7 +53,7 @@ void CullFace(Context& c, GLenum mode) {
 
 void FrontFace(Context& c, GLenum mode) {
   if (mode != GL_CW && mode != GL_CCW) return set_error(c, GL_INVALID_ENUM, "mode");
-  edit<&State::polygon>(c).front_face = mode;
+  if (!SOFTGL_FAULT(front_face_ignored)) edit<&State::polygon>(c).front_face = mode;
 }
 
 void PolygonMode(Context& c, GLenum face, GLenum mode) {

@@ -1,0 +1,80 @@
+// The program softgl-conformance as its users start it: exit statuses and files.
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include <sys/wait.h>
+
+#include "test_paths.h"
+
+namespace softgl::suite {
+namespace {
+
+const std::string kProgram = SOFTGL_TEST_BINARY_DIR "/softgl-conformance",
+                  kFolder = SOFTGL_TEST_OUTPUT "/suite";
+const std::string kSoftgl = " --gl osmesa:" SOFTGL_TEST_LIBRARY;
+
+int status_of(const std::string& command) {
+  return WEXITSTATUS(std::system((command + " >/dev/null 2>&1").c_str()));
+}
+
+std::string read(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+} // namespace
+
+TEST_CASE("softgl-conformance ends with 0, 1, 2 or 3", "[suite]") {
+  CHECK(status_of(kProgram + kSoftgl + " --filter 'lighting.diffuse.a*' --levels plain") == 0);
+  CHECK(status_of(kProgram + " --gl softgl --filter 'lighting.diffuse.a*' --levels plain") == 0);
+  CHECK(status_of(kProgram + kSoftgl + " --filter '*shininess_0_spot' --levels plain") == 1);
+  CHECK(status_of(kProgram) == 2);
+  CHECK(status_of(kProgram + " --list") == 0);
+  CHECK(status_of(kProgram + " --gl directx") == 2);
+  CHECK(status_of(kProgram + " --gl osmesa:") == 2);
+  CHECK(status_of(kProgram + kSoftgl + " --suite nothing") == 2);
+  CHECK(status_of(kProgram + kSoftgl + " --filter nothing") == 2);
+  CHECK(status_of(kProgram + kSoftgl + " --filter '*diffuse.alone' --json /there/is/no/folder/a.json") == 2);
+  CHECK(status_of(kProgram + " --gl osmesa:/there/is/no/library.so") == 3);
+}
+
+TEST_CASE("a report has a page, JSON, and a program of C for the failure", "[suite]") {
+  std::filesystem::remove_all(kFolder);
+  std::filesystem::create_directories(kFolder);
+  const std::string name = "lighting.material.shininess_0_spot";
+  CHECK(status_of(kProgram + kSoftgl + " --filter 'lighting.material.s*' --levels plain --report " + kFolder +
+                  " --junit " + kFolder + "/junit.xml") == 1);
+  const auto results = nlohmann::json::parse(read(kFolder + "/results.json"));
+  CHECK(results["fail"] == 2);
+  CHECK(results["pass"].get<int>() + 2 == int(results["tests"].size()));
+  const std::string page = read(kFolder + "/index.html"), junit = read(kFolder + "/junit.xml");
+  for (const char* text : {"data:image/png;base64,", "2.14.1", name.c_str(),
+                           "glLightf(GL_LIGHT0, GL_SPOT_CUTOFF", "<h2>Failures"})
+    CHECK_THAT(page, Catch::Contains(text));
+  CHECK(page.find("http://") == std::string::npos); // needs nothing else
+  CHECK_THAT(junit, Catch::Contains("failures=\"2\"") && Catch::Contains("<failure message="));
+
+  const std::string program = kFolder + "/" + name + ".c";
+  CHECK(read(program).find("glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS") ==
+        std::string::npos); // 0 is the default: cut away
+  REQUIRE(status_of("cc -std=c99 -Wall -Werror -I" SOFTGL_TEST_SOURCE_DIR "/include " + program + " -o " +
+                    kFolder + "/failure " + SOFTGL_TEST_LIBRARY + " -Wl,-rpath," +
+                    std::filesystem::path(SOFTGL_TEST_LIBRARY).parent_path().string()) == 0);
+  CHECK(status_of(kFolder + "/failure") == 1); // the failure shows without the suite
+}
+
+TEST_CASE("the suite runs through EGL", "[suite]") {
+  const int status = status_of(kProgram + " --gl egl --filter 'lighting.sum.*' --levels plain");
+  if (status == 3) {
+    WARN("there is no EGL that draws OpenGL");
+    return;
+  }
+  CHECK(status == 0);
+}
+
+} // namespace softgl::suite

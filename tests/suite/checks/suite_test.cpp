@@ -1,0 +1,184 @@
+// softgl-conformance: on softgl and on OSMesa, on libraries that misbehave, and on faults that are put into
+// softgl.
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "expect/machine.h"
+#include "run/paths.h"
+#include "run/results.h"
+#include "test_paths.h"
+
+namespace softgl::suite {
+namespace {
+
+RunOptions options_for(const std::string& library, const std::string& filter = "") {
+  RunOptions options;
+  options.subject = {Binding::OSMesa, library, "osmesa:" + library};
+  options.filter = filter, options.levels = Levels::Some;
+  return options;
+}
+
+RunResult run_quietly(const RunOptions& options) {
+  return run(options, probe(options), [](const TestResult&) {});
+}
+
+std::set<std::string> failures(const RunResult& result) {
+  std::set<std::string> names;
+  for (const TestResult& t : result.tests)
+    if (t.outcome != Outcome::Pass) names.insert(t.test->name);
+  return names;
+}
+
+// The rows of a table in this folder's parent: cells between tabs.
+std::vector<std::vector<std::string>> table(const std::string& file) {
+  std::ifstream in(SOFTGL_TEST_SOURCE_DIR "/tests/suite/" + file);
+  std::vector<std::vector<std::string>> rows;
+  for (std::string line, cell; std::getline(in, line);) {
+    if (line.empty() || line[0] == '#') continue;
+    rows.emplace_back();
+    for (std::istringstream cells(line); std::getline(cells, cell, '\t');) rows.back().push_back(cell);
+  }
+  return rows;
+}
+std::set<std::string> known_failures(const std::string& gl) {
+  std::set<std::string> names;
+  for (const auto& row : table("known_failures.tsv"))
+    if (row.at(0).find(gl) != std::string::npos) names.insert(row.at(1));
+  return names;
+}
+
+struct Hostile { // sets how the hostile library misbehaves
+  explicit Hostile(const char* kind) {
+    setenv("HOSTILE_GL", kind, 1), setenv("HOSTILE_GL_REAL", SOFTGL_TEST_LIBRARY, 1);
+  }
+  ~Hostile() { unsetenv("HOSTILE_GL"); }
+};
+const char* const kTest = "lighting.diffuse.alone";
+
+TestResult hostile_result(const char* kind, double seconds = 60) {
+  const Hostile hostile(kind);
+  RunOptions options = options_for(SOFTGL_TEST_HOSTILE_GL, kTest);
+  options.seconds = seconds, options.levels = Levels::Plain;
+  return run_quietly(options).tests.at(0);
+}
+
+} // namespace
+
+TEST_CASE("the conformance suite finds in softgl what is known", "[suite]") {
+  CHECK(failures(run_quietly(options_for(SOFTGL_TEST_LIBRARY))) == known_failures("softgl"));
+}
+
+TEST_CASE("the conformance suite finds in llvmpipe what is known", "[suite]") {
+  setenv("GALLIUM_DRIVER", "llvmpipe", 1), setenv("LP_NUM_THREADS", "0", 1);
+  const char* other = std::getenv("SOFTGL_TEST_OSMESA");
+  RunOptions options = options_for(other ? other : "libOSMesa.so.8");
+  options.levels = Levels::Plain;
+  CHECK(failures(run_quietly(options)) == known_failures("llvmpipe"));
+}
+
+TEST_CASE("every conformance test shows something and is certain of it", "[suite]") {
+  std::set<std::string> names;
+  for (const Test& t : all_tests()) {
+    INFO(t.name);
+    CHECK(names.insert(t.name).second);
+    CHECK(!t.section.empty());
+    CHECK(t.sentence.ends_with("."));
+    const Expectation e = expected_picture(whole_script(t), kWindowWidth, kWindowHeight, {});
+    CHECK(e.covered > 100);
+    CHECK(e.uncertain() < kWindowWidth * kWindowHeight / 4);
+    // Not one color only: something besides the background, or lines and points that have witnesses.
+    std::set<long> colors;
+    for (const auto& answers : e.pixels)
+      for (int c = 0; c < 3; c++) colors.insert(1000 * c + std::lround(answers[0].color[c].middle() * 255));
+    CHECK((colors.size() > 3 || !e.witnesses.empty()));
+    // A width of more than a sixth tells nothing. Polygons of many corners are open between them.
+    if (t.open.empty() && t.section != "2.14.7, table 2.12") {
+      int wide = 0;
+      for (const auto& answers : e.pixels)
+        for (const Interval& c : answers[0].color) wide += c.high - c.low > 1.0 / 6;
+      CHECK(wide < kWindowWidth * kWindowHeight / 25);
+    }
+  }
+  CHECK(names.size() >= 150);
+}
+
+TEST_CASE("every path level changes a script, and all calls have names of C", "[suite]") {
+  const Test& test = *chosen_tests(options_for("", kTest)).at(0);
+  Script body;
+  test.body(body);
+  for (const PathLevel& level : path_levels()) {
+    INFO(level.name);
+    const std::optional<Script> script = level.make(body);
+    REQUIRE(script);
+    const std::string text = to_c(*script, "");
+    CHECK((level.name == std::string("plain")) == (text == to_c(whole_script(test), "")));
+    CHECK(text.find("glEnable(GL_") != std::string::npos);
+  }
+  for (const Test& t : all_tests()) {
+    const std::string text = to_c(whole_script(t), "");
+    INFO(t.name);
+    for (const char* call : {"glEnable(", "glDisable(", "glLightfv(", "glMaterialfv(", "glFogi("})
+      for (size_t at = 0; (at = text.find(call, at)) != std::string::npos; at++)
+        CHECK(text.compare(at + std::string(call).size(), 3, "GL_") == 0);
+  }
+}
+
+TEST_CASE("a GL that gives no context has no verdict", "[suite]") {
+  for (const char* kind : {"no context", "no version"}) {
+    const Hostile hostile(kind);
+    CHECK_THROWS_AS(probe(options_for(SOFTGL_TEST_HOSTILE_GL, kTest)), std::runtime_error);
+  }
+  CHECK_THROWS_AS(probe(options_for("/there/is/no/library.so")), std::runtime_error);
+}
+
+TEST_CASE("a GL that misbehaves never passes", "[suite]") {
+  CHECK(hostile_result("").outcome == Outcome::Pass);
+  const std::pair<const char*, const char*> kinds[] = {
+      {"missing", "no glLightfv"}, {"crash", "Segmentation fault"},
+      {"leave", "ended before"},   {"does nothing", "wrong"},
+      {"garbage", "wrong"},        {"errors", "GL error"},
+  };
+  for (const auto& [kind, text] : kinds) {
+    INFO(kind);
+    const TestResult result = hostile_result(kind);
+    CHECK(result.outcome == Outcome::Fail);
+    CHECK_THAT(result.text, Catch::Contains(text));
+  }
+}
+
+TEST_CASE("a GL that hangs fails when its time is over", "[suite]") {
+  CHECK_THAT(hostile_result("hang", 1).text, Catch::Contains("out of time"));
+}
+
+TEST_CASE("every seeded fault is caught by the test that the table names", "[suite]") {
+  const RunOptions clean = options_for(SOFTGL_TEST_FAULTY_LIBRARY, kTest);
+  setenv("SOFTGL_ISA", "baseline", 1);
+  CHECK(run_quietly(clean).tests.at(0).outcome == Outcome::Pass);
+  std::set<std::string> faults;
+  for (const auto& row : table("faults/caught.tsv")) {
+    INFO(row.at(0) << ": " << row.at(2));
+    faults.insert(row.at(0));
+    setenv("SOFTGL_SEEDED_FAULT", row.at(0).c_str(), 1);
+    RunOptions options = options_for(SOFTGL_TEST_FAULTY_LIBRARY, row.at(1));
+    options.levels = Levels::Plain;
+    const RunResult result =
+        run(options, SubjectFacts{"", "", "1.5", "", 15, {}, 24, 8}, [](const TestResult&) {});
+    REQUIRE(result.tests.size() == 1);
+    CHECK(result.tests[0].outcome == Outcome::Fail);
+    CHECK_THAT(result.tests[0].text, Catch::Contains("wrong"));
+  }
+  unsetenv("SOFTGL_SEEDED_FAULT"), unsetenv("SOFTGL_ISA");
+  std::set<std::string> all;
+#define SEEDED_FAULT(name, meaning) all.insert(#name);
+#include "shaders/common/seeded_faults.inc"
+#undef SEEDED_FAULT
+  CHECK(faults == all);
+  CHECK(all.size() >= 60);
+}
+
+} // namespace softgl::suite

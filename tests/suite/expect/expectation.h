@@ -1,0 +1,47 @@
+// The picture that the specification asks for: for each pixel the answers that a correct implementation may
+// give.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "spec/interval.h"
+
+namespace softgl::suite {
+
+using spec::Interval;
+
+/// What the framebuffer of the GL under test is like.
+struct Precision {
+  int bits[4] = {8, 8, 8, 8}; // of red, green, blue, alpha; alpha may be 0
+  int subpixel_bits = 4;
+  /// Half a step of a component's fixed-point number: what one rounding may change.
+  double half_step(int component) const { return 0.5 / ((1 << std::min(bits[component], 8)) - 1); }
+};
+
+struct Answer {
+  Interval color[4]; // before it is rounded to the framebuffer's bits
+  Interval depth;
+};
+
+/// A set of pixels one of which must have the color: how a thin line is seen.
+struct Witness {
+  std::vector<int> pixels;
+  Interval color[4];
+};
+
+struct Expectation {
+  int width = 0, height = 0;
+  /// The first answer is that of the exact geometry; others are those of the other side of an edge.
+  std::vector<std::vector<Answer>> pixels; // rows from below
+  std::vector<Witness> witnesses;
+  int covered = 0; // pixels that a primitive covers for certain
+
+  int uncertain() const {
+    int count = 0;
+    for (const auto& answers : pixels) count += answers.size() > 1;
+    return count;
+  }
+};
+
+} // namespace softgl::suite

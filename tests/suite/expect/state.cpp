@@ -1,0 +1,37 @@
+#include "expect/state.h"
+
+namespace softgl::suite {
+
+LightingState::LightingState() {
+  light[0].parameters.diffuse = light[0].parameters.specular = {1, 1, 1};
+  for (spec::LightBounds& l : light) l.position = Vec3{0, 0, 1}, l.spot_direction = Vec3{0, 0, -1};
+}
+
+void restore(State& state, const SavedAttributes& saved) {
+  const Attributes& from = saved.attributes;
+  const GLbitfield mask = saved.mask;
+  if (mask & GL_CURRENT_BIT) state.current = from.current;
+  if (mask & GL_LIGHTING_BIT) state.lighting = from.lighting;
+  if (mask & GL_TRANSFORM_BIT) state.transform = from.transform;
+  if (mask & GL_POLYGON_BIT) state.polygon = from.polygon;
+  if (mask & GL_FOG_BIT) state.fog = from.fog;
+  if (mask & GL_COLOR_BUFFER_BIT) state.color_buffer = from.color_buffer;
+  if (mask & GL_DEPTH_BUFFER_BIT) state.depth = from.depth;
+  if (mask & GL_TEXTURE_BIT) state.texture = from.texture;
+  if (mask & GL_POINT_BIT) state.width.point = from.width.point;
+  if (mask & GL_LINE_BIT) state.width.line = from.width.line;
+  if (mask & GL_VIEWPORT_BIT) std::copy(from.viewport, from.viewport + 4, state.viewport);
+  if (mask & GL_ENABLE_BIT) {
+    state.lighting.lighting = from.lighting.lighting,
+    state.lighting.color_material = from.lighting.color_material;
+    std::copy(from.lighting.enabled, from.lighting.enabled + 8, state.lighting.enabled);
+    state.transform.normalize = from.transform.normalize;
+    state.transform.rescale_normal = from.transform.rescale_normal;
+    state.polygon.cull = from.polygon.cull, state.fog.on = from.fog.on, state.depth.test = from.depth.test;
+    state.color_buffer.alpha_test = from.color_buffer.alpha_test,
+    state.color_buffer.blend = from.color_buffer.blend;
+    state.texture.on = from.texture.on;
+  }
+}
+
+} // namespace softgl::suite

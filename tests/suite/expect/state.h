@@ -1,0 +1,92 @@
+// The state of the specification's machine: what the calls of a script have set, in double.
+#pragma once
+
+#include <map>
+#include <set>
+#include <vector>
+
+#include "script/script.h"
+#include "spec/lighting_bounds.h"
+
+namespace softgl::suite {
+
+using spec::Interval;
+using spec::Matrix4;
+using spec::Vec3;
+using spec::Vec4;
+
+// One group of attributes each, as glPushAttrib saves them (table 6.5 and on).
+struct CurrentState {
+  Vec4 color{1, 1, 1, 1};
+  Vec3 normal{0, 0, 1};
+};
+struct LightingState {
+  LightingState();
+  bool lighting = false, color_material = false, enabled[8] = {};
+  spec::LightModel model;
+  spec::LightBounds light[8];
+  spec::Material material[2];
+  GLenum tracked_face = GL_FRONT_AND_BACK, tracked = GL_AMBIENT_AND_DIFFUSE, shade_model = GL_SMOOTH;
+};
+struct TransformState {
+  bool normalize = false, rescale_normal = false;
+  GLenum matrix_mode = GL_MODELVIEW;
+};
+struct PolygonState {
+  bool cull = false;
+  GLenum cull_face = GL_BACK, front_face = GL_CCW;
+};
+struct FogState {
+  bool on = false;
+  GLenum mode = GL_EXP;
+  double density = 1, start = 0, end = 1;
+  Vec4 color{0, 0, 0, 0};
+};
+struct ColorBufferState {
+  bool alpha_test = false, blend = false;
+  GLenum alpha_function = GL_ALWAYS, source = GL_ONE, destination = GL_ZERO;
+  double alpha_reference = 0;
+  Vec4 clear_color{0, 0, 0, 0};
+};
+struct DepthState {
+  bool test = false, mask = true;
+  GLenum function = GL_LESS;
+  double clear = 1;
+};
+struct TextureState { // of one color
+  bool on = false;
+  Vec4 color{1, 1, 1, 1};
+  GLenum environment = GL_MODULATE;
+};
+struct WidthState { // of points and lines
+  double point = 1, line = 1;
+};
+
+struct Attributes {
+  CurrentState current;
+  LightingState lighting;
+  TransformState transform;
+  PolygonState polygon;
+  FogState fog;
+  ColorBufferState color_buffer;
+  DepthState depth;
+  TextureState texture;
+  WidthState width;
+  int viewport[4] = {0, 0, 0, 0};
+};
+
+struct SavedAttributes {
+  GLbitfield mask;
+  Attributes attributes;
+};
+
+struct State : Attributes {
+  std::vector<Matrix4> modelview{1}, projection{1}, texture_matrix{1};
+  std::vector<SavedAttributes> saved;
+  std::map<GLuint, std::vector<Call>> lists;
+};
+
+/// Copies what the bits of `mask` name (tables 6.5 to 6.30).
+void restore(State& state, const SavedAttributes& saved);
+
+} // namespace softgl::suite

@@ -1,0 +1,120 @@
+// The report as one page that needs nothing else: pictures are inside.
+#include <algorithm>
+#include <map>
+
+#include "expect/machine.h"
+#include "report/pictures.h"
+#include "report/report.h"
+#include "run/paths.h"
+
+namespace softgl::suite {
+namespace {
+
+std::string html(const std::string& text) {
+  std::string out;
+  for (char c : text) {
+    switch (c) {
+    case '&': out += "&amp;"; break;
+    case '<': out += "&lt;"; break;
+    case '>': out += "&gt;"; break;
+    case '"': out += "&quot;"; break;
+    default: out += c;
+    }
+  }
+  return out;
+}
+
+std::string image(const std::vector<uint8_t>& color, const char* title) {
+  if (color.empty()) return "";
+  return "<figure><img width=192 height=192 src=\"data:image/png;base64," +
+         base64(png_of(color, kWindowWidth, kWindowHeight)) + "\"><figcaption>" + title +
+         "</figcaption></figure>";
+}
+
+// White where a pixel is none of its answers, the worse the brighter; black where it is right.
+std::vector<uint8_t> difference(const std::vector<uint8_t>& expected, const std::vector<uint8_t>& got) {
+  std::vector<uint8_t> picture;
+  for (size_t i = 0; i < expected.size(); i++) {
+    const int step = 4 * std::abs(expected[i] - got[i]);
+    picture.push_back(uint8_t(i % 4 == 3 ? 255 : std::min(step, 255)));
+  }
+  return picture;
+}
+
+// "lighting.spot.cutoff_30" belongs to "lighting.spot".
+std::string chapter_of(const std::string& name) { return name.substr(0, name.rfind('.')); }
+
+const char kStyle[] =
+    "<style>body{font:16px/1.45 sans-serif;max-width:72em;margin:2em auto;padding:0 1em;color:#222}"
+    "table{border-collapse:collapse}td,th{text-align:left;padding:.2em .9em .2em 0;border-bottom:1px solid "
+    "#ddd}"
+    "figure{display:inline-block;margin:.5em 1em .5em 0}img{image-rendering:pixelated;border:1px solid #999}"
+    "pre{background:#f4f4f4;padding:1em;overflow:auto;max-height:30em;font-size:13px}"
+    ".fail{color:#b00020}.pass{color:#1b7a2f}section{border-top:2px solid #ccc;margin-top:2em}</style>";
+
+std::string failure(const TestResult& t, const std::map<std::string, std::string>& programs) {
+  std::string text = "<section id=\"" + html(t.test->name) + "\"><h3 class=fail>" + html(t.test->name) +
+                     "</h3><p><b>OpenGL 1.5, " + html(t.test->section) + ".</b> " + html(t.test->sentence) +
+                     "</p>";
+  if (!t.test->open.empty()) text += "<p>Left open: " + html(t.test->open) + "</p>";
+  std::string same;
+  for (const LevelResult& l : t.levels)
+    if (!l.pass) same += "<li>" + html(l.level) + ": " + html(l.text) + "</li>";
+  text += "<ul>" + same + "</ul>";
+  for (const LevelResult& l : t.levels)
+    if (!l.pass && !l.color.empty()) {
+      const std::vector<uint8_t> expected =
+          expected_bytes(expected_picture(whole_script(*t.test), kWindowWidth, kWindowHeight, {}));
+      text += image(expected, "expected") + image(l.color, "got") +
+              image(difference(expected, l.color), "difference, times 4");
+      break;
+    }
+  const auto program = programs.find(t.test->name);
+  if (program != programs.end())
+    text +=
+        "<details><summary>Program that shows it</summary><pre>" + html(program->second) + "</pre></details>";
+  return text + "</section>";
+}
+
+} // namespace
+
+std::string to_html(const RunResult& result, const std::map<std::string, std::string>& programs) {
+  std::string page =
+      "<!doctype html><meta charset=utf-8><title>softgl-conformance</title>" + std::string(kStyle) +
+      "<h1>Conformance of " + html(result.facts.renderer) + "</h1><table><tr><td>GL<td>" +
+      html(result.subject) + "<tr><td>Vendor<td>" + html(result.facts.vendor) + "<tr><td>Version<td>" +
+      html(result.facts.version) + "<tr><td>Tests<td>" + std::to_string(result.count(Outcome::Pass)) +
+      " pass, " + std::to_string(result.count(Outcome::Fail)) + " fail, " +
+      std::to_string(result.count(Outcome::NotSupported)) +
+      " not supported<tr><td>Byte for byte as OSMesa 22.3.6<td>" + std::to_string(count_exact(result)) +
+      "</table><h2>Chapters</h2>" + "<table><tr><th>Chapter<th>Pass<th>Fail<th>Not supported";
+  std::map<std::string, int> counts[3];
+  std::vector<std::string> chapters;
+  for (const TestResult& t : result.tests) {
+    const std::string chapter = chapter_of(t.test->name);
+    if (chapters.empty() || chapters.back() != chapter)
+      if (std::find(chapters.begin(), chapters.end(), chapter) == chapters.end()) chapters.push_back(chapter);
+    counts[int(t.outcome)][chapter]++;
+  }
+  for (const std::string& chapter : chapters) {
+    page += "<tr><td>" + html(chapter);
+    for (auto& count : counts) page += "<td>" + std::to_string(count[chapter]);
+  }
+  page += "</table>";
+  if (result.count(Outcome::Fail)) page += "<h2>Failures</h2>";
+  for (const TestResult& t : result.tests)
+    if (t.outcome == Outcome::Fail) page += failure(t, programs);
+  page += "<h2>All tests</h2><table><tr><th>Test<th>Section<th>Sentence<th>Result<th>As OSMesa 22.3.6";
+  for (const TestResult& t : result.tests) {
+    const char* const exact_words[] = {"<td>", "<td>same bytes", "<td>other bytes"};
+    const char* const words[] = {"<td class=pass>pass", "<td class=fail>fail", "<td>not supported"};
+    page += "<tr><td>" + html(t.test->name) + "<td>" + html(t.test->section) + "<td>" +
+            html(t.test->sentence) + words[int(t.outcome)] + exact_words[int(t.exact)];
+  }
+  page += "</table><h2>Path levels</h2><p>Each test is drawn again under state that must not matter.</p><ul>";
+  for (const PathLevel& level : path_levels())
+    page += "<li>" + std::string(level.name) + ": " + level.meaning + "</li>";
+  return page + "</ul>\n";
+}
+
+} // namespace softgl::suite

@@ -1,0 +1,143 @@
+#include "report/report.h"
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "report/c_program.h"
+#include "report/pictures.h"
+#include "run/paths.h"
+
+namespace softgl::suite {
+namespace {
+
+void write_file(const std::string& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  if (!(file << text) || !file.flush()) throw std::runtime_error("cannot write " + path);
+}
+
+std::string xml(const std::string& text) {
+  std::string out;
+  for (char c : text) {
+    switch (c) {
+    case '&': out += "&amp;"; break;
+    case '<': out += "&lt;"; break;
+    case '>': out += "&gt;"; break;
+    case '"': out += "&quot;"; break;
+    default: out += static_cast<unsigned char>(c) < 32 && c != '\n' ? ' ' : c;
+    }
+  }
+  return out;
+}
+
+} // namespace
+
+std::string to_json(const RunResult& result) {
+  using nlohmann::json;
+  json tests = json::array();
+  for (const TestResult& t : result.tests) {
+    json levels = json::array();
+    for (const LevelResult& l : t.levels)
+      levels.push_back({{"level", l.level},
+                        {"pass", l.pass},
+                        {"text", l.text},
+                        {"wrong_pixels", l.verdict.wrong_pixels},
+                        {"other_side", l.verdict.other_side}});
+    const char* const exact_words[] = {"not compared", "same", "different"};
+    const char* const outcomes[] = {"pass", "fail", "not supported"};
+    tests.push_back({{"name", t.test->name},
+                     {"section", t.test->section},
+                     {"sentence", t.test->sentence},
+                     {"outcome", outcomes[int(t.outcome)]},
+                     {"text", t.text},
+                     {"as_osmesa", exact_words[int(t.exact)]},
+                     {"levels", levels}});
+  }
+  const json whole = {{"gl", result.subject},
+                      {"vendor", result.facts.vendor},
+                      {"renderer", result.facts.renderer},
+                      {"version", result.facts.version},
+                      {"pass", result.count(Outcome::Pass)},
+                      {"fail", result.count(Outcome::Fail)},
+                      {"not_supported", result.count(Outcome::NotSupported)},
+                      {"tests", tests}};
+  // A GL may give any bytes as its name.
+  return whole.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+std::string to_junit(const RunResult& result) {
+  std::string text =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"softgl-conformance\" tests=\"" +
+      std::to_string(result.tests.size()) + "\" failures=\"" + std::to_string(result.count(Outcome::Fail)) +
+      "\" skipped=\"" + std::to_string(result.count(Outcome::NotSupported)) + "\">\n";
+  for (const TestResult& t : result.tests) {
+    text += "  <testcase classname=\"" + suite_of(*t.test) + "\" name=\"" + xml(t.test->name) + "\">";
+    if (t.outcome == Outcome::Fail)
+      text += "<failure message=\"" + xml(t.text) + "\">" + xml(t.test->section + ": " + t.test->sentence) +
+              "</failure>";
+    if (t.outcome == Outcome::NotSupported) text += "<skipped message=\"" + xml(t.text) + "\"/>";
+    text += "</testcase>\n";
+  }
+  return text + "</testsuite>\n";
+}
+
+void write_sheet(const std::vector<const Test*>& tests, const std::string& path) {
+  int width = 0, height = 0;
+  const std::vector<uint8_t> sheet = contact_sheet(tests, &width, &height);
+  write_file(path, png_of(sheet, width, height));
+}
+
+namespace {
+
+std::string hash_rows(const RunResult& result) {
+  std::string rows;
+  for (const TestResult& t : result.tests) {
+    char row[200];
+    std::snprintf(row, sizeof row, "HASH(\"%s\", 0x%016llxu)\n", t.test->name.c_str(),
+                  static_cast<unsigned long long>(t.hash));
+    if (t.hash) rows += row;
+  }
+  return rows;
+}
+
+// The failed test's script on the path where it failed first, as a program.
+std::string program_of(const TestResult& t, const RunOptions& options, const SubjectFacts& facts) {
+  for (const LevelResult& level : t.levels) {
+    if (level.pass || level.color.empty() || level.verdict.wrong_pixels == 0) continue;
+    Script body;
+    t.test->body(body);
+    Verdict verdict = level.verdict;
+    for (const PathLevel& path : path_levels()) {
+      if (level.level != path.name) continue;
+      const Script script = *path.make(body);
+      // The machine does not know all state of the other paths.
+      return c_program(*t.test, level.level == "plain" ? minimized(script, options, facts, &verdict) : script,
+                       verdict);
+    }
+  }
+  return "";
+}
+
+} // namespace
+
+void write_reports(const ReportFiles& files, const RunResult& result, const RunOptions& options) {
+  if (!files.json.empty()) write_file(files.json, to_json(result));
+  if (!files.junit.empty()) write_file(files.junit, to_junit(result));
+  if (!files.hashes.empty()) write_file(files.hashes, hash_rows(result));
+  if (files.folder.empty()) return;
+  std::error_code error;
+  std::filesystem::create_directories(files.folder, error);
+  std::map<std::string, std::string> programs;
+  for (const TestResult& t : result.tests) {
+    if (t.outcome != Outcome::Fail) continue;
+    const std::string program = program_of(t, options, result.facts);
+    if (program.empty()) continue;
+    programs[t.test->name] = program;
+    write_file(files.folder + "/" + t.test->name + ".c", program);
+  }
+  write_file(files.folder + "/results.json", to_json(result));
+  write_file(files.folder + "/index.html", to_html(result, programs));
+}
+
+} // namespace softgl::suite

@@ -1,0 +1,11 @@
+// The command line of softgl-conformance.
+#pragma once
+
+namespace softgl::suite {
+
+constexpr int kAllPass = 0, kSomeFail = 1, kUsage = 2, kNoContext = 3;
+
+/// Runs the program; gives the exit status.
+int run_suite(int argc, char** argv);
+
+} // namespace softgl::suite

@@ -1,0 +1,98 @@
+// A scene as data: the calls that draw it. One script is played on a GL, on the specification's machine, and
+// printed as a program.
+#pragma once
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace softgl::suite {
+
+enum class Command : uint8_t {
+#define SUITE_COMMAND(name, kinds) name,
+#define SUITE_COMMAND_NOT_IN_LISTS(name, kinds) name,
+#include "script/commands.inc"
+#undef SUITE_COMMAND
+#undef SUITE_COMMAND_NOT_IN_LISTS
+  Count
+};
+
+/// What is known of a command: its name without "gl", the letters of commands.inc, and whether lists hold it.
+struct CommandFacts {
+  const char* name;
+  const char* kinds;
+  bool in_lists;
+};
+const CommandFacts& facts_of(Command command);
+
+/// Numbers behind a pointer, as V{1, 2, 3}.
+struct V : std::vector<double> {
+  using std::vector<double>::vector;
+};
+/// Elements behind a pointer to void.
+struct Memory {
+  GLenum type; // GL_FLOAT, GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_BYTE, GL_SHORT
+  std::vector<double> elements;
+};
+
+struct Argument {
+  double number = 0;
+  std::vector<double> numbers;
+  GLenum memory_type = GL_NONE; // of elements behind a pointer to void
+  Argument() = default;
+  Argument(double n) : number(n) {}
+  Argument(float n) : number(double(n)) {}
+  Argument(int n) : number(n) {}
+  Argument(unsigned n) : number(n) {}
+  Argument(V v) : numbers(std::move(v)) {}
+  Argument(Memory m) : numbers(std::move(m.elements)), memory_type(m.type) {}
+};
+
+struct Call {
+  Command command;
+  std::vector<Argument> arguments;
+  double n(size_t i) const { return arguments[i].number; }
+  GLenum e(size_t i) const { return GLenum(arguments[i].number); }
+  const std::vector<double>& v(size_t i) const { return arguments[i].numbers; }
+};
+
+/// Calls, in their order. It has a function for every command: script.Vertex3f(1, 2, 3).
+struct Script {
+  std::vector<Call> calls;
+
+#define SUITE_COMMAND(name, kinds) \
+  template <class... A> void name(A... a) { calls.push_back({Command::name, {Argument(a)...}}); }
+#define SUITE_COMMAND_NOT_IN_LISTS SUITE_COMMAND
+#include "script/commands.inc"
+#undef SUITE_COMMAND
+#undef SUITE_COMMAND_NOT_IN_LISTS
+
+  void append(const Script& other) { calls.insert(calls.end(), other.calls.begin(), other.calls.end()); }
+};
+
+struct GlTable;
+
+/// Plays scripts on a GL. It owns the memory that pointers of the calls lead to, and must live as long as the
+/// GL may read it.
+class Player {
+public:
+  explicit Player(const GlTable& gl);
+  ~Player();
+  /// The first command that the GL does not have, or null; nothing is played then.
+  const char* missing(const Script& script) const;
+  void play(const Script& script);
+
+private:
+  const GlTable& gl_;
+  std::vector<std::unique_ptr<std::vector<std::byte>>> memory_;
+};
+
+/// The calls as statements of C, one a line.
+std::string to_c(const Script& script, const char* indent);
+
+} // namespace softgl::suite

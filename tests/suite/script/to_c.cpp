@@ -1,0 +1,123 @@
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "script/script.h"
+
+namespace softgl::suite {
+namespace {
+
+// Constants that scripts use. Small values have several names: the letters m and z of commands.inc tell them
+// apart.
+const std::map<GLenum, const char*>& constant_names() {
+  static const std::map<GLenum, const char*> names = {
+#define NAME(constant) {constant, #constant},
+#include "script/constants.inc"
+#undef NAME
+  };
+  return names;
+}
+
+const char* const kModes[] = {"GL_POINTS",     "GL_LINES",          "GL_LINE_LOOP",    "GL_LINE_STRIP",
+                              "GL_TRIANGLES",  "GL_TRIANGLE_STRIP", "GL_TRIANGLE_FAN", "GL_QUADS",
+                              "GL_QUAD_STRIP", "GL_POLYGON"};
+
+std::string number(double value, bool single) {
+  char text[40];
+  std::snprintf(text, sizeof text, single ? "%.9g" : "%.17g", value);
+  std::string s = text;
+  const bool whole = s.find_first_of(".en") == std::string::npos;
+  if (single) return whole ? s + ".0f" : s + "f";
+  return whole ? s + ".0" : s;
+}
+
+std::string mask_bits(GLbitfield bits) {
+  static const std::pair<GLbitfield, const char*> names[] = {{GL_COLOR_BUFFER_BIT, "GL_COLOR_BUFFER_BIT"},
+                                                             {GL_DEPTH_BUFFER_BIT, "GL_DEPTH_BUFFER_BIT"},
+                                                             {GL_STENCIL_BUFFER_BIT, "GL_STENCIL_BUFFER_BIT"},
+                                                             {GL_LIGHTING_BIT, "GL_LIGHTING_BIT"},
+                                                             {GL_CURRENT_BIT, "GL_CURRENT_BIT"},
+                                                             {GL_ENABLE_BIT, "GL_ENABLE_BIT"},
+                                                             {GL_TRANSFORM_BIT, "GL_TRANSFORM_BIT"},
+                                                             {GL_POLYGON_BIT, "GL_POLYGON_BIT"}};
+  if (bits == GL_ALL_ATTRIB_BITS) return "GL_ALL_ATTRIB_BITS";
+  std::string text;
+  for (const auto& [bit, name] : names)
+    if (bits & bit) text += (text.empty() ? "" : " | ") + std::string(name), bits &= ~bit;
+  return bits ? std::to_string(bits) : text;
+}
+
+std::string list(const std::vector<double>& numbers, const char* type, bool real) {
+  std::string text = "(const " + std::string(type) + "[]){";
+  for (size_t i = 0; i < numbers.size(); i++)
+    text += (i ? ", " : "") +
+            (real ? number(numbers[i], type == std::string("GLfloat")) : std::to_string(int64_t(numbers[i])));
+  return text + "}";
+}
+
+std::string vector_argument(const Call& call, const Argument& a) {
+  const std::string name = facts_of(call.command).name;
+  if (call.command == Command::ClipPlane) return list(a.numbers, "GLdouble", true);
+  if (name.ends_with("iv")) return list(a.numbers, "GLint", false);
+  return list(a.numbers, "GLfloat", true);
+}
+
+std::string memory_argument(const Argument& a) {
+  switch (a.memory_type) {
+  case GL_FLOAT: return list(a.numbers, "GLfloat", true);
+  case GL_UNSIGNED_SHORT: return list(a.numbers, "GLushort", false);
+  case GL_SHORT: return list(a.numbers, "GLshort", false);
+  case GL_BYTE: return list(a.numbers, "GLbyte", false);
+  }
+  return a.numbers.empty() ? "NULL" : list(a.numbers, "GLubyte", false);
+}
+
+std::string argument(const Call& call, size_t i) {
+  const Argument& a = call.arguments[i];
+  const auto whole = [&] { return std::to_string(int64_t(a.number)); };
+  switch (facts_of(call.command).kinds[i]) {
+  case 'e': {
+    const auto found = constant_names().find(GLenum(a.number));
+    if (a.number == 0 || a.number == 1 || found == constant_names().end()) return whole();
+    return found->second;
+  }
+  case 'm': return kModes[std::min(size_t(a.number), std::size(kModes) - 1)];
+  case 'z':
+    if (a.number == 0) return "GL_ZERO";
+    if (a.number == 1) return "GL_ONE";
+    return constant_names().at(GLenum(a.number));
+  case 'b': return mask_bits(GLbitfield(a.number));
+  case 'B': return a.number != 0 ? "GL_TRUE" : "GL_FALSE";
+  case 'f': return number(a.number, true);
+  case 'd': return number(a.number, false);
+  case 'v': return vector_argument(call, a);
+  case 'p': return memory_argument(a);
+  default: break;
+  }
+  return whole();
+}
+
+} // namespace
+
+const CommandFacts& facts_of(Command command) {
+  static const CommandFacts facts[] = {
+#define SUITE_COMMAND(name, kinds) {#name, kinds, true},
+#define SUITE_COMMAND_NOT_IN_LISTS(name, kinds) {#name, kinds, false},
+#include "script/commands.inc"
+#undef SUITE_COMMAND
+#undef SUITE_COMMAND_NOT_IN_LISTS
+  };
+  return facts[size_t(command)];
+}
+
+std::string to_c(const Script& script, const char* indent) {
+  std::string text;
+  for (const Call& call : script.calls) {
+    text += indent + std::string("gl") + facts_of(call.command).name + "(";
+    for (size_t i = 0; i < call.arguments.size(); i++) text += (i ? ", " : "") + argument(call, i);
+    text += ");\n";
+  }
+  return text;
+}
+
+} // namespace softgl::suite
