@@ -62,7 +62,7 @@ std::vector<std::string> output_lines(const std::string& command) {
   return lines;
 }
 
-bool is_installed(const std::string& name) {
+bool has_program(const std::string& name) {
   int code = 0;
   output_of("command -v " + name, code);
   return code == 0;

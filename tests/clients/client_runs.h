@@ -17,7 +17,7 @@ std::string output_of(const std::string& command, int& code);
 std::vector<std::string> output_lines(const std::string& command);
 
 /// Whether the shell finds a program.
-bool is_installed(const std::string& name);
+bool has_program(const std::string& name);
 
 /// A folder for what the clients write, which exists.
 std::string client_folder();

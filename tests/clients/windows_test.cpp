@@ -19,7 +19,7 @@ bool is_there(const std::string& path) { return std::filesystem::exists(path); }
 
 TEST_CASE("hacks of xscreensaver draw what they draw with OSMesa", "[clients]") {
   if (!is_there("/usr/libexec/xscreensaver/gears") ||
-      !is_there("/usr/libexec/xscreensaver/xscreensaver-getimage") || !is_installed("Xvfb") ||
+      !is_there("/usr/libexec/xscreensaver/xscreensaver-getimage") || !has_program("Xvfb") ||
       !is_there(SOFTGL_TEST_EGL)) {
     WARN("SKIPPED: xscreensaver-gl, xscreensaver-data, xvfb or libegl-dev is not installed");
     return;
@@ -40,7 +40,7 @@ TEST_CASE("hacks of xscreensaver draw what they draw with OSMesa", "[clients]") 
 TEST_CASE("GLFW's windows have the pictures that they have with OSMesa", "[clients]") {
   int code = 0;
   output_of("/usr/bin/python3 -c 'import ctypes; ctypes.CDLL(\"libglfw.so.3\")'", code);
-  if (code != 0 || !is_installed("Xvfb")) {
+  if (code != 0 || !has_program("Xvfb")) {
     WARN("SKIPPED: libglfw3 or xvfb is not installed");
     return;
   }
