@@ -67,7 +67,9 @@ std::vector<std::string> text_lines(const std::string& text, double size, double
   for (size_t at = 0; at < text.size();) {
     const size_t end = std::min(text.find(' ', at), text.size());
     const std::string word = text.substr(at, end - at);
-    const std::string longer = line.empty() ? word : line + " " + word;
+    std::string longer = line;
+    if (!longer.empty()) longer += ' ';
+    longer += word;
     if (!line.empty() && text_width(longer, size) > width) {
       lines.push_back(line);
       line = word;

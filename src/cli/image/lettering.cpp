@@ -153,7 +153,7 @@ std::string shortened(const std::string& text, double size, double most) {
   };
   for (size_t kept = text.size() - 1; kept > 0; --kept) {
     const size_t begin = cut(kept / 2), end = cut(text.size() - (kept - kept / 2));
-    const std::string shorter = text.substr(0, begin) + "..." + text.substr(end);
+    std::string shorter = text.substr(0, begin) + "..." + text.substr(end);
     if (text_width(shorter, size) <= most) return shorter;
   }
   return "...";
