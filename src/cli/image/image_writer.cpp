@@ -154,7 +154,8 @@ void write_file(const std::string& path, const GrowingArray<uint8_t>& bytes) {
   const bool exists = ::stat(path.c_str(), &status) == 0;
   const std::string target = exists ? real_path(path) : path;
   // A device or a pipe is written to; a file is replaced at once, so that nobody sees half of it.
-  const bool replaced = !exists || S_ISREG(status.st_mode);
+  // An empty file may be held open by who made it and waits for the picture, as tumbler does.
+  const bool replaced = !exists || (S_ISREG(status.st_mode) && status.st_size > 0);
   static std::atomic<unsigned> number{0};
   const std::string temporary =
       replaced ? target + "." + std::to_string(::getpid()) + "-" + std::to_string(number++) + ".tmp" : target;
