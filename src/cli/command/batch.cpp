@@ -9,12 +9,12 @@
 
 #include "command/camera_file.h"
 #include "command/output_set.h"
+#include "command/picture_inputs.h"
 #include "command/picture_plan.h"
 #include "command/prepared_model.h"
 #include "common/parallel.h"
 #include "common/program_error.h"
 #include "common/progress.h"
-#include "image/comparison.h"
 #include "scene/placed_camera.h"
 #include "scene/turntable_camera.h"
 
@@ -149,8 +149,7 @@ private:
 
   Camera camera_of(const PreparedModel& model, const CameraOptions& view, const PictureJob& job) const {
     if (options_.turntable) return turntable_camera(model.mesh, view, int(job.frame), options_.turntable);
-    const Camera camera =
-        view.placement ? place_camera(model.mesh, view, model.frame) : fit_camera(model.mesh, view);
+    const Camera camera = picture_camera(model, view);
     if (!options_.place.output.empty() && job.pass == 0)
       write_camera(options_.place.output, placement_of(camera, model.frame));
     return camera;
@@ -243,15 +242,7 @@ private:
 
 int draw_pictures(const ProgramOptions& given, unsigned threads) {
   ProgramOptions options = given;
-  Background& background = options.render.background;
-  if (!background.file.empty())
-    background.picture = std::make_shared<const Picture>(as_opaque_picture(read_picture(background.file)));
-  if (!options.place.file.empty()) {
-    CameraOptions& camera = options.views.front().camera;
-    camera.placement = read_camera(options.place.file);
-    camera.orthographic = camera.placement->height > 0;
-    if (camera.placement->field_of_view > 0) camera.field_of_view = camera.placement->field_of_view;
-  }
+  read_named_files(options);
   PictureRun run(options, threads);
   if (run.pictures_at_once() > 1) ::setenv("SOFTGL_THREADS", "1", 1); // before GL is first used
   return run.run();

@@ -82,6 +82,7 @@ public:
     figure_ = add_figure(app_, options_);
     compare_ = add_compare(app_, options_.compare);
     add_stats(*compare_, "print times to standard error: json", stats_);
+    add_window();
     add_config();
   }
 
@@ -105,6 +106,7 @@ public:
       options_.command = ProgramOptions::kCompare;
       return {options_, 0};
     }
+    if (*view_) options_.command = ProgramOptions::kView;
     std::string mistake = *figure_ ? complete_figure() : std::string();
     if (mistake.empty()) mistake = complete_output();
     if (mistake.empty()) mistake = complete_rendering();
@@ -112,7 +114,7 @@ public:
     complete_view();
     mistake = complete_look(options_);
     if (!mistake.empty()) return refuse(mistake);
-    return {options_, 0};
+    return {options_, 0, given()};
   }
 
   CommandRow describe_all() const { return describe(app_); }
@@ -341,6 +343,32 @@ private:
     return sentence;
   }
 
+  // The window's program reads the same command line.
+  void add_window() {
+    view_ = app_.add_subcommand("view",
+                                "show models in a window and read them again when their files change; takes "
+                                "the options of a picture, --size being that of the window [800x600], and "
+                                "-o the file that key s saves to");
+    view_->add_option("model", options_.models, "OBJ, PLY or STL files and folders of them")
+        ->type_name("MODEL");
+    view_->add_option("--script", options_.script, "play events from this file, then end")->type_name("FILE");
+    add_footer(
+        *view_,
+        {"softgl view lantern.obj", "softgl view parts/ --up +Z --shading phong --edges sharp",
+         "softgl view bust.obj --size 1200x900 --light 1,1,1 -o bust.png"},
+        "Exit codes: 0 closed, 2 wrong usage, 3 the first model cannot be read, 4 there is no screen.");
+    view_->fallthrough();
+  }
+
+  std::vector<GivenOption> given() const {
+    std::vector<GivenOption> all;
+    for (const CLI::Option* option : app_.get_options())
+      if (option->count() > 0 && !option->get_positional())
+        all.push_back({option->get_name(),
+                       option->get_expected_max() > 0 ? option->results() : std::vector<std::string>{}});
+    return all;
+  }
+
   static ParsedOptions refuse(const std::string& sentence) {
     std::fprintf(stderr, "softgl: %s (softgl --help shows the options)\n", sentence.c_str());
     return {std::nullopt, kUsageError};
@@ -371,6 +399,7 @@ private:
                                      : PngEffort::kDefault;
     if (*figure_) return complete_figure_output(options_);
     if (options_.models.empty()) return "no model given";
+    if (options_.output.empty() && *view_) options_.output = "view.png";
     if (options_.output.empty()) return "no output file given; -o PICTURE.png names one";
     std::string& format = options_.format;
     if (format.empty()) format = image_format_of(options_.output);
@@ -423,7 +452,7 @@ private:
   }
 
   CLI::App app_;
-  CLI::App *info_ = nullptr, *figure_ = nullptr, *compare_ = nullptr;
+  CLI::App *info_ = nullptr, *figure_ = nullptr, *compare_ = nullptr, *view_ = nullptr;
   ProgramOptions options_;
   std::string config_;
   std::string png_ = "default", shading_ = "gouraud", specular_ = "half", stats_;

@@ -54,7 +54,7 @@ struct FigureOptions {
 };
 
 struct ProgramOptions {
-  enum Command { kRender, kInfo, kFigure, kCompare } command = kRender;
+  enum Command { kRender, kInfo, kFigure, kCompare, kView } command = kRender;
   std::vector<std::string> models; // and folders of models; none for kFigure: a sphere
   std::string output;
   std::string format; // of pictures; of figures also svg and html
@@ -77,6 +77,13 @@ struct ProgramOptions {
   bool stats = false;
   CompareOptions compare;
   FigureOptions figure;
+  std::string script; // of kView
+};
+
+// An option as the command line has it, by its first long name; a flag has no values.
+struct GivenOption {
+  std::string name;
+  std::vector<std::string> values;
 };
 
 // What main() is to do: options, or an end with that exit code (help, version, or a mistake already
@@ -84,6 +91,7 @@ struct ProgramOptions {
 struct ParsedOptions {
   std::optional<ProgramOptions> options;
   int exit_code = 0;
+  std::vector<GivenOption> given = {}; // with `options`, those of a picture, without the models
 };
 
 ParsedOptions parse_options(int argc, const char* const* argv);

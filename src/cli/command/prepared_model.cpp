@@ -112,6 +112,8 @@ PreparedModel prepare_model(const std::string& path, const ProgramOptions& optio
   add_edges(options.render.lines, loaded.edges, prepared);
   if (options.render.srgb) decode_colors(prepared.mesh, loaded.library.materials());
   prepared.report = std::move(loaded.report);
+  prepared.files = loaded.library.files();
+  prepared.files.push_back(path);
   prepared.materials = std::move(loaded.library.materials());
   times.prepare += since(prepare_start);
   return prepared;

@@ -11,6 +11,7 @@ struct PreparedModel {
   ModelReport report; // the area only with --verbose
   Mesh mesh;
   std::vector<Material> materials;
+  std::vector<std::string> files; // what was read: the model and its material libraries
   ModelFrame frame;
   UpAxis up = UpAxis::kPlusY; // that of the command line, or what the model shows
 };

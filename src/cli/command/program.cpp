@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <new>
 #include <sys/resource.h>
@@ -14,6 +15,7 @@
 #include "command/options.h"
 #include "command/prepared_model.h"
 #include "command/sandbox_paths.h"
+#include "command/window_start.h"
 #include "common/compressed_text.h"
 #include "common/program_error.h"
 #include "common/time_limit.h"
@@ -31,6 +33,7 @@ public:
     case ProgramOptions::kCompare: return compare();
     case ProgramOptions::kFigure: return measured(&Program::figure, "draw", options_.output == "-");
     case ProgramOptions::kInfo: return measured(&Program::info, "measure", true);
+    case ProgramOptions::kView: return no_window();
     default: return draw_pictures(options_, threads());
     }
   }
@@ -48,6 +51,13 @@ public:
   }
 
 private:
+  // softgl-view draws in its window.
+  static int no_window() {
+    throw ProgramError(kUsageError,
+                       "no window: softgl view MODEL starts softgl-view, which is built where there is "
+                       "SDL 2");
+  }
+
   unsigned threads() const {
     if (options_.threads) return options_.threads;
     const unsigned count = std::thread::hardware_concurrency();
@@ -169,6 +179,7 @@ void start_sandbox(const ProgramOptions& options) {
 } // namespace
 
 int run_program(int argc, const char* const* argv) {
+  if (argc > 1 && std::strcmp(argv[1], "view") == 0) start_window(argc - 2, argv + 2);
   const char* name = "";
   const auto fail = [](ExitCode code, const char* about, const char* sentence) {
     std::fprintf(stderr, "softgl: error: %s%s\n", about, sentence);

@@ -358,6 +358,7 @@ void MaterialLibrary::load_for(const ObjModel& model, const ModelFiles& files, R
           continue;
         }
         if (!tried.insert(path).second) continue;
+        files_.push_back(path);
         try {
           SourceText file = SourceText::open_named(path);
           if (file.size() > kLargestLibrary)

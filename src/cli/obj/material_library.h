@@ -32,10 +32,13 @@ public:
   std::vector<Material>& materials() { return materials_; }
   // 0 if there is no such material.
   uint32_t find(std::string_view name) const;
+  // The libraries that load_for() found.
+  const std::vector<std::string>& files() const { return files_; }
 
 private:
   bool strict_;
   std::vector<Material> materials_;
+  std::vector<std::string> files_;
   std::unordered_map<std::string, uint32_t> by_name_;
 };
 

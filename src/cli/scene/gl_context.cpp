@@ -10,21 +10,20 @@ namespace softgl::cli {
 void GlContext::Destroy::operator()(osmesa_context* context) const { OSMesaDestroyContext(context); }
 
 GlContext::GlContext(uint8_t* pixels, int width, int height, int depth_bits)
-    : context_(OSMesaCreateContextExt(OSMESA_RGBA, depth_bits, 0, 0, nullptr)), width_(width),
-      height_(height) {
+    : context_(OSMesaCreateContextExt(OSMESA_RGBA, depth_bits, 0, 0, nullptr)) {
   if (!context_) throw std::bad_alloc(); // a context of this kind is refused for no other reason
-  attach(pixels);
+  attach(pixels, width, height);
   OSMesaPixelStore(OSMESA_Y_UP, 0);
 }
 
-void GlContext::attach(uint8_t* pixels) const {
-  if (OSMesaMakeCurrent(context_.get(), pixels, GL_UNSIGNED_BYTE, width_, height_)) return;
+void GlContext::attach(uint8_t* pixels, int width, int height) const {
+  if (OSMesaMakeCurrent(context_.get(), pixels, GL_UNSIGNED_BYTE, width, height)) return;
   GLint most_columns = 0, most_rows = 0;
   OSMesaGetIntegerv(OSMESA_MAX_WIDTH, &most_columns);
   OSMesaGetIntegerv(OSMESA_MAX_HEIGHT, &most_rows);
-  if (width_ <= most_columns && height_ <= most_rows) throw std::bad_alloc();
-  throw ProgramError(kUsageError, "GL cannot draw a picture of " + std::to_string(width_) + "x" +
-                                      std::to_string(height_) + " samples");
+  if (width <= most_columns && height <= most_rows) throw std::bad_alloc();
+  throw ProgramError(kUsageError, "GL cannot draw a picture of " + std::to_string(width) + "x" +
+                                      std::to_string(height) + " samples");
 }
 
 void GlContext::finish() {

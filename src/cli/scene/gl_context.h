@@ -15,8 +15,8 @@ public:
   // ProgramError if GL draws no picture of that size, std::bad_alloc if memory ends.
   GlContext(uint8_t* pixels, int width, int height, int depth_bits);
 
-  // Makes the context current again and lets it draw to other memory of the same size.
-  void attach(uint8_t* pixels) const;
+  // Makes the context current again and lets it draw to other memory, as the constructor does.
+  void attach(uint8_t* pixels, int width, int height) const;
 
   // Completes all drawing. Throws std::bad_alloc if GL ran out of memory since the context was made,
   // ProgramError for any other error.
@@ -27,7 +27,6 @@ private:
     void operator()(osmesa_context* context) const;
   };
   std::unique_ptr<osmesa_context, Destroy> context_;
-  int width_, height_;
 };
 
 } // namespace softgl::cli

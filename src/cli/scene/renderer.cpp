@@ -85,7 +85,7 @@ public:
   // The renderer's context and objects, made if there are none yet.
   void prepare(MeshRenderer& renderer, Warnings& warnings) {
     if (renderer.resources_)
-      renderer.resources_->context.attach(samples_.data());
+      renderer.resources_->context.attach(samples_.data(), width_, height_);
     else
       renderer.resources_ = std::make_unique<Resources>(samples_.data(), width_, height_, renderer, warnings);
     uploaded_ = &renderer.resources_->uploaded;

@@ -40,8 +40,8 @@ struct RenderResult {
   double upload_seconds = 0, draw_seconds = 0, average_seconds = 0;
 };
 
-// Draws one mesh as often as asked. Buffers and textures are made with the first picture. All pictures of a
-// renderer have one size, and one thread draws them.
+// Draws one mesh as often as asked, in any size. Buffers and textures are made with the first picture. One
+// thread draws all pictures of a renderer.
 class MeshRenderer {
 public:
   // The arguments outlive it. `linear`: textures are decoded from sRGB.
