@@ -40,15 +40,15 @@ std::map<std::string, std::string> entry() {
   return keys;
 }
 
-ProgramRun make_thumbnail(const std::string& model, const std::string& picture, const std::string& side) {
+[[maybe_unused]] ProgramRun make_thumbnail(const std::string& model, const std::string& picture,
+                                           const std::string& side) {
   std::vector<std::string> arguments = split(entry().at("Exec"), ' ');
   REQUIRE(arguments.at(0) == "softgl");
   arguments.erase(arguments.begin());
   for (std::string& argument : arguments)
     if (argument.starts_with('%'))
       argument = argument == "%i" ? model : argument == "%o" ? picture : argument == "%s" ? side : "unknown";
-  // The leak sanitizer looks at the process from outside, and needs more memory.
-  return run_softgl(arguments, {}, {"ASAN_OPTIONS=detect_leaks=0"});
+  return run_softgl(arguments);
 }
 
 } // namespace

@@ -216,8 +216,8 @@ std::unique_ptr<Workload> make_small_draws(const Gl& gl, int size, double scale)
 
 } // namespace
 
-const std::vector<WorkloadKind>& workloads() {
-  static const std::vector<WorkloadKind> all = {
+static std::vector<WorkloadKind> mesh_workloads() {
+  return {
       {"one_shot", "load the library, one picture of 70 thousand triangles",
        make_mesh<256, 136, 1, Source::Buffers>, true},
       {"mesh", "a million lit triangles from buffer objects", make_mesh<1024, 512, 1, Source::Buffers>,
@@ -246,6 +246,14 @@ const std::vector<WorkloadKind>& workloads() {
       {"blend", "twenty translucent layers", make_layers<Layer::Blended>, false},
       {"texture", "twenty layers with a trilinear texture", make_layers<Layer::Textured>, false},
   };
+}
+
+const std::vector<WorkloadKind>& workloads() {
+  static const std::vector<WorkloadKind> all = [] {
+    std::vector<WorkloadKind> kinds = mesh_workloads();
+    for (const WorkloadKind& kind : program_workloads()) kinds.push_back(kind);
+    return kinds;
+  }();
   return all;
 }
 

@@ -36,5 +36,7 @@ struct WorkloadKind {
   bool phong = false;
 };
 const std::vector<WorkloadKind>& workloads();
+/// Those of workloads() that draw by other means than lit meshes and layers.
+std::vector<WorkloadKind> program_workloads();
 
 } // namespace softgl::bench
