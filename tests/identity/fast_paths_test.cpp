@@ -156,6 +156,19 @@ void draw_opaque(const Gl& gl) {
   gl.Disable(GL_LIGHTING);
 }
 
+/// Points of a few pixels, and of more.
+void draw_points(const Gl& gl) {
+  for (const float size : {1.0f, 3.0f, 9.0f}) {
+    gl.PointSize(size);
+    gl.Begin(GL_POINTS);
+    for (int i = 0; i < 30; ++i) {
+      gl.Color3f(1, float(i) / 30, size / 9);
+      gl.Vertex3f(float(i) / 15 - 1, size / 9 - 0.8f, float(i % 7) / 7 - 0.5f);
+    }
+    gl.End();
+  }
+}
+
 /// Takes every fast path once at least.
 void draw_everything(Stage& s) {
   const Gl& gl = s.gl;
@@ -171,6 +184,7 @@ void draw_everything(Stage& s) {
   draw_cube_map(gl);
   draw_shadow(gl);
   draw_opaque(gl);
+  draw_points(gl);
   gl.Finish();
   std::vector<GLubyte> pixels(size_t(s.width) * size_t(s.height) * 4);
   gl.ReadPixels(0, 0, s.width, s.height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
