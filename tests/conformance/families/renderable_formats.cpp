@@ -221,26 +221,30 @@ struct ReadFormat {
 void show_pixels(Stage& s, const Target& t, bool had_sign = false) {
   const Gl& gl = s.gl;
   Random& r = s.random;
-  const auto f = r.pick<ReadFormat>({{GL_RGBA, GL_FLOAT, 16},
-                                     {GL_RGBA, GL_UNSIGNED_BYTE, 4},
-                                     {GL_BGRA, GL_UNSIGNED_BYTE, 4},
-                                     {GL_RGBA, GL_BYTE, 4},
-                                     {GL_RGBA, GL_UNSIGNED_SHORT, 8},
-                                     {GL_RGBA, GL_SHORT, 8},
-                                     {GL_RGBA, GL_HALF_FLOAT, 8},
-                                     {GL_LUMINANCE, GL_UNSIGNED_BYTE, 1},
-                                     {GL_RGB, GL_FLOAT, 12},
-                                     {GL_ALPHA, GL_FLOAT, 4},
-                                     {GL_RED, GL_FLOAT, 4},
-                                     {GL_LUMINANCE, GL_FLOAT, 4},
-                                     {GL_LUMINANCE_ALPHA, GL_UNSIGNED_SHORT, 4}});
+  const bool has_sign = had_sign || t.format.has_sign;
+  auto f = r.pick<ReadFormat>({{GL_RGBA, GL_FLOAT, 16},
+                               {GL_RGBA, GL_UNSIGNED_BYTE, 4},
+                               {GL_BGRA, GL_UNSIGNED_BYTE, 4},
+                               {GL_RGBA, GL_BYTE, 4},
+                               {GL_RGBA, GL_UNSIGNED_SHORT, 8},
+                               {GL_RGBA, GL_SHORT, 8},
+                               {GL_RGBA, GL_HALF_FLOAT, 8},
+                               {GL_LUMINANCE, GL_UNSIGNED_BYTE, 1},
+                               {GL_RGB, GL_FLOAT, 12},
+                               {GL_ALPHA, GL_FLOAT, 4},
+                               {GL_RED, GL_FLOAT, 4},
+                               {GL_LUMINANCE, GL_FLOAT, 4},
+                               {GL_LUMINANCE_ALPHA, GL_UNSIGNED_SHORT, 4}});
+  // A sum does not show which component lay below -1.
+  if (has_sign && (f.format == GL_LUMINANCE || f.format == GL_LUMINANCE_ALPHA))
+    f = {GL_RED, f.type, f.format == GL_LUMINANCE ? f.bytes : 2};
   const int n = std::min(t.size, 24);
   std::vector<uint8_t> pixels(size_t(n) * size_t(n) * 16);
   gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   const int y = r.integer(0, t.size - n), x = r.integer(0, t.size - n);
   gl.ReadPixels(x, y, n, n, f.format, f.type, pixels.data());
-  if (had_sign || t.format.has_sign) clamp_at_minus_one(pixels, f.type);
+  if (has_sign) clamp_at_minus_one(pixels, f.type);
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
   const int to_y = r.integer(0, std::max(0, s.height - n)), to_x = r.integer(0, std::max(0, s.width - n));
   gl.WindowPos2i(to_x, to_y);
