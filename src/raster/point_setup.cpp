@@ -104,11 +104,11 @@ bool place_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, Poi
 bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, bool back,
                  RasterPrimitive& out) {
   PointPlace place;
-  return place_point(draw, corner, place) && setup_point(draw, corner, place, back, out);
+  return place_point(draw, corner, place) && setup_placed_point(draw, corner, place, back, out);
 }
 
-bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, const PointPlace& place,
-                 bool back, RasterPrimitive& out) {
+bool setup_placed_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, const PointPlace& place,
+                        bool back, RasterPrimitive& out) {
   const RasterConstants& r = *draw.raster;
   if (!setup_box(draw, corner, place.box, out)) return false;
   const float* v = corner->v;

@@ -21,8 +21,9 @@ bool place_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, Poi
 
 /// False: the point covers nothing.
 bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, bool back, RasterPrimitive& out);
-bool setup_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, const PointPlace& place,
-                 bool back, RasterPrimitive& out);
+/// The same of a point that place_point() has placed.
+bool setup_placed_point(const RasterDraw& draw, const ShadedVertices::Slot* corner, const PointPlace& place,
+                        bool back, RasterPrimitive& out);
 
 /// A box of pixels whose fragments all have the values of one vertex, but for `back`. False: it is empty.
 bool setup_box(const RasterDraw& draw, const ShadedVertices::Slot* corner, const WindowBox& box,

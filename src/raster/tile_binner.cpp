@@ -285,7 +285,7 @@ void TileBinner::append_point(const WindowBox& box, uint32_t depth, uint32_t col
         f = lists_.append_fragments(static_cast<uint32_t>((y >> 6) * tiles_x_ + (x >> 6)), draw_,
                                     static_cast<uint32_t>(end - x), left);
       }
-      *f.pixel++ = static_cast<uint16_t>((y & 56) << 6 | (x & 56) << 3 | (y & 7) << 3 | (x & 7));
+      *f.pixel++ = static_cast<uint16_t>(pixel_in_tile(x & 63, y & 63));
       *f.depth++ = depth;
       *f.color++ = color;
       --left;
@@ -305,7 +305,7 @@ void TileBinner::finished_points(const AssembledPoints& batch) {
       continue;
     }
     RasterPrimitive* p = new_primitive();
-    if (setup_point(*draw_, batch.corner[i], place, batch.back >> i & 1, *p)) bin(*p);
+    if (setup_placed_point(*draw_, batch.corner[i], place, batch.back >> i & 1, *p)) bin(*p);
   }
 }
 
@@ -316,12 +316,10 @@ void TileBinner::points(const DrawRecord&, const AssembledPoints& batch) {
   for (int32_t i = 0; i < batch.count; ++i) {
     const bool back = batch.back >> i & 1;
     draw_ = back && front->back_face ? front->back_face : front;
-    const bool smooth = draw_->smooth_point;
-    if (smooth) draw_ = draw_->smooth_point;
+    const auto setup = draw_->smooth_point ? setup_smooth_point : setup_point;
+    if (draw_->smooth_point) draw_ = draw_->smooth_point;
     RasterPrimitive* p = new_primitive();
-    const auto* corner = batch.corner[i];
-    if (smooth ? setup_smooth_point(*draw_, corner, back, *p) : setup_point(*draw_, corner, back, *p))
-      bin(*p);
+    if (setup(*draw_, batch.corner[i], back, *p)) bin(*p);
   }
   draw_ = front;
 }

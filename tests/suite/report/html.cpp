@@ -3,26 +3,13 @@
 #include <map>
 
 #include "expect/machine.h"
+#include "report/markup.h"
 #include "report/pictures.h"
 #include "report/report.h"
 #include "run/paths.h"
 
 namespace softgl::suite {
 namespace {
-
-std::string html(const std::string& text) {
-  std::string out;
-  for (char c : text) {
-    switch (c) {
-    case '&': out += "&amp;"; break;
-    case '<': out += "&lt;"; break;
-    case '>': out += "&gt;"; break;
-    case '"': out += "&quot;"; break;
-    default: out += c;
-    }
-  }
-  return out;
-}
 
 std::string image(const std::vector<uint8_t>& color, const char* title) {
   if (color.empty()) return "";
@@ -53,13 +40,13 @@ const char kStyle[] =
     ".fail{color:#b00020}.pass{color:#1b7a2f}section{border-top:2px solid #ccc;margin-top:2em}</style>";
 
 std::string failure(const TestResult& t, const std::map<std::string, std::string>& programs) {
-  std::string text = "<section id=\"" + html(t.test->name) + "\"><h3 class=fail>" + html(t.test->name) +
-                     "</h3><p><b>OpenGL 1.5, " + html(t.test->section) + ".</b> " + html(t.test->sentence) +
-                     "</p>";
-  if (!t.test->open.empty()) text += "<p>Left open: " + html(t.test->open) + "</p>";
+  std::string text = "<section id=\"" + escaped(t.test->name) + "\"><h3 class=fail>" + escaped(t.test->name) +
+                     "</h3><p><b>OpenGL 1.5, " + escaped(t.test->section) + ".</b> " +
+                     escaped(t.test->sentence) + "</p>";
+  if (!t.test->open.empty()) text += "<p>Left open: " + escaped(t.test->open) + "</p>";
   std::string same;
   for (const LevelResult& l : t.levels)
-    if (!l.pass) same += "<li>" + html(l.level) + ": " + html(l.text) + "</li>";
+    if (!l.pass) same += "<li>" + escaped(l.level) + ": " + escaped(l.text) + "</li>";
   text += "<ul>" + same + "</ul>";
   for (const LevelResult& l : t.levels)
     if (!l.pass && !l.color.empty()) {
@@ -71,8 +58,8 @@ std::string failure(const TestResult& t, const std::map<std::string, std::string
     }
   const auto program = programs.find(t.test->name);
   if (program != programs.end())
-    text +=
-        "<details><summary>Program that shows it</summary><pre>" + html(program->second) + "</pre></details>";
+    text += "<details><summary>Program that shows it</summary><pre>" + escaped(program->second) +
+            "</pre></details>";
   return text + "</section>";
 }
 
@@ -81,9 +68,9 @@ std::string failure(const TestResult& t, const std::map<std::string, std::string
 std::string to_html(const RunResult& result, const std::map<std::string, std::string>& programs) {
   std::string page =
       "<!doctype html><meta charset=utf-8><title>softgl-conformance</title>" + std::string(kStyle) +
-      "<h1>Conformance of " + html(result.facts.renderer) + "</h1><table><tr><td>GL<td>" +
-      html(result.subject) + "<tr><td>Vendor<td>" + html(result.facts.vendor) + "<tr><td>Version<td>" +
-      html(result.facts.version) + "<tr><td>Tests<td>" + std::to_string(result.count(Outcome::Pass)) +
+      "<h1>Conformance of " + escaped(result.facts.renderer) + "</h1><table><tr><td>GL<td>" +
+      escaped(result.subject) + "<tr><td>Vendor<td>" + escaped(result.facts.vendor) + "<tr><td>Version<td>" +
+      escaped(result.facts.version) + "<tr><td>Tests<td>" + std::to_string(result.count(Outcome::Pass)) +
       " pass, " + std::to_string(result.count(Outcome::Fail)) + " fail, " +
       std::to_string(result.count(Outcome::NotSupported)) +
       " not supported<tr><td>Byte for byte as OSMesa 22.3.6<td>" + std::to_string(count_exact(result)) +
@@ -97,7 +84,7 @@ std::string to_html(const RunResult& result, const std::map<std::string, std::st
     counts[int(t.outcome)][chapter]++;
   }
   for (const std::string& chapter : chapters) {
-    page += "<tr><td>" + html(chapter);
+    page += "<tr><td>" + escaped(chapter);
     for (auto& count : counts) page += "<td>" + std::to_string(count[chapter]);
   }
   page += "</table>";
@@ -108,8 +95,8 @@ std::string to_html(const RunResult& result, const std::map<std::string, std::st
   for (const TestResult& t : result.tests) {
     const char* const exact_words[] = {"<td>", "<td>same bytes", "<td>other bytes"};
     const char* const words[] = {"<td class=pass>pass", "<td class=fail>fail", "<td>not supported"};
-    page += "<tr><td>" + html(t.test->name) + "<td>" + html(t.test->section) + "<td>" +
-            html(t.test->sentence) + words[int(t.outcome)] + exact_words[int(t.exact)];
+    page += "<tr><td>" + escaped(t.test->name) + "<td>" + escaped(t.test->section) + "<td>" +
+            escaped(t.test->sentence) + words[int(t.outcome)] + exact_words[int(t.exact)];
   }
   page += "</table><h2>Path levels</h2><p>Each test is drawn again under state that must not matter.</p><ul>";
   for (const PathLevel& level : path_levels())

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "report/c_program.h"
+#include "report/markup.h"
 #include "report/pictures.h"
 #include "run/paths.h"
 
@@ -15,20 +16,6 @@ namespace {
 void write_file(const std::string& path, const std::string& text) {
   std::ofstream file(path, std::ios::binary);
   if (!(file << text) || !file.flush()) throw std::runtime_error("cannot write " + path);
-}
-
-std::string xml(const std::string& text) {
-  std::string out;
-  for (char c : text) {
-    switch (c) {
-    case '&': out += "&amp;"; break;
-    case '<': out += "&lt;"; break;
-    case '>': out += "&gt;"; break;
-    case '"': out += "&quot;"; break;
-    default: out += static_cast<unsigned char>(c) < 32 && c != '\n' ? ' ' : c;
-    }
-  }
-  return out;
 }
 
 } // namespace
@@ -72,11 +59,11 @@ std::string to_junit(const RunResult& result) {
       std::to_string(result.tests.size()) + "\" failures=\"" + std::to_string(result.count(Outcome::Fail)) +
       "\" skipped=\"" + std::to_string(result.count(Outcome::NotSupported)) + "\">\n";
   for (const TestResult& t : result.tests) {
-    text += "  <testcase classname=\"" + suite_of(*t.test) + "\" name=\"" + xml(t.test->name) + "\">";
+    text += "  <testcase classname=\"" + suite_of(*t.test) + "\" name=\"" + escaped(t.test->name) + "\">";
     if (t.outcome == Outcome::Fail)
-      text += "<failure message=\"" + xml(t.text) + "\">" + xml(t.test->section + ": " + t.test->sentence) +
-              "</failure>";
-    if (t.outcome == Outcome::NotSupported) text += "<skipped message=\"" + xml(t.text) + "\"/>";
+      text += "<failure message=\"" + escaped(t.text) + "\">" +
+              escaped(t.test->section + ": " + t.test->sentence) + "</failure>";
+    if (t.outcome == Outcome::NotSupported) text += "<skipped message=\"" + escaped(t.text) + "\"/>";
     text += "</testcase>\n";
   }
   return text + "</testsuite>\n";
