@@ -1,12 +1,18 @@
 // A program of libFuzzer for what reads files of unknown origin: models (OBJ, PLY, STL, compressed or not),
-// material libraries, pictures, cameras. SOFTGL_FUZZ_READER names one of the functions below.
+// material libraries, pictures, cameras; and the command line with its file. SOFTGL_FUZZ_READER names one of
+// the functions below. Options print: -close_fd_mask=3 silences them.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
+#include <string_view>
+#include <sys/mman.h>
+#include <unistd.h>
+#include <vector>
 
 #include "command/camera_file.h"
 #include "command/model_loader.h"
+#include "command/options.h"
 #include "common/compressed_text.h"
 #include "common/program_error.h"
 #include "image/picture_decoder.h"
@@ -63,6 +69,37 @@ void require(bool good) {
     for (const double value : place.eye) require(std::fabs(value) <= 1e30);
     require(place.field_of_view >= 0 && place.field_of_view < 180 && place.height >= 0);
   } catch (const ProgramError& error) { require(error.code == kCannotRead); }
+}
+
+// Each line is a word of the command line; what follows an empty line is the file of options.
+[[maybe_unused]] void read_options(const SourceText& text) {
+  static const int file = memfd_create("options", 0);
+  static const std::string path = "/proc/self/fd/" + std::to_string(file);
+  std::string_view rest(text.begin(), text.size());
+  std::vector<std::string> words = {"softgl"};
+  while (!rest.empty()) {
+    const size_t end = std::min(rest.find('\n'), rest.size());
+    const std::string_view word = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    if (word.empty()) break;
+    words.emplace_back(word.substr(0, word.find('\0')));
+  }
+  if (!rest.empty()) {
+    require(ftruncate(file, 0) == 0 && pwrite(file, rest.data(), rest.size(), 0) == ssize_t(rest.size()));
+    words.insert(words.end(), {"--config", path});
+  }
+  std::vector<const char*> pointers;
+  for (const std::string& word : words) pointers.push_back(word.c_str());
+  pointers.push_back(nullptr);
+  try {
+    const ParsedOptions parsed = parse_options(int(words.size()), pointers.data());
+    require(parsed.options || (parsed.exit_code >= 0 && parsed.exit_code < 128));
+    if (parsed.options && parsed.options->command == ProgramOptions::kRender)
+      require(!parsed.options->views.empty());
+  } catch (const ProgramError& error) {
+    require(error.code == kUsageError || error.code == kCannotRead);
+    require(*error.what() != 0);
+  }
 }
 
 } // namespace

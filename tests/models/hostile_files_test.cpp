@@ -173,6 +173,8 @@ TEST_CASE("hostile files: small pictures that claim to be large", "[models][host
   const std::string tga("\0\0\x0a\0\0\0\0\0\0\0\0\0\0\x07\0\x07\x18\0", 18); // 1792x1792, packed
   CHECK(problem_of(tga, 0) == refused);
   CHECK(problem_of(tga, 1 << 17).empty());
+  for (const char first : {'\xff', '\x89'}) // bytes that begin other kinds of pictures
+    CHECK(problem_of(std::string(1, first) + tga.substr(1), 0) == refused);
 }
 
 TEST_CASE("hostile files: one picture, named again and again", "[models][hostile]") {

@@ -1,10 +1,14 @@
 // Each kind of picture file decodes to the same eight pixels, or says that this program cannot read it.
 #include <catch2/catch.hpp>
 
+#include "common/program_error.h"
 #include "image/picture_decoder.h"
+#include "image/picture_reader.h"
+#include "models/program_runner.h"
 
 #include <array>
 #include <cstdlib>
+#include <fstream>
 #include <string>
 
 using namespace softgl;
@@ -139,10 +143,14 @@ void check(std::string_view hex, int scale, int tolerance) {
 
 TEST_CASE("picture formats: PNG and JPEG", "[models][pictures]") {
   check(kPalettePng, 1, 0);
-  check(kJpeg, 8, 3);
 #ifdef SOFTGL_HAVE_JPEG
+  check(kJpeg, 8, 3);
   check(kProgressiveJpeg, 8, 3);
   check(kCmykJpeg, 8, 8);
+#else
+  std::string problem;
+  decoded(kJpeg, problem);
+  CHECK(problem == "is of kind JPEG, which this program cannot read");
 #endif
 }
 
@@ -166,6 +174,23 @@ TEST_CASE("picture formats: those of optional libraries", "[models][pictures]") 
   decoded(kWebp, problem);
   CHECK(problem == "is of kind WebP, which this program cannot read");
 #endif
+}
+
+TEST_CASE("picture formats: no JPEG reaches stb_image, which writes behind its table of codes",
+          "[models][pictures]") {
+  // Behind 18 bytes of 0xff a start of a JPEG whose 16 counts of codes add up to more than 256.
+  std::string file(17, char(0xff));
+  file += std::string("\xff\xd8\xff\xff\xc4\x08\0\0\0\x3c", 10) + std::string(16, char(0xff));
+  for (const std::string& bytes : {file, file.substr(17)}) {
+    cli::DecodedPicture picture;
+    CHECK(!cli::decode_picture(cli::SourceText::from_string(bytes, "picture"), picture).empty());
+    const std::string path = test::output_folder("picture_formats") + "codes.jpg";
+    std::ofstream(path, std::ios::binary) << bytes;
+    try {
+      cli::read_picture(path);
+      CHECK(false);
+    } catch (const cli::ProgramError& error) { CHECK(error.code == cli::kCannotRead); }
+  }
 }
 
 TEST_CASE("picture formats: every cut of a file is refused or read, and never more than that",

@@ -18,7 +18,7 @@ constexpr Decoder kPng = decode_with_stb;
 #ifdef SOFTGL_HAVE_JPEG
 constexpr Decoder kJpeg = decode_jpeg;
 #else
-constexpr Decoder kJpeg = decode_with_stb;
+constexpr Decoder kJpeg = nullptr;
 #endif
 #ifdef SOFTGL_HAVE_GIF
 constexpr Decoder kGif = decode_gif;

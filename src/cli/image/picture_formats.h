@@ -8,7 +8,7 @@
 namespace softgl::cli {
 
 // Each as decode_picture(), for bytes of its kind.
-std::string decode_with_stb(const SourceText& bytes, DecodedPicture& picture); // PNG, JPEG, BMP, TGA
+std::string decode_with_stb(const SourceText& bytes, DecodedPicture& picture); // PNG, BMP, TGA
 std::string decode_png(const SourceText& bytes, DecodedPicture& picture);
 std::string decode_jpeg(const SourceText& bytes, DecodedPicture& picture);
 std::string decode_gif(const SourceText& bytes, DecodedPicture& picture);

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <memory>
+#include <string_view>
 
 #include "common/program_error.h"
 #include "common/source_text.h"
 #include "image/netpbm_reader.h"
+#include "image/picture_decoder.h"
 
 #include "image/stb_image_functions.h"
 
@@ -25,6 +27,19 @@ template <class Sample> void take(const Sample* samples, float divisor, PictureS
   for (size_t i = 3; i < count && !picture.alpha; i += 4) picture.alpha = out[i] < 255;
 }
 
+PictureSamples read_jpeg(const std::string& path, const SourceText& bytes) {
+  DecodedPicture decoded;
+  const std::string problem = decode_picture(bytes, decoded);
+  if (!problem.empty()) throw ProgramError(kCannotRead, path + ": the picture " + problem);
+  if (decoded.width != decoded.file_width || decoded.height != decoded.file_height)
+    throw ProgramError(kCannotRead, path + ": the picture has too many pixels");
+  PictureSamples picture;
+  picture.width = decoded.width;
+  picture.height = decoded.height;
+  take(decoded.rgba.data(), 1, picture);
+  return picture;
+}
+
 } // namespace
 
 PictureSamples read_picture(const std::string& path) {
@@ -33,6 +48,8 @@ PictureSamples read_picture(const std::string& path) {
   const int size = int(std::min<size_t>(bytes.size(), 0x7fffffff));
   PictureSamples picture;
   if (read_netpbm({bytes.begin(), bytes.size()}, picture)) return picture;
+  if (std::string_view(bytes.begin(), bytes.size()).starts_with("\xff\xd8\xff"))
+    return read_jpeg(path, bytes);
   int channels = 0;
   if (!stbi_info_from_memory(data, size, &picture.width, &picture.height, &channels))
     throw ProgramError(kCannotRead,

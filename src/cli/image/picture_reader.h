@@ -13,8 +13,8 @@ struct PictureSamples {
   GrowingArray<float> values; // RGBA rows from the top, 255 is full; files of more than 8 bits give fractions
 };
 
-// PNG, JPEG, BMP, TGA, PPM, PGM and PFM, of 8 or 16 bits a channel or of floats. Throws ProgramError
-// (kCannotRead).
+// PNG, JPEG (if the build has its library), BMP, TGA, PPM, PGM and PFM, of 8 or 16 bits a channel or of
+// floats. Throws ProgramError (kCannotRead).
 PictureSamples read_picture(const std::string& path);
 
 // Whether the file name's end is that of a format that read_picture() knows.

@@ -1,5 +1,6 @@
 #include <cstdlib>
 #include <new>
+#include <string_view>
 
 #include "image/picture_formats.h"
 
@@ -35,8 +36,8 @@ std::string decode_with_stb(const SourceText& bytes, DecodedPicture& picture) {
   const int64_t texels = int64_t(picture.width) * picture.height;
   if (texels > kMostTexels) return kTooManyTexels; // it reads all at once
   // TGA packs 128 texels into two bytes at best, and what is cut off would be read as zeros.
-  const bool other = data[0] == 0x89 || data[0] == 0xff; // PNG, JPEG
-  if (!other && texels > kMostTgaTexelsPerByte * size) return kTooManyTexels;
+  const bool png = std::string_view(bytes.begin(), bytes.size()).starts_with("\x89PNG");
+  if (!png && texels > kMostTgaTexelsPerByte * size) return kTooManyTexels;
   stbi_uc* pixels = stbi_load_from_memory(data, size, &picture.width, &picture.height, &channels, 4);
   if (out_of_memory) {
     stbi_image_free(pixels);

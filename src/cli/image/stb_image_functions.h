@@ -1,5 +1,6 @@
 // stb_image with the kinds of pictures that it reads here, its functions of the including file alone: files
-// choose their own STBI_MALLOC before.
+// choose their own STBI_MALLOC before. Not JPEG: its decoder of 2022 writes behind a table where a file says
+// so (CVE-2022-28042 and the like); libjpeg reads those.
 #pragma once
 
 #pragma GCC diagnostic push
@@ -8,7 +9,6 @@
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_ONLY_PNG
-#define STBI_ONLY_JPEG
 #define STBI_ONLY_BMP
 #define STBI_ONLY_TGA
 #define STBI_NO_STDIO
