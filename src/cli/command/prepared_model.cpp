@@ -111,6 +111,7 @@ PreparedModel prepare_model(const std::string& path, const ProgramOptions& optio
   notes.add(text.name(), std::string("up is ") + name_of(prepared.up));
   add_edges(options.render.lines, loaded.edges, prepared);
   if (options.render.srgb) decode_colors(prepared.mesh, loaded.library.materials());
+  prepared.frame.positions.release(); // the mesh has its own
   prepared.report = std::move(loaded.report);
   prepared.files = loaded.library.files();
   prepared.files.push_back(path);

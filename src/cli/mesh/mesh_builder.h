@@ -37,8 +37,9 @@ struct MeshOptions {
   bool with_texcoords = true;
 };
 
-// `library` resolves usemtl; unknown names become material 0 with a remark.
-Mesh build_mesh(const ObjModel& model, const ModelFrame& frame, const MaterialLibrary& library,
+// `library` resolves usemtl; unknown names become material 0 with a remark. The corners of the model's faces
+// are freed as they are used.
+Mesh build_mesh(ObjModel& model, const ModelFrame& frame, const MaterialLibrary& library,
                 const MeshOptions& options, RemarkList& remarks);
 
 } // namespace softgl::cli

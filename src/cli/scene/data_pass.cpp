@@ -106,23 +106,20 @@ private:
 
   void draw_triangles() {
     if (mesh_.triangles.empty()) return;
-    uploaded_.bind_vertices();
+    uploaded_.use_vertices();
     glDisableClientState(GL_NORMAL_ARRAY);
-    uploaded_.bind_triangles();
     const float* numbers = vertex_numbers();
     for (const Batch& batch : mesh_.triangle_batches) {
       uploaded_.use_texture(batch.material);
       glDisableClientState(GL_COLOR_ARRAY);
       glColor4f(number_of(batch), 0, 0, 1);
       if (numbers) {
-        glBindBuffer(GL_ARRAY_BUFFER, 0);
         glColorPointer(3, GL_FLOAT, 0, numbers);
         glEnableClientState(GL_COLOR_ARRAY);
       }
       glDrawElements(GL_TRIANGLES, GLsizei(batch.count), GL_UNSIGNED_INT,
-                     reinterpret_cast<const void*>(batch.first * sizeof(uint32_t)));
+                     mesh_.triangles.data() + batch.first);
     }
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
   }
 
   float number_of(const Batch& batch) const { return pass_ == Pass::kId ? float(batch.material + 1) : 0; }
@@ -130,7 +127,6 @@ private:
   void draw_elements(GLenum mode, const GrowingArray<float>& positions,
                      const std::vector<Batch>& batches) const {
     if (positions.empty()) return;
-    glBindBuffer(GL_ARRAY_BUFFER, 0);
     glDisable(GL_TEXTURE_2D);
     for (const GLenum array : {GL_NORMAL_ARRAY, GL_TEXTURE_COORD_ARRAY, GL_COLOR_ARRAY})
       glDisableClientState(array);

@@ -60,8 +60,7 @@ void draw_ground_shadow(const Mesh& mesh, const UploadedMesh& uploaded, const Ca
   if (camera.eye[0] * axes.up[0] + camera.eye[1] * axes.up[1] + camera.eye[2] * axes.up[2] <= 0) return;
 
   glPushAttrib(GL_ALL_ATTRIB_BITS);
-  uploaded.bind_vertices();
-  uploaded.bind_triangles();
+  uploaded.use_vertices();
   for (const GLenum array : {GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY})
     glDisableClientState(array);
   glDisable(GL_LIGHTING);
@@ -94,7 +93,7 @@ void draw_ground_shadow(const Mesh& mesh, const UploadedMesh& uploaded, const Ca
     glMultMatrixd(camera.view);
     project(axes, ground, slope * cosine(angle), slope * sine(angle));
     glMultMatrixd(back_to_model);
-    glDrawElements(GL_TRIANGLES, GLsizei(mesh.triangles.size()), GL_UNSIGNED_INT, nullptr);
+    glDrawElements(GL_TRIANGLES, GLsizei(mesh.triangles.size()), GL_UNSIGNED_INT, mesh.triangles.data());
   }
   glLoadMatrixd(camera.projection);
   glMatrixMode(GL_MODELVIEW);

@@ -15,17 +15,16 @@ void disable_light() {
 
 void draw_depth_only(const Mesh& mesh, const UploadedMesh& uploaded) {
   if (mesh.triangles.empty()) return;
-  uploaded.bind_vertices();
-  uploaded.bind_triangles();
+  uploaded.use_vertices();
   disable_light();
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  glDrawElements(GL_TRIANGLES, GLsizei(mesh.triangles.size()), GL_UNSIGNED_INT, nullptr);
+  glDrawElements(GL_TRIANGLES, GLsizei(mesh.triangles.size()), GL_UNSIGNED_INT, mesh.triangles.data());
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 void draw_lines(const Mesh& mesh, const UploadedMesh& uploaded, const LineOptions& options,
                 const std::array<float, 3>& color, float scale) {
-  uploaded.bind_vertices();
+  uploaded.use_vertices();
   disable_light();
   glColor4f(color[0], color[1], color[2], 1);
   if (options.hidden) glDisable(GL_DEPTH_TEST);
@@ -33,7 +32,6 @@ void draw_lines(const Mesh& mesh, const UploadedMesh& uploaded, const LineOption
     glPointSize(options.point_size * scale);
     glDrawArrays(GL_POINTS, 0, GLsizei(mesh.positions.size() / 3));
   } else if (!mesh.edge_positions.empty()) {
-    glBindBuffer(GL_ARRAY_BUFFER, 0);
     glVertexPointer(3, GL_FLOAT, 0, mesh.edge_positions.data());
     glEnableClientState(GL_VERTEX_ARRAY);
     glLineWidth(options.width * scale);

@@ -5,8 +5,7 @@
 namespace softgl::cli {
 
 bool MeshDrawing::draw_opaque() const {
-  uploaded_.bind_vertices();
-  uploaded_.bind_triangles();
+  uploaded_.use_vertices();
   bool all = true;
   for (const Batch& batch : mesh_.triangle_batches) {
     if (uploaded_.blended(batch.material)) {
@@ -14,8 +13,7 @@ bool MeshDrawing::draw_opaque() const {
       continue;
     }
     use_material(batch.material);
-    glDrawElements(GL_TRIANGLES, GLsizei(batch.count), GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(batch.first * sizeof(uint32_t)));
+    glDrawElements(GL_TRIANGLES, GLsizei(batch.count), GL_UNSIGNED_INT, mesh_.triangles.data() + batch.first);
   }
   return all;
 }
@@ -42,7 +40,6 @@ void MeshDrawing::draw_segments_and_points() const {
 void MeshDrawing::draw_elements(GLenum mode, const GrowingArray<float>& positions,
                                 const GrowingArray<float>& colors, const std::vector<Batch>& batches) const {
   if (positions.empty()) return;
-  glBindBuffer(GL_ARRAY_BUFFER, 0);
   glDisable(GL_LIGHTING);
   glDisable(GL_TEXTURE_2D);
   glDisableClientState(GL_NORMAL_ARRAY);
@@ -88,8 +85,7 @@ std::vector<MeshDrawing::BlendedTriangle> MeshDrawing::sort_blended() const {
 
 void MeshDrawing::draw_blended() const {
   const std::vector<BlendedTriangle> sorted = sort_blended();
-  uploaded_.bind_vertices();
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+  uploaded_.use_vertices();
   glEnable(GL_BLEND);
   glEnable(GL_ALPHA_TEST);
   GrowingArray<uint32_t> run;
@@ -110,10 +106,9 @@ void MeshDrawing::draw_blended() const {
 }
 
 void MeshDrawing::draw_silhouette() const {
-  uploaded_.bind_vertices();
-  uploaded_.bind_triangles();
+  uploaded_.use_vertices();
   set_plain_state();
-  glDrawElements(GL_TRIANGLES, GLsizei(mesh_.triangles.size()), GL_UNSIGNED_INT, nullptr);
+  glDrawElements(GL_TRIANGLES, GLsizei(mesh_.triangles.size()), GL_UNSIGNED_INT, mesh_.triangles.data());
 }
 
 void MeshDrawing::set_plain_state() const {
@@ -133,8 +128,7 @@ void MeshDrawing::draw_bare_edges() const {
       edges.append(mesh_.triangles[i + k]);
       edges.append(mesh_.triangles[i + (k + 1) % 3]);
     }
-  uploaded_.bind_vertices();
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+  uploaded_.use_vertices();
   set_plain_state();
   set_sizes();
   glDrawElements(GL_LINES, GLsizei(edges.size()), GL_UNSIGNED_INT, edges.data());

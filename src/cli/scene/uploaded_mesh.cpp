@@ -32,29 +32,6 @@ UploadedMesh::UploadedMesh(const Mesh& mesh, const std::vector<Material>& materi
                            Warnings& warnings)
     : mesh_(mesh), materials_(materials), linear_(linear), prepared_(materials.size()) {
   for (const Batch& batch : mesh_.triangle_batches) prepare_material(batch.material, warnings);
-  if (!mesh_.triangles.empty()) upload_vertices();
-}
-
-// One buffer: positions, normals, texture coordinates, colors one after the other.
-void UploadedMesh::upload_vertices() {
-  const auto bytes = [](const GrowingArray<float>& part) { return part.size() * sizeof(float); };
-  const GrowingArray<float>* parts[] = {&mesh_.positions, &mesh_.normals, &mesh_.texcoords, &mesh_.colors};
-  size_t total = 0;
-  for (const auto* part : parts) total += bytes(*part);
-  glGenBuffers(1, &vertex_buffer_);
-  glBindBuffer(GL_ARRAY_BUFFER, vertex_buffer_);
-  glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(total), nullptr, GL_STATIC_DRAW);
-  size_t offset = 0;
-  for (size_t i = 0; i < 4; ++i) {
-    offsets_[i] = offset;
-    if (bytes(*parts[i]))
-      glBufferSubData(GL_ARRAY_BUFFER, GLintptr(offset), GLsizeiptr(bytes(*parts[i])), parts[i]->data());
-    offset += bytes(*parts[i]);
-  }
-  glGenBuffers(1, &index_buffer_);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer_);
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(mesh_.triangles.size() * sizeof(uint32_t)),
-               mesh_.triangles.data(), GL_STATIC_DRAW);
 }
 
 void UploadedMesh::prepare_material(uint32_t number, Warnings& warnings) {
@@ -85,15 +62,13 @@ UploadedMesh::Uploaded UploadedMesh::upload_texture(const Material& material, bo
   return {make_texture(image, clamp, linear_), image.channels != 3};
 }
 
-void UploadedMesh::bind_vertices() const {
-  const auto at = [this](size_t part) { return reinterpret_cast<const void*>(offsets_[part]); };
-  glBindBuffer(GL_ARRAY_BUFFER, vertex_buffer_);
-  glVertexPointer(3, GL_FLOAT, 0, at(0));
+void UploadedMesh::use_vertices() const {
+  glVertexPointer(3, GL_FLOAT, 0, mesh_.positions.data());
   glEnableClientState(GL_VERTEX_ARRAY);
-  glNormalPointer(GL_FLOAT, 0, at(1));
+  glNormalPointer(GL_FLOAT, 0, mesh_.normals.data());
   glEnableClientState(GL_NORMAL_ARRAY);
-  if (!mesh_.texcoords.empty()) glTexCoordPointer(2, GL_FLOAT, 0, at(2));
-  if (!mesh_.colors.empty()) glColorPointer(4, GL_FLOAT, 0, at(3));
+  if (!mesh_.texcoords.empty()) glTexCoordPointer(2, GL_FLOAT, 0, mesh_.texcoords.data());
+  if (!mesh_.colors.empty()) glColorPointer(4, GL_FLOAT, 0, mesh_.colors.data());
 }
 
 void UploadedMesh::use_material(uint32_t number) const {
