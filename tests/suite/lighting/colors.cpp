@@ -1,4 +1,5 @@
 // glColorMaterial (2.14.3), and what becomes of the colors of lighting (2.14.6 to 2.14.9, 3.8 to 3.10).
+#include "lighting/chapter.h"
 #include "lighting/scenes.h"
 
 namespace softgl::suite {

@@ -1,4 +1,5 @@
 // Attenuation, spotlights, positions and the number of lights (2.14.1, 2.14.2).
+#include "lighting/chapter.h"
 #include "lighting/scenes.h"
 
 namespace softgl::suite {

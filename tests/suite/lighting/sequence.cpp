@@ -2,6 +2,7 @@
 // order of calls.
 #include <cmath>
 
+#include "lighting/chapter.h"
 #include "lighting/scenes.h"
 
 namespace softgl::suite {

@@ -1,4 +1,5 @@
 // Normals (2.11.3), faces, and materials (2.14.1, 2.14.2).
+#include "lighting/chapter.h"
 #include "lighting/scenes.h"
 
 namespace softgl::suite {

@@ -1,4 +1,5 @@
 // Each term of the equation alone, and their sum (2.14.1).
+#include "lighting/chapter.h"
 #include "lighting/scenes.h"
 
 namespace softgl::suite {

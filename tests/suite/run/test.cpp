@@ -1,17 +1,29 @@
 #include "run/test.h"
 
 #include "gl/subject.h"
+#include "lighting/chapter.h"
 
 namespace softgl::suite {
+
+const std::vector<Chapter>& chapters() {
+  static const std::vector<Chapter> chapters = {
+      {"lighting", lighting_tests},
+  };
+  return chapters;
+}
+
+std::vector<Test> joined(std::initializer_list<std::vector<Test> (*)()> files) {
+  std::vector<Test> all;
+  for (const auto file : files)
+    for (Test& test : file()) all.push_back(std::move(test));
+  return all;
+}
 
 const std::vector<Test>& all_tests() {
   static const std::vector<Test> tests = [] {
     std::vector<Test> all;
-    for (const auto& chapter :
-         {lighting_term_tests, lighting_attenuation_tests, lighting_spot_tests, lighting_position_tests,
-          lighting_count_tests, lighting_normal_tests, lighting_face_tests, lighting_material_tests,
-          lighting_color_material_tests, lighting_result_tests, lighting_flat_tests, lighting_sequence_tests})
-      for (Test& test : chapter()) all.push_back(std::move(test));
+    for (const Chapter& chapter : chapters())
+      for (Test& test : chapter.tests()) all.push_back(std::move(test));
     return all;
   }();
   return tests;

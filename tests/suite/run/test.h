@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -26,27 +27,21 @@ struct Test {
   Need need;
 };
 
+/// A part of the specification: a folder of tests, whose names begin with the chapter's.
+struct Chapter {
+  const char* name; // "lighting", as --suite takes it
+  std::vector<Test> (*tests)();
+};
+const std::vector<Chapter>& chapters();
+/// The rows of a chapter's files.
+std::vector<Test> joined(std::initializer_list<std::vector<Test> (*)()> files);
 /// All tests, in the order of the chapters.
 const std::vector<Test>& all_tests();
-/// The suite of a test: "lighting".
+/// The name of a test's chapter.
 std::string suite_of(const Test& test);
 /// Calls that each test begins with: a cleared window, a projection, and the model five units before the eye.
 Script prologue();
 /// Prologue and body.
 Script whole_script(const Test& test);
-
-// A function for each file of tests; each returns its rows.
-std::vector<Test> lighting_term_tests();
-std::vector<Test> lighting_attenuation_tests();
-std::vector<Test> lighting_spot_tests();
-std::vector<Test> lighting_position_tests();
-std::vector<Test> lighting_count_tests();
-std::vector<Test> lighting_normal_tests();
-std::vector<Test> lighting_face_tests();
-std::vector<Test> lighting_material_tests();
-std::vector<Test> lighting_color_material_tests();
-std::vector<Test> lighting_result_tests();
-std::vector<Test> lighting_flat_tests();
-std::vector<Test> lighting_sequence_tests();
 
 } // namespace softgl::suite

@@ -1,0 +1,65 @@
+// The specification's machine: its state, and a function for each group of calls. Each `play_...` gives false
+// for a call that is not of its group, and throws std::logic_error for an argument that the machine does not
+// know.
+#pragma once
+
+#include <stdexcept>
+
+#include "expect/primitive.h"
+
+namespace softgl::suite {
+
+class Machine {
+public:
+  Machine(Expectation& picture, const Precision& precision);
+  void play(const Call& call);
+
+private:
+  bool play_lists(const Call& call);
+  bool play_attributes(const Call& call);
+  bool play_matrices(const Call& call);
+  bool play_vertices(const Call& call);
+  bool play_lighting(const Call& call);
+  bool play_rasterization(const Call& call);
+  bool play_textures(const Call& call);
+  bool play_pixels(const Call& call);
+  bool play_fragments(const Call& call);
+
+  void enable(GLenum name, bool on);
+  std::vector<Matrix4>& matrices(); // the stack of the matrix mode
+  void light(const Call& call, const std::vector<double>& values);
+  void light_model(GLenum name, const std::vector<double>& values);
+  void material(GLenum face, GLenum name, const std::vector<double>& values);
+  void set_material(int face, GLenum name, const std::vector<double>& values);
+  void track_color();
+  bool tracks(int face, GLenum name) const;
+  void fog(GLenum name, const std::vector<double>& values);
+  void color(double r, double g, double b, double a = 1);
+  LitVertex transform(const Vec4& object) const;
+  ColorBounds lit_color(const spec::Vec3Interval& eye, const spec::Vec3Interval& normal, int face) const;
+  void end();
+  void bitmap(const Call& call);
+  void texture(const Call& call);
+
+  State state_;
+  Rasterizer raster_;
+  bool open_ = false; // between Begin and End
+  GLenum mode_ = 0;
+  std::vector<LitVertex> vertices_;
+  LitVertex raster_position_;
+  GLuint list_ = 0; // that is compiled
+  bool list_executes_ = false;
+};
+
+/// A number each argument from `first` on.
+std::vector<double> numbers_of(const Call& call, size_t first);
+/// Two to four numbers; z is 0 and w is 1 if they are not given.
+Vec4 vec4(const std::vector<double>& v);
+/// A signed integer of `bits` bits as a color or normal (table 2.9).
+double signed_unit(double integer, int bits);
+/// A row of a matrix times a vector, with the accuracy of the subject's own arithmetic.
+Interval row_times(const Matrix4& m, int row, const Vec4& v);
+/// A matrix comes from the subject's own arithmetic: some operations of 2.1.1's accuracy.
+constexpr double kMatrixAccuracy = 4 * spec::kAccuracy;
+
+} // namespace softgl::suite

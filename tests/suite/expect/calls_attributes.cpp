@@ -1,0 +1,43 @@
+// What is switched on and off, and the stack of attributes (6.1.14).
+#include "expect/calls.h"
+
+namespace softgl::suite {
+
+void Machine::enable(GLenum name, bool on) {
+  State& s = state_;
+  if (name >= GL_LIGHT0 && name <= GL_LIGHT7) {
+    s.lighting.enabled[name - GL_LIGHT0] = on;
+    return;
+  }
+  switch (name) {
+  case GL_LIGHTING: s.lighting.lighting = on; break;
+  case GL_COLOR_MATERIAL: s.lighting.color_material = on, track_color(); break;
+  case GL_NORMALIZE: s.transform.normalize = on; break;
+  case GL_RESCALE_NORMAL: s.transform.rescale_normal = on; break;
+  case GL_CULL_FACE: s.polygon.cull = on; break;
+  case GL_DEPTH_TEST: s.depth.test = on; break;
+  case GL_ALPHA_TEST: s.color_buffer.alpha_test = on; break;
+  case GL_BLEND: s.color_buffer.blend = on; break;
+  case GL_FOG: s.fog.on = on; break;
+  case GL_TEXTURE_2D: s.texture.on = on; break;
+  case GL_DITHER: break;
+  default: throw std::logic_error("glEnable of what the machine does not know");
+  }
+}
+
+bool Machine::play_attributes(const Call& call) {
+  switch (call.command) {
+  case Command::Enable: enable(call.e(0), true); return true;
+  case Command::Disable: enable(call.e(0), false); return true;
+  case Command::PushAttrib: state_.saved.push_back({GLbitfield(call.n(0)), state_}); return true;
+  case Command::PopAttrib:
+    if (state_.saved.empty()) throw std::logic_error("glPopAttrib without glPushAttrib");
+    restore(state_, state_.saved.back());
+    state_.saved.pop_back();
+    track_color();
+    return true;
+  default: return false;
+  }
+}
+
+} // namespace softgl::suite
