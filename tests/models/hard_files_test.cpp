@@ -1,5 +1,4 @@
 // Every hard file is read as it should be, and drawn or refused by the program with the right exit code.
-#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "models/hard_files.h"
@@ -12,6 +11,7 @@
 #include "mesh/mesh_builder.h"
 #include "mesh/normal_generator.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
