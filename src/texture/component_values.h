@@ -2,7 +2,6 @@
 // branches where it can be, so that loops over a row become vectors.
 #pragma once
 
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -31,27 +30,37 @@ constexpr uint32_t convert_unorm(uint32_t x, int from, int to) {
   return x;
 }
 
+/// convert_unorm(x, bits, 8) of bits 0 to 8, without a division or a table, so that vectors can do it: the
+/// bits repeated.
+struct Widening {
+  uint32_t times, down;
+  constexpr uint32_t operator()(uint32_t x) const { return (x * times) >> down; }
+};
+constexpr Widening widening(int bits) {
+  constexpr Widening kOfBits[9] = {{0, 0},  {255, 0}, {85, 0},  {73, 1}, {17, 0},
+                                   {33, 2}, {65, 4},  {129, 6}, {1, 0}};
+  return kOfBits[bits];
+}
+/// convert_unorm(x, 8, bits) of bits 0 to 8; 32897 / 2^23 divides numbers below 2^16 by 255.
+struct Narrowing {
+  uint32_t most;
+  constexpr uint32_t operator()(uint32_t x) const { return ((x * most + 127) * 32897) >> 23; }
+};
+constexpr Narrowing narrowing(int bits) { return {(1u << bits) - 1}; }
+
 namespace detail {
 
-/// Bytes in 0 to 8 bits, one table of 256 after the other, and back; table 0 is of zeros.
-constexpr std::array<std::array<uint8_t, 256>, 9> narrowing_tables() {
-  std::array<std::array<uint8_t, 256>, 9> table{};
+constexpr bool widens_and_narrows_as_convert_unorm() {
   for (int bits = 1; bits <= 8; ++bits)
-    for (uint32_t x = 0; x < 256; ++x) table[size_t(bits)][x] = uint8_t(convert_unorm(x, 8, bits));
-  return table;
+    for (uint32_t x = 0; x < 256; ++x) {
+      if (narrowing(bits)(x) != convert_unorm(x, 8, bits)) return false;
+      if (x < 1u << bits && widening(bits)(x) != convert_unorm(x, bits, 8)) return false;
+    }
+  return narrowing(0)(255) == 0 && widening(0)(0) == 0;
 }
-constexpr std::array<std::array<uint8_t, 256>, 9> widening_tables() {
-  std::array<std::array<uint8_t, 256>, 9> table{};
-  for (int bits = 1; bits <= 8; ++bits)
-    for (uint32_t x = 0; x < (1u << bits); ++x) table[size_t(bits)][x] = uint8_t(convert_unorm(x, bits, 8));
-  return table;
-}
+static_assert(widens_and_narrows_as_convert_unorm());
 
 } // namespace detail
-
-/// kNarrowed[bits][x] is convert_unorm(x, 8, bits), kWidened[bits][x] convert_unorm(x, bits, 8); bits 1 to 8.
-inline constexpr std::array<std::array<uint8_t, 256>, 9> kNarrowed = detail::narrowing_tables();
-inline constexpr std::array<std::array<uint8_t, 256>, 9> kWidened = detail::widening_tables();
 
 /// The nearest integer of 0 <= v < 2^22, of two the even one.
 inline uint32_t round_to_even(float v) { return std::bit_cast<uint32_t>(v + 8388608.0f) & 0x7fffffu; }

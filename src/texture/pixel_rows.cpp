@@ -212,6 +212,40 @@ template <class F> void with_order_of_bytes(const PixelFormat& f, F&& call) {
   }
 }
 
+/// Whether all components have at most 8 bits.
+bool has_narrow_components(const PixelFormat& f) {
+  return std::all_of(f.bits, f.bits + f.components, [](uint8_t bits) { return bits <= 8; });
+}
+/// Colors of bytes as packed words, and back.
+template <int kComponents>
+void pack_narrow(const PixelFormat& f, const uint8_t (*rgba)[4], int count, uint32_t* word) {
+  Narrowing narrow[kComponents];
+  int from[kComponents], to[kComponents];
+  for (int k = 0; k < kComponents; ++k)
+    narrow[k] = narrowing(f.bits[k]), from[k] = 8 * f.target[k], to[k] = f.shift[k];
+  for (int i = 0; i < count; ++i) {
+    const auto color = load<uint32_t>(rgba[i]);
+    uint32_t packed = 0;
+    for (int k = 0; k < kComponents; ++k) packed |= narrow[k](color >> from[k] & 255) << to[k];
+    word[i] = packed;
+  }
+}
+template <int kComponents>
+void unpack_narrow(const PixelFormat& f, const uint32_t* word, int count, uint8_t (*rgba)[4]) {
+  Widening widen[kComponents];
+  int from[kComponents], to[kComponents];
+  uint32_t mask[kComponents];
+  for (int k = 0; k < kComponents; ++k) {
+    widen[k] = widening(f.bits[k]), mask[k] = (1u << f.bits[k]) - 1;
+    from[k] = f.shift[k], to[k] = 8 * f.target[k];
+  }
+  for (int i = 0; i < count; ++i) {
+    uint32_t color = kComponents < 4 ? 0xff000000 : 0;
+    for (int k = 0; k < kComponents; ++k) color |= widen[k](word[i] >> from[k] & mask[k]) << to[k];
+    std::memcpy(rgba[i], &color, 4);
+  }
+}
+
 // 8_8_8_8 are arrays of bytes to OSMesa; the smaller ones go by 8 bits, 10_10_10_2 and 16-bit results by
 // floats.
 template <class Out>
@@ -222,6 +256,10 @@ void unpack_packed(const PixelFormat& f, const unsigned char* p, int count, Out 
                                  [&](auto order) { unpack_bytes<decltype(order)>(p, count, &rgba[0][0]); });
   uint32_t word[kChunk];
   load_words(f, p, count, word);
+  if constexpr (std::is_same_v<Out, uint8_t>)
+    if (has_narrow_components(f))
+      return f.components == 3 ? unpack_narrow<3>(f, word, count, rgba)
+                               : unpack_narrow<4>(f, word, count, rgba);
   if (f.components < 4)
     for (int i = 0; i < count; ++i) rgba[i][3] = one<Out>();
   for (int k = 0; k < f.components; ++k) {
@@ -234,8 +272,6 @@ void unpack_packed(const PixelFormat& f, const unsigned char* p, int count, Out 
       put([=](uint32_t v) { return unorm_to_float(v, bits); });
     else if constexpr (std::is_signed_v<Out>)
       put([=](uint32_t v) { return component_to<Out>(unorm_to_float(v, bits)); });
-    else if (sizeof(Out) == 1 && bits <= 8)
-      put([table = kWidened[size_t(bits)].data()](uint32_t v) { return Out(table[v]); });
     else if (sizeof(Out) == 1 || bits == 8)
       put([=](uint32_t v) { return Out(convert_unorm(v, bits, int(sizeof(Out) * 8))); });
     else
@@ -246,8 +282,13 @@ template <class In> void pack_packed(const PixelFormat& f, const In (*rgba)[4], 
   if constexpr (std::is_same_v<In, uint8_t>)
     if (f.bits[0] == 8)
       return with_order_of_bytes(f, [&](auto order) { pack_bytes<decltype(order)>(&rgba[0][0], count, p); });
-  const bool wide = f.bits[0] > 8;
   uint32_t word[kChunk] = {};
+  if constexpr (std::is_same_v<In, uint8_t>)
+    if (has_narrow_components(f)) {
+      f.components == 3 ? pack_narrow<3>(f, rgba, count, word) : pack_narrow<4>(f, rgba, count, word);
+      return store_words(f, word, count, p);
+    }
+  const bool wide = f.bits[0] > 8;
   for (int k = 0; k < f.components; ++k) {
     const int bits = f.bits[k], shift = f.shift[k], from = f.target[k];
     const auto put = [&](auto value) {
@@ -264,14 +305,11 @@ template <class In> void pack_packed(const PixelFormat& f, const In (*rgba)[4], 
     else if constexpr (std::is_signed_v<In>)
       put_float([](In in) { return component_to<float>(in); });
     else if constexpr (sizeof(In) == 1)
-      bits <= 8 ? put([table = kNarrowed[size_t(bits)].data()](In in) { return uint32_t(table[in]); })
-                : put([=](In in) { return convert_unorm(in, 8, bits); });
+      put([=](In in) { return convert_unorm(in, 8, bits); });
     else if (wide)
       put_float([](In in) { return unorm_to_float(in, 16); });
     else
-      put([table = kNarrowed[size_t(bits)].data()](In in) {
-        return uint32_t(table[convert_unorm(in, 16, 8)]);
-      });
+      put([narrow = narrowing(bits)](In in) { return narrow(convert_unorm(in, 16, 8)); });
   }
   store_words(f, word, count, p);
 }

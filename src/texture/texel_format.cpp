@@ -34,6 +34,25 @@ bool has_bits(const PixelFormat& from, int k, int bits) {
   return false;
 }
 
+/// Bytes to the bits that are stored, repeated to fill them.
+void reduce_bytes(const TexelFormat& to, const PixelFormat& from, uint8_t (*texel)[4], int count) {
+  Narrowing narrow[4];
+  Widening widen[4];
+  bool same = true;
+  for (int k = 0; k < 4; ++k) {
+    int bits = stored_bits(to, k);
+    if (has_bits(from, k, bits)) bits = 8; // their bits are repeated already
+    narrow[k] = narrowing(bits), widen[k] = widening(bits);
+    same = same && bits == 8;
+  }
+  if (same) return;
+  change_words(texel, count, [&](uint32_t word) {
+    uint32_t reduced = 0;
+    for (int k = 0; k < 4; ++k) reduced |= widen[k](narrow[k](word >> (8 * k) & 255)) << (8 * k);
+    return reduced;
+  });
+}
+
 void store_rgba8(const TexelFormat& to, uint8_t (*texel)[4], const PixelFormat& from, const void* pixels,
                  int count, bool swap, const PixelTransfer& transfer) {
   const bool transfers = transfer.changes_color();
@@ -46,20 +65,13 @@ void store_rgba8(const TexelFormat& to, uint8_t (*texel)[4], const PixelFormat& 
       if (bits == 8)
         convert_component(k, v, count, texel, [](float x) { return uint8_t(pack_unorm(x, 8)); });
       else
-        convert_component(k, v, count, texel, [=, table = kWidened[size_t(bits)].data()](float x) {
-          return table[pack_unorm(x, bits)];
+        convert_component(k, v, count, texel, [=, widen = widening(bits)](float x) {
+          return uint8_t(widen(pack_unorm(x, bits)));
         });
     }
   } else {
     unpack_pixels(from, pixels, count, swap, texel);
-    for (int k = 0; k < 4 && !to.array; ++k) {
-      const size_t bits = size_t(stored_bits(to, k));
-      if (bits != 8 && !has_bits(from, k, int(bits)))
-        convert_component(k, texel, count, texel,
-                          [narrowed = kNarrowed[bits].data(), widened = kWidened[bits].data()](uint8_t x) {
-                            return widened[narrowed[x]];
-                          });
-    }
+    if (!to.array) reduce_bytes(to, from, texel, count);
   }
   spread_row<uint8_t>(to.base, texel, count, 255);
 }
