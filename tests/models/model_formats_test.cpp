@@ -263,6 +263,21 @@ TEST_CASE("model formats: what STL and PLY files get wrong", "[models][formats]"
             "count that is no number"));
 }
 
+TEST_CASE("model formats: only the first vertex element of a PLY file has vertices", "[models][formats]") {
+  for (const int first : {0, 3}) {
+    std::string text = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(first) + "\n";
+    for (const char* name : {"x", "y", "z", "nx", "ny", "nz"})
+      text += std::string("property float ") + name + "\n";
+    text += "element vertex 3\nproperty float x\nelement face 1\nproperty list uchar int vertex_index\n"
+            "end_header\n";
+    for (int i = 0; i < first; ++i)
+      text += std::to_string(i % 2) + " " + std::to_string(i / 2) + " 0 0 0 1\n";
+    const ProgramRun run = draw("two.ply", text + "0\n1\n2\n3 0 1 2\n");
+    INFO(run.errors);
+    CHECK(run.exit_code == (first ? 0 : 3));
+  }
+}
+
 TEST_CASE("model formats: properties of PLY vertices", "[models][formats]") {
   const auto middle = [](const std::string& type, const std::string& one, const std::string& zero) {
     std::string text =

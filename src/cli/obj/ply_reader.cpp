@@ -66,7 +66,7 @@ public:
     ModelAssembly assembly(remarks_, places_[9] >= 0 && places_[10] >= 0, has(3));
     for (const Element& element : elements_) {
       if (element.properties.empty()) continue;
-      if (!read_element(element, assembly)) {
+      if (!read_element(element, &element == &*vertices, assembly)) {
         remarks_.add("cut off", nullptr,
                      "the file is cut off within its elements \"" + printable(element.name, 40) +
                          "\"; what is there is drawn");
@@ -189,9 +189,8 @@ private:
     return places_[first] >= 0 && places_[first + 1] >= 0 && places_[first + 2] >= 0;
   }
 
-  // False: the file ends before its elements do.
-  bool read_element(const Element& element, ModelAssembly& assembly) {
-    const bool vertices = element.name == "vertex" && assembly.vertex_count() == 0;
+  // `vertices`: it is the element of find_places(). False: the file ends before its elements do.
+  bool read_element(const Element& element, bool vertices, ModelAssembly& assembly) {
     const bool faces = element.name == "face";
     std::vector<double> values(element.properties.size());
     std::vector<int64_t> corners;
