@@ -173,6 +173,9 @@ TEST_CASE("hostile files: small pictures that claim to be large", "[models][host
   const std::string tga("\0\0\x0a\0\0\0\0\0\0\0\0\0\0\x07\0\x07\x18\0", 18); // 1792x1792, packed
   CHECK(problem_of(tga, 0) == refused);
   CHECK(problem_of(tga, 1 << 17).empty());
+  // 2 x 14,352,503 pixels, the upper row first.
+  const std::string bmp("BM\0\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\2\0\0\0\x89\xff\x24\xff\1\0\x18\0", 30);
+  CHECK(problem_of(bmp, 60) == refused);
   for (const char first : {'\xff', '\x89'}) // bytes that begin other kinds of pictures
     CHECK(problem_of(std::string(1, first) + tga.substr(1), 0) == refused);
 }

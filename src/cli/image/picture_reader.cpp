@@ -54,7 +54,7 @@ PictureSamples read_picture(const std::string& path) {
   if (!stbi_info_from_memory(data, size, &picture.width, &picture.height, &channels))
     throw ProgramError(kCannotRead,
                        path + ": no picture that can be read (PNG, JPEG, BMP, TGA, PPM, PGM, PFM)");
-  if (int64_t(picture.width) * picture.height > kMostPixels)
+  if (count_texels(picture.width, picture.height) > kMostPixels)
     throw ProgramError(kCannotRead, path + ": the picture has too many pixels");
   std::unique_ptr<void, FreeImage> pixels;
   if (stbi_is_16_bit_from_memory(data, size)) {

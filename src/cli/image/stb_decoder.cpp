@@ -33,7 +33,7 @@ std::string decode_with_stb(const SourceText& bytes, DecodedPicture& picture) {
   int channels = 0;
   if (!stbi_info_from_memory(data, size, &picture.width, &picture.height, &channels))
     return "is of no kind of picture that can be read";
-  const int64_t texels = int64_t(picture.width) * picture.height;
+  const int64_t texels = count_texels(picture.width, picture.height);
   if (texels > kMostTexels) return kTooManyTexels; // it reads all at once
   // TGA packs 128 texels into two bytes at best, and what is cut off would be read as zeros.
   const bool png = std::string_view(bytes.begin(), bytes.size()).starts_with("\x89PNG");

@@ -16,3 +16,13 @@
 #define STBI_NO_HDR
 #include <stb/stb_image.h>
 #pragma GCC diagnostic pop
+
+namespace softgl::cli {
+
+// What stbi_info says of a size. A BMP file whose first row is the upper one has a height below 0 there.
+inline int64_t count_texels(int width, int height) {
+  const int64_t count = int64_t(width) * height;
+  return count < 0 ? -count : count;
+}
+
+} // namespace softgl::cli
