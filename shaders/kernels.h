@@ -11,6 +11,7 @@
 
 namespace softgl {
 
+struct LineSpan;   // raster_lines.h
 struct RasterDraw; // raster_draw.h
 struct RasterPrimitive;
 struct SmallFragments;
@@ -40,6 +41,9 @@ struct RasterKernels {
   /// stages.
   void (*shade_points)(const RasterDraw& draw, const ShadedVertices::Slot* const* corner, int32_t count,
                        uint32_t* depth, uint32_t* color);
+  /// The same of lines: line after line, along each of them.
+  void (*shade_lines)(const RasterDraw& draw, const LineSpan* line, int32_t count, uint32_t* depth,
+                      uint32_t* color);
   /// Draws primitives or small triangles, or merges finished fragments, into one tile in order.
   void (*tile_primitives)(const TileTarget& tile, const RasterDraw& draw,
                           const RasterPrimitive* const* primitive, int32_t count, FragmentBlock& scratch);

@@ -4,6 +4,7 @@
 #include "shaders/fragment/fragment_image.inl"
 #include "shaders/fragment/fragment_light.inl"
 #include "shaders/kernels.h"
+#include "shaders/raster/raster_lines.inl"
 #include "shaders/raster/raster_points.inl"
 #include "shaders/raster/raster_tile.inl"
 #include "shaders/raster/raster_tiny.inl"
@@ -17,6 +18,7 @@ const RasterKernels raster_kernels = {
     .prepare_triangles = prepare_triangles,
     .setup_triangles = setup_triangles,
     .shade_points = shade_points,
+    .shade_lines = shade_lines,
     .tile_primitives = tile_primitives,
     .tile_triangles = tile_triangles,
     .tile_fragments = tile_fragments,

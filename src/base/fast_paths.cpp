@@ -19,6 +19,8 @@ constexpr const char* kNames[] = {
     "shared_planes",
     // Points of a few pixels become fragments at once; else they are set up as boxes.
     "points",
+    // Thin lines become fragments at once; else they are set up with four edges.
+    "lines",
     // Blocks without stages go straight to the tile; else through a fragment block.
     "direct",
     // No edge is looked at in blocks inside a triangle; else at every pixel.

@@ -15,6 +15,7 @@ enum class FastPath : uint32_t {
   Quads,
   SharedPlanes,
   Points,
+  Lines,
   Direct,
   WholeBlocks,
   OpaqueColors,

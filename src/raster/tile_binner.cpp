@@ -52,27 +52,8 @@ void TileBinner::bin(const RasterPrimitive& p) {
     }
 }
 
-/// A run is some 30 fragments long, for which a call of memcpy is as much work as the copy.
-template <class T> void copy_run(const T* from, T* to, uint32_t count) {
-  constexpr uint32_t kStep = 16 / sizeof(T);
-  if (count < kStep) {
-    for (uint32_t i = 0; i < count; ++i) to[i] = from[i];
-    return;
-  }
-  auto step = [&](uint32_t i) { std::memcpy(to + i, from + i, 16); };
-  for (uint32_t i = 0; i < count - kStep; i += kStep) step(i);
-  step(count - kStep);
-}
-
 void TileBinner::append_run(const TriangleOutput& out, uint32_t tile, int32_t first, int32_t last) {
-  while (first < last) {
-    uint32_t given = 0;
-    const SmallFragments f = lists_.append_fragments(tile, draw_, static_cast<uint32_t>(last - first), given);
-    copy_run(out.pixel + first, f.pixel, given);
-    copy_run(out.depth + first, f.depth, given);
-    copy_run(out.color + first, f.color, given);
-    first += static_cast<int32_t>(given);
-  }
+  append_finished(tile, out.pixel + first, out.depth + first, out.color + first, last - first);
 }
 
 void TileBinner::append_living(const TriangleOutput& out, uint32_t tile, int32_t first, int32_t last) {
@@ -248,6 +229,7 @@ void TileBinner::smooth_line(const ShadedVertices::Slot* const end[2], bool back
 
 void TileBinner::lines(const DrawRecord&, const AssembledLines& batch) {
   SOFTGL_ASSERT(draw_ && batch.count > 0 && batch.count <= kAssemblyBatch);
+  if (finishes_lines()) return finished_lines(batch);
   const RasterDraw* const front = draw_;
   for (int32_t i = 0; i < batch.count; ++i) {
     const ShadedVertices::Slot* const end[2] = {batch.corner[0][i], batch.corner[1][i]};
@@ -261,52 +243,6 @@ void TileBinner::lines(const DrawRecord&, const AssembledLines& batch) {
     if (setup_line(*draw_, end[0], end[1], back, *p)) bin(*p);
   }
   draw_ = front;
-}
-
-/// A point of more pixels is a box. Measured: 500,000 points of 1 pixel take 15 ms instead of 52, of 3x3
-/// pixels 36 instead of 59, of 5x5 pixels 73 instead of 66.
-constexpr int32_t kMostPointPixels = 16;
-
-/// Whether the draw's points of a few pixels are finished fragments: no stage runs, and all are alike.
-bool TileBinner::finishes_points() const {
-  const bool few =
-      draw_->layout.point >= 0 || draw_->raster->point_size * draw_->raster->point_size <= kMostPointPixels;
-  return few && finishes_points_ && draw_->small && draw_->program->step_count == 0 && !draw_->back_face &&
-         !draw_->smooth_point;
-}
-
-void TileBinner::append_point(const WindowBox& box, uint32_t depth, uint32_t color) {
-  uint32_t left = 0;
-  SmallFragments f{};
-  for (int32_t y = box.y0; y < box.y1; ++y)
-    for (int32_t x = box.x0; x < box.x1; ++x) {
-      if (left == 0) {
-        const int32_t end = std::min(box.x1, (x | 63) + 1); // of the row in this tile
-        f = lists_.append_fragments(static_cast<uint32_t>((y >> 6) * tiles_x_ + (x >> 6)), draw_,
-                                    static_cast<uint32_t>(end - x), left);
-      }
-      *f.pixel++ = static_cast<uint16_t>(pixel_in_tile(x & 63, y & 63));
-      *f.depth++ = depth;
-      *f.color++ = color;
-      --left;
-    }
-}
-
-void TileBinner::finished_points(const AssembledPoints& batch) {
-  count_as_taken(FastPath::Points);
-  uint32_t depth[kAssemblyBatch + 16], color[kAssemblyBatch + 16]; // room for a vector behind the last
-  kernels_.raster->shade_points(*draw_, batch.corner, batch.count, depth, color);
-  for (int32_t i = 0; i < batch.count; ++i) {
-    PointPlace place;
-    if (!place_point(*draw_, batch.corner[i], place)) continue;
-    const WindowBox& box = place.box;
-    if ((box.x1 - box.x0) * (box.y1 - box.y0) <= kMostPointPixels) {
-      append_point(box, depth[i], color[i]);
-      continue;
-    }
-    RasterPrimitive* p = new_primitive();
-    if (setup_placed_point(*draw_, batch.corner[i], place, batch.back >> i & 1, *p)) bin(*p);
-  }
 }
 
 void TileBinner::points(const DrawRecord&, const AssembledPoints& batch) {

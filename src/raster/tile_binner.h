@@ -10,6 +10,8 @@
 
 namespace softgl {
 
+struct LineSpan;       // shaders/raster/raster_lines.h
+struct LineSteps;      // line_steps.h
 struct PixelRectangle; // frame/draw_record.h
 struct WindowBox;      // draw/draw_call.h
 
@@ -32,6 +34,7 @@ public:
     tiny_pixels_ = !is_enabled(FastPath::Tiny) ? 0 : in_order ? kTinyPixelsInOrder : kTinyPixels;
     shares_planes_ = is_enabled(FastPath::SharedPlanes);
     finishes_points_ = is_enabled(FastPath::Points);
+    finishes_lines_ = is_enabled(FastPath::Lines);
     keeps_vertices_ = false;
   }
   /// True when lists point to vertices of the batches since set_draw().
@@ -50,6 +53,13 @@ private:
   bool finishes_points() const;
   void finished_points(const AssembledPoints& batch);
   void append_point(const WindowBox& box, uint32_t depth, uint32_t color);
+  bool finishes_lines() const;
+  void finished_lines(const AssembledLines& batch);
+  void append_line(const LineSpan& span, const LineSteps& steps, const uint32_t* depth,
+                   const uint32_t* color);
+  /// Fragments of one tile.
+  void append_finished(uint32_t tile, const uint16_t* pixel, const uint32_t* depth, const uint32_t* color,
+                       int32_t count);
   void smooth_line(const ShadedVertices::Slot* const end[2], bool back);
   RasterPrimitive* new_primitive();
   void bin(const RasterPrimitive& primitive);
@@ -65,7 +75,7 @@ private:
   const Kernels& kernels_;
   const RasterDraw* draw_ = nullptr;
   int32_t tiny_pixels_ = kTinyPixels;
-  bool shares_planes_ = true, finishes_points_ = true;
+  bool shares_planes_ = true, finishes_points_ = true, finishes_lines_ = true;
   bool keeps_vertices_ = false;
   uint8_t *next_ = nullptr, *end_ = nullptr; // memory for primitives
 };

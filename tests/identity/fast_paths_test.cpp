@@ -169,6 +169,29 @@ void draw_points(const Gl& gl) {
   }
 }
 
+/// Thin and wide lines, short ones and some across the picture, also from pixel to pixel and from border to
+/// border of pixels, where ties decide.
+void draw_lines(const Gl& gl) {
+  gl.PushMatrix();
+  gl.LoadIdentity();
+  gl.Scalef(1.0f / 256, 1.0f / 256, 1); // a pixel
+  for (const float width : {1.0f, 2.0f, 4.0f, 7.0f}) {
+    gl.LineWidth(width);
+    gl.Begin(GL_LINES);
+    for (int i = 0; i < 400; ++i) {
+      const float grid = i % 3 == 0 ? 1.0f : i % 3 == 1 ? 0.5f : 0.37f;
+      const float x = float(i * 97 % 620 - 310) * grid, y = float(i * 53 % 540 - 270) * grid;
+      const float reach = i % 40 == 0 ? 23.0f : 0.7f;
+      gl.Color3f(float(i % 11) / 10, float(i % 7) / 6, width / 7);
+      gl.Vertex3f(x, y, float(i % 5) / 5 - 0.9f);
+      gl.Color3f(float(i % 5) / 4, float(i % 3) / 2, 0.5f);
+      gl.Vertex3f(x + float(i % 31 - 15) * reach, y + float(i % 23 - 11) * reach, float(i % 9) / 9 - 0.9f);
+    }
+    gl.End();
+  }
+  gl.PopMatrix();
+}
+
 /// Takes every fast path once at least.
 void draw_everything(Stage& s) {
   const Gl& gl = s.gl;
@@ -185,6 +208,7 @@ void draw_everything(Stage& s) {
   draw_shadow(gl);
   draw_opaque(gl);
   draw_points(gl);
+  draw_lines(gl);
   gl.Finish();
   std::vector<GLubyte> pixels(size_t(s.width) * size_t(s.height) * 4);
   gl.ReadPixels(0, 0, s.width, s.height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
@@ -206,8 +230,8 @@ Run run_without(const std::string& names) {
     };
     print({"every fast path", draw_everything, false, 512, 512}, 0);
     for (const char* family :
-         {"triangles", "alpha", "blend", "depth", "near", "points", "lit", "polygon_stipples", "texture",
-          "texture_units", "combine", "lists", "arrays", "occlusion"})
+         {"triangles", "alpha", "blend", "depth", "near", "points", "lines", "lit", "polygon_stipples",
+          "texture", "texture_units", "combine", "lists", "arrays", "occlusion"})
       for (uint64_t seed = 0; seed < uint64_t(seed_count(4)); ++seed) print(*find_scene(family), seed);
   });
   unsetenv("SOFTGL_DISABLE");
