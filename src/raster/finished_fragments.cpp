@@ -95,10 +95,10 @@ void TileBinner::finished_points(const AssembledPoints& batch) {
   }
 }
 
-/// Wider lines are blocks of pixels. Measured, us a line of 20 (600) pixels at most along each axis, finished
-/// or not: width 1 0.22 or 0.43 (1.6 or 4.2), 3 0.34 or 0.57 (3.4 or 4.7), 4 0.41 or 0.68 (4.4 or 5.0), 6
-/// 0.53 or 0.48 (6.5 or 5.5).
-constexpr int32_t kMostLineWidth = 4;
+/// Wider lines are blocks of pixels. Measured with one color and a depth test, us a line of 20 (300) pixels
+/// at most along each axis, finished or not: width 1 0.24 or 0.41 (1.5 or 2.9), 2 0.34 or 0.43 (2.6 or 3.2),
+/// 3 0.45 or 0.45 (3.5 or 3.4).
+constexpr int32_t kMostLineWidth = 2;
 
 /// Whether the draw's lines are finished fragments: no stage runs, and they are thin.
 bool TileBinner::finishes_lines() const {
