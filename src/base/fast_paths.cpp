@@ -21,6 +21,8 @@ constexpr const char* kNames[] = {
     "points",
     // Thin lines become fragments at once; else they are set up with four edges.
     "lines",
+    // The set bits of a bitmap become fragments at once; else its rectangle's fragments look for their bits.
+    "bitmaps",
     // Blocks without stages go straight to the tile; else through a fragment block.
     "direct",
     // No edge is looked at in blocks inside a triangle; else at every pixel.

@@ -16,6 +16,7 @@ enum class FastPath : uint32_t {
   SharedPlanes,
   Points,
   Lines,
+  Bitmaps,
   Direct,
   WholeBlocks,
   OpaqueColors,

@@ -1,13 +1,16 @@
-// Points and lines of a few pixels become fragments before there are tiles.
+// Points of a few pixels, thin lines and bitmaps become fragments before there are tiles.
 #include <algorithm>
 #include <cstring>
 
 #include "base/assert.h"
 #include "base/fast_paths.h"
+#include "draw/draw_record.h"
 #include "raster/line_setup.h"
 #include "raster/line_steps.h"
 #include "raster/point_setup.h"
 #include "raster/tile_binner.h"
+#include "shaders/fragment/fragment_constants.h"
+#include "shaders/fragment/pixel_image.h"
 
 namespace softgl {
 namespace {
@@ -173,6 +176,44 @@ void TileBinner::finished_lines(const AssembledLines& batch) {
     }
   }
   finish();
+}
+
+/// Whether the draw is a bitmap whose fragments need nothing but their bits.
+bool TileBinner::finishes_bitmap() const {
+  const PixelImage* image = draw_->program->constants->image;
+  return finishes_bitmaps_ && draw_->small && draw_->program->step_count == 1 && image &&
+         image->kind == PixelElement::Bit;
+}
+
+void TileBinner::finished_bitmap(const PixelRectangle& rectangle) {
+  count_as_taken(FastPath::Bitmaps);
+  uint32_t depth[1 + 16], color[1 + 16]; // room for a vector
+  kernels_.raster->shade_points(*draw_, &rectangle.corner, 1, depth, color);
+  const RasterConstants& r = *draw_->raster;
+  const PixelImage& image = *draw_->program->constants->image;
+  const auto* element = static_cast<const uint8_t*>(image.element);
+  const int32_t x0 = std::max(rectangle.box.x0, r.x0), x1 = std::min(rectangle.box.x1, r.x1);
+  const int32_t y0 = std::max(rectangle.box.y0, r.y0), y1 = std::min(rectangle.box.y1, r.y1);
+  for (int32_t ty = y0 >> 6; ty <= (y1 - 1) >> 6; ++ty)
+    for (int32_t tx = x0 >> 6; tx <= (x1 - 1) >> 6; ++tx) {
+      const int32_t left = std::max(x0, tx * 64), right = std::min(x1, tx * 64 + 64);
+      uint16_t pixel[kTilePixels + 1];
+      uint32_t count = 0;
+      for (int32_t y = std::max(y0, ty * 64); y < std::min(y1, ty * 64 + 64); ++y) {
+        const uint8_t* const row = element + image.row[y - image.y0];
+        for (int32_t x = left; x < right; ++x) {
+          pixel[count] = static_cast<uint16_t>(kColumns.pixel[x & 63] | kRows.pixel[y & 63]);
+          count += row[image.column[x - image.x0]] != 0;
+        }
+      }
+      for (uint32_t done = 0, given; done < count; done += given) {
+        const SmallFragments f =
+            lists_.append_fragments(static_cast<uint32_t>(ty * tiles_x_ + tx), draw_, count - done, given);
+        copy_run(pixel + done, f.pixel, given);
+        std::fill(f.depth, f.depth + given, depth[0]);
+        std::fill(f.color, f.color + given, color[0]);
+      }
+    }
 }
 
 } // namespace softgl

@@ -261,6 +261,7 @@ void TileBinner::points(const DrawRecord&, const AssembledPoints& batch) {
 }
 
 void TileBinner::rectangle(const PixelRectangle& rectangle) {
+  if (finishes_bitmap()) return finished_bitmap(rectangle);
   RasterPrimitive* p = new_primitive();
   if (setup_rectangle(*draw_, rectangle, *p)) bin(*p);
 }

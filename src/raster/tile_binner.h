@@ -35,6 +35,7 @@ public:
     shares_planes_ = is_enabled(FastPath::SharedPlanes);
     finishes_points_ = is_enabled(FastPath::Points);
     finishes_lines_ = is_enabled(FastPath::Lines);
+    finishes_bitmaps_ = is_enabled(FastPath::Bitmaps);
     keeps_vertices_ = false;
   }
   /// True when lists point to vertices of the batches since set_draw().
@@ -57,6 +58,8 @@ private:
   void finished_lines(const AssembledLines& batch);
   void append_line(const LineSpan& span, const LineSteps& steps, const uint32_t* depth,
                    const uint32_t* color);
+  bool finishes_bitmap() const;
+  void finished_bitmap(const PixelRectangle& rectangle);
   /// Fragments of one tile.
   void append_finished(uint32_t tile, const uint16_t* pixel, const uint32_t* depth, const uint32_t* color,
                        int32_t count);
@@ -75,7 +78,7 @@ private:
   const Kernels& kernels_;
   const RasterDraw* draw_ = nullptr;
   int32_t tiny_pixels_ = kTinyPixels;
-  bool shares_planes_ = true, finishes_points_ = true, finishes_lines_ = true;
+  bool shares_planes_ = true, finishes_points_ = true, finishes_lines_ = true, finishes_bitmaps_ = true;
   bool keeps_vertices_ = false;
   uint8_t *next_ = nullptr, *end_ = nullptr; // memory for primitives
 };

@@ -192,6 +192,19 @@ void draw_lines(const Gl& gl) {
   gl.PopMatrix();
 }
 
+/// Letters, and a bitmap across tiles and the window's border.
+void draw_bitmaps(const Gl& gl) {
+  std::vector<GLubyte> bits(40 * 300);
+  for (size_t i = 0; i < bits.size(); ++i) bits[i] = GLubyte(i * 97 >> 3);
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl.Color4f(0.3f, 0.9f, 0.7f, 0.5f);
+  gl.RasterPos3f(-0.9f, 0.3f, 0.2f);
+  for (int i = 0; i < 20; ++i) gl.Bitmap(8, 13, 0, 2, 9.3f, 0.4f, bits.data() + i);
+  gl.RasterPos3f(0.4f, 0.1f, 0);
+  gl.Bitmap(320, 300, 3, 5, 0, 0, bits.data());
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+}
+
 /// Takes every fast path once at least.
 void draw_everything(Stage& s) {
   const Gl& gl = s.gl;
@@ -209,6 +222,7 @@ void draw_everything(Stage& s) {
   draw_opaque(gl);
   draw_points(gl);
   draw_lines(gl);
+  draw_bitmaps(gl);
   gl.Finish();
   std::vector<GLubyte> pixels(size_t(s.width) * size_t(s.height) * 4);
   gl.ReadPixels(0, 0, s.width, s.height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());

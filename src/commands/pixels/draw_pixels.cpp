@@ -48,15 +48,19 @@ Axis place(double start, int count, double zoom, int size, bool down) {
   if (begin >= end) return axis;
   axis.pixel = begin;
   axis.pixels = end - begin;
-  axis.first = count;
-  for (int32_t i = begin; i < end; ++i) {
+  auto element_at = [&](int32_t i) {
     // A centre on the border of two elements belongs to the one on its right or above it.
-    const double at = (in_window(i + 0.5) - start) / zoom,
-                 element = zoom > 0 ? std::floor(at) : std::ceil(at) - 1;
-    const int32_t e = std::clamp(int32_t(element), 0, count - 1);
-    axis.element.push_back(e);
-    axis.first = std::min(axis.first, e), axis.end = std::max(axis.end, e + 1);
-  }
+    const double at = (in_window(i + 0.5) - start) / zoom;
+    return int32_t(zoom > 0 ? std::floor(at) : std::ceil(at) - 1);
+  };
+  axis.element.resize(size_t(axis.pixels));
+  int32_t* const element = axis.element.data();
+  // As large as pixels, elements follow one another: all numbers here are exact.
+  const int32_t first = element_at(begin), step = down ? -1 : 1;
+  for (int32_t i = 0; i < axis.pixels; ++i)
+    element[i] = std::clamp(zoom == 1 ? first + i * step : element_at(begin + i), 0, count - 1);
+  const auto [least, most] = std::minmax_element(axis.element.begin(), axis.element.end());
+  axis.first = *least, axis.end = *most + 1;
   for (int32_t& e : axis.element) e -= axis.first;
   return axis;
 }
