@@ -10,7 +10,9 @@ namespace softgl {
 
 namespace {
 
-bool not_negative(float x) { return x >= 0; }
+// Truths are numbers here, so that `and` and `or` are no branches.
+int below(float a, float b) { return a < b; }
+int not_negative(float x) { return x >= 0; }
 /// x - floor(x) for |x| < 2^31; the baseline has no instruction for the floor.
 float fraction(float x) {
   const auto whole = static_cast<int32_t>(x);
@@ -30,16 +32,17 @@ Ends move_x_major(const float* v1, const float* v2, float dx, float dy) {
   const float m = dy / dx;
   const float fy1 = fraction(v1[1]), fy2 = fraction(v2[1]);
   const float ex1 = fraction(v1[0]) - 0.5f, ey1 = fy1 - 0.5f, ex2 = fraction(v2[0]) - 0.5f;
-  const float ey2 = (fy2 == 0) & (dy < 0) ? 0.5f : fy2 - 0.5f;
-  const bool right = not_negative(dx), left = not_negative(-dx), down = not_negative(dy);
+  const float ey2 = (int(fy2 == 0) & below(dy, 0)) != 0 ? 0.5f : fy2 - 0.5f;
+  const int right = not_negative(dx), left = not_negative(-dx), down = not_negative(dy);
   const float y1 = fy1 + ex1 * m, y2 = fy2 + ex2 * m;
-  const bool start =
-      (std::fabs(ex1) + std::fabs(ey1) < 0.5f) |
-      ((not_negative(ex1) != left) & ((not_negative(-ey1) != down) | ((y1 < 1.0f) & (y1 > 0.0f))));
-  const bool end = !(std::fabs(ex2) + std::fabs(ey2) < 0.5f) & (not_negative(ex2) == left) &
-                   ((not_negative(-ey2) == down) | ((y2 < 1.0f) & (y2 > 0.0f)));
-  const bool start_by_default = not_negative(-ex1) != right;
-  const bool end_by_default = (not_negative(ex2) == left) | (ex2 == 0);
+  const int inside1 = below(std::fabs(ex1) + std::fabs(ey1), 0.5f),
+            inside2 = below(std::fabs(ex2) + std::fabs(ey2), 0.5f);
+  const int crosses1 = (not_negative(-ey1) ^ down) | (below(y1, 1) & below(0, y1)),
+            crosses2 = (not_negative(-ey2) ^ down ^ 1) | (below(y2, 1) & below(0, y2));
+  const int start = inside1 | ((not_negative(ex1) ^ left) & crosses1),
+            end = (inside2 ^ 1) & (not_negative(ex2) ^ left ^ 1) & crosses2;
+  const int start_by_default = not_negative(-ex1) ^ right,
+            end_by_default = (not_negative(ex2) ^ left ^ 1) | int(ex2 == 0);
   const float half = dx < 0 ? -0.5f : 0.5f;
   const float x1 = start != start_by_default ? -ex1 + half : 0, x2 = end != end_by_default ? -ex2 + half : 0;
   return {x1, x1 * m, x2, x2 * m};
@@ -49,16 +52,17 @@ Ends move_y_major(const float* v1, const float* v2, float dx, float dy) {
   const float m = dx / dy;
   const float fx1 = fraction(v1[0]), fx2 = fraction(v2[0]);
   const float ex1 = fx1 - 0.5f, ey1 = fraction(v1[1]) - 0.5f, ey2 = fraction(v2[1]) - 0.5f;
-  const float ex2 = (fx2 == 0) & (dx < 0) ? 0.5f : fx2 - 0.5f;
-  const bool left = not_negative(-dx), down = not_negative(dy);
+  const float ex2 = (int(fx2 == 0) & below(dx, 0)) != 0 ? 0.5f : fx2 - 0.5f;
+  const int left = not_negative(-dx), down = not_negative(dy);
   const float x1 = fx1 + ey1 * m, x2 = fx2 + ey2 * m;
-  const bool start =
-      (std::fabs(ex1) + std::fabs(ey1) < 0.5f) |
-      ((not_negative(-ey1) != down) & ((not_negative(ex1) != left) | ((x1 < 1.0f) & (x1 > 0.0f))));
-  const bool end = !(std::fabs(ex2) + std::fabs(ey2) < 0.5f) & (not_negative(-ey2) == down) &
-                   ((not_negative(ex2) == left) | ((x2 < 1.0f) & (x2 >= 0.0f)));
-  const bool start_by_default = not_negative(ey1) == down;
-  const bool end_by_default = (not_negative(-ey2) == down) | (ey2 == 0);
+  const int inside1 = below(std::fabs(ex1) + std::fabs(ey1), 0.5f),
+            inside2 = below(std::fabs(ex2) + std::fabs(ey2), 0.5f);
+  const int crosses1 = (not_negative(ex1) ^ left) | (below(x1, 1) & below(0, x1)),
+            crosses2 = (not_negative(ex2) ^ left ^ 1) | (below(x2, 1) & not_negative(x2));
+  const int start = inside1 | ((not_negative(-ey1) ^ down) & crosses1),
+            end = (inside2 ^ 1) & (not_negative(-ey2) ^ down ^ 1) & crosses2;
+  const int start_by_default = not_negative(ey1) ^ down ^ 1,
+            end_by_default = (not_negative(-ey2) ^ down ^ 1) | int(ey2 == 0);
   const float half = dy > 0 ? 0.5f : -0.5f;
   const float y1 = start != start_by_default ? -ey1 + half : 0, y2 = end != end_by_default ? -ey2 + half : 0;
   return {y1 * m, y1, y2 * m, y2};
