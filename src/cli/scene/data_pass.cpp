@@ -117,8 +117,7 @@ private:
         glColorPointer(3, GL_FLOAT, 0, numbers);
         glEnableClientState(GL_COLOR_ARRAY);
       }
-      glDrawElements(GL_TRIANGLES, GLsizei(batch.count), GL_UNSIGNED_INT,
-                     mesh_.triangles.data() + batch.first);
+      uploaded_.draw_triangles(batch.first, batch.count);
     }
   }
 

@@ -93,7 +93,7 @@ void draw_ground_shadow(const Mesh& mesh, const UploadedMesh& uploaded, const Ca
     glMultMatrixd(camera.view);
     project(axes, ground, slope * cosine(angle), slope * sine(angle));
     glMultMatrixd(back_to_model);
-    glDrawElements(GL_TRIANGLES, GLsizei(mesh.triangles.size()), GL_UNSIGNED_INT, mesh.triangles.data());
+    uploaded.draw_triangles();
   }
   glLoadMatrixd(camera.projection);
   glMatrixMode(GL_MODELVIEW);

@@ -18,7 +18,7 @@ void draw_depth_only(const Mesh& mesh, const UploadedMesh& uploaded) {
   uploaded.use_vertices();
   disable_light();
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  glDrawElements(GL_TRIANGLES, GLsizei(mesh.triangles.size()), GL_UNSIGNED_INT, mesh.triangles.data());
+  uploaded.draw_triangles();
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 

@@ -13,7 +13,7 @@ bool MeshDrawing::draw_opaque() const {
       continue;
     }
     use_material(batch.material);
-    glDrawElements(GL_TRIANGLES, GLsizei(batch.count), GL_UNSIGNED_INT, mesh_.triangles.data() + batch.first);
+    uploaded_.draw_triangles(batch.first, batch.count);
   }
   return all;
 }
@@ -108,7 +108,7 @@ void MeshDrawing::draw_blended() const {
 void MeshDrawing::draw_silhouette() const {
   uploaded_.use_vertices();
   set_plain_state();
-  glDrawElements(GL_TRIANGLES, GLsizei(mesh_.triangles.size()), GL_UNSIGNED_INT, mesh_.triangles.data());
+  uploaded_.draw_triangles();
 }
 
 void MeshDrawing::set_plain_state() const {
