@@ -102,16 +102,15 @@ public:
     Clock::time_point limit{};
     for (;;) {
       if (signals_seen == 0) hand_out();
+      let_idle_go();
       if (workers_.empty()) break;
       double seconds = -1;
       if (signals_seen > 0) {
-        let_idle_go();
         if (limit == Clock::time_point{})
           limit = Clock::now() + std::chrono::milliseconds(long(plan_.grace * 1e3));
         seconds = std::chrono::duration<double>(limit - Clock::now()).count();
         if (signals_seen > 1 || seconds <= 0) {
-          for (const Worker& worker : workers_)
-            if (worker.job != kNoJob) dropped.push_back(worker.job);
+          for (const Worker& worker : workers_) dropped.push_back(worker.job);
           break;
         }
       }
@@ -121,7 +120,7 @@ public:
   }
 
 private:
-  // Starts processes and gives each that is idle a job; those that get none end.
+  // Gives each process that is idle a job, and starts as many as there may be.
   void hand_out() {
     for (Worker& worker : workers_)
       if (worker.job == kNoJob && next_ < jobs_.size()) give(worker);
@@ -133,7 +132,6 @@ private:
       }
       give(workers_.back());
     }
-    let_idle_go();
   }
 
   void give(Worker& worker) {
