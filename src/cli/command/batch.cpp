@@ -3,20 +3,25 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <mutex>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
 #include <new>
-#include <optional>
+#include <set>
+#include <sstream>
+#include <sys/wait.h>
+#include <unistd.h>
 
-#include "command/camera_file.h"
-#include "command/output_set.h"
-#include "command/picture_inputs.h"
-#include "command/picture_plan.h"
-#include "command/prepared_model.h"
-#include "common/parallel.h"
+#include "command/batch_jobs.h"
+#include "command/picture_run.h"
+#include "command/sandbox_paths.h"
+#include "common/file_writer.h"
 #include "common/program_error.h"
 #include "common/progress.h"
-#include "scene/placed_camera.h"
-#include "scene/turntable_camera.h"
+#include "common/sandbox.h"
+#include "common/time_limit.h"
+#include "jobs/job_report.h"
+#include "jobs/worker_processes.h"
 
 namespace softgl::cli {
 namespace {
@@ -24,228 +29,276 @@ namespace {
 using Clock = std::chrono::steady_clock;
 double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-// A model's part of the run.
-struct Outcome {
-  size_t first = 0, count = 0; // jobs
-  Warnings warnings, notes;
-  ModelReport report;
-  RunTimes times;
-  std::optional<ProgramError> error;
-  bool done = false;
-};
-
-class PictureRun {
+// The most memory that the process has had in use since start(). The kernel's files are opened before the
+// sandbox.
+class MemoryPeak {
 public:
-  PictureRun(const ProgramOptions& options, unsigned threads)
-      : options_(options), plan_(plan_pictures(options)), outputs_(plan_, options),
-        outcomes_(plan_.models.size()),
-        progress_(stderr, !options.quiet && is_terminal(stderr), plan_.jobs.size()) {
-    for (size_t i = plan_.jobs.size(); i-- > 0;) {
-      Outcome& outcome = outcomes_[plan_.jobs[i].model];
-      outcome.first = i;
-      ++outcome.count;
-    }
-    const size_t models = plan_.models.size();
-    at_once_ = unsigned(std::clamp<size_t>(models, 1, threads));
-    threads_each_ = std::max(1u, threads / at_once_);
+  void open() {
+    status_ = ::open("/proc/self/status", O_RDONLY | O_CLOEXEC);
+    reset_ = ::open("/proc/self/clear_refs", O_WRONLY | O_CLOEXEC);
   }
-
-  // Pictures that are drawn at the same time: GL then needs no threads of its own.
-  unsigned pictures_at_once() const {
-    const size_t each = plan_.models.empty() ? 0 : plan_.jobs.size() / plan_.models.size();
-    return at_once_ * unsigned(std::clamp<size_t>(each, 1, threads_each_));
+  void start() const {
+    if (::pwrite(reset_, "5", 1, 0) < 0) return; // the peak is then that of all jobs so far
   }
-
-  int run() {
-    parallel_for(plan_.models.size(), at_once_, [this](size_t model, unsigned) { run_model(model); });
-    return finish();
+  // In bytes; 0: not known.
+  uint64_t bytes() const {
+    char text[4096];
+    const ssize_t size = ::pread(status_, text, sizeof text - 1, 0);
+    if (size <= 0) return 0;
+    text[size] = 0;
+    const char* line = std::strstr(text, "VmHWM:");
+    return line ? std::strtoull(line + std::strlen("VmHWM:"), nullptr, 10) << 10 : 0;
   }
 
 private:
-  void run_model(size_t model) {
-    Outcome& outcome = outcomes_[model];
-    if (outcome.count == 0) return end_model(outcome); // all its pictures exist
+  int status_ = -1, reset_ = -1; // of a process that lives for drawing
+};
+
+// Its first line has numbers, the second is a sentence about what went wrong.
+std::string as_text(const JobResult& result) {
+  std::ostringstream text;
+  text << result.exit_code << ' ' << result.milliseconds << ' ' << result.peak_memory << ' '
+       << result.warnings << ' ' << result.pixels << '\n'
+       << result.error;
+  return text.str();
+}
+
+void read_text(const std::string& text, JobResult& result) {
+  std::istringstream stream(text);
+  std::string numbers;
+  std::getline(stream, numbers);
+  std::getline(stream, result.error, '\0');
+  std::istringstream(numbers) >> result.exit_code >> result.milliseconds >> result.peak_memory >>
+      result.warnings >> result.pixels;
+}
+
+class BatchRun {
+public:
+  BatchRun(const ProgramOptions& options, std::vector<BatchJob> jobs, unsigned threads)
+      : options_(options), shard_(options.batch.shard.value_or(Shard())), jobs_(std::move(jobs)),
+        mine_(choose_jobs()), todo_(choose_missing()), report_(report_name(shard_text())),
+        progress_(stderr, !options.quiet && is_terminal(stderr), todo_.size()) {
+    processes_ = unsigned(std::clamp<size_t>(todo_.size(), 1, threads));
+    threads_each_ = std::max(1u, threads / processes_);
+  }
+
+  int run() {
     const auto start = Clock::now();
-    try {
-      draw_model(plan_.models[model], outcome);
-    } catch (const ProgramError& error) { outcome.error = error; } catch (const std::bad_alloc&) {
-      outcome.error.emplace(kCannotRead, plan_.models[model] + ": not enough memory");
-    }
-    outcome.times.total = since(start);
-    end_model(outcome);
-    if (outcome.error && !options_.keep_going) throw *outcome.error;
-  }
-
-  void draw_model(const std::string& path, Outcome& outcome) {
-    std::vector<char> arrived(outcome.count);
-    try {
-      const PreparedModel model =
-          prepare_model(path, options_, threads_each_, outcome.warnings, outcome.notes, outcome.times);
-      outcome.report = model.report;
-      draw_jobs(model, outcome, arrived);
-    } catch (...) {
-      if (options_.keep_going)
-        for (size_t i = 0; i < outcome.count; ++i)
-          if (!arrived[i]) outputs_.leave(outcome.first + i);
-      throw;
-    }
-  }
-
-  void draw_jobs(const PreparedModel& model, Outcome& outcome, std::vector<char>& arrived) {
-    std::vector<std::unique_ptr<MeshRenderer>> renderers(threads_each_);
-    std::vector<Warnings> warnings(outcome.count);
-    std::mutex mutex; // of the times
-    std::vector<std::optional<ProgramError>> errors(outcome.count);
-    const auto draw = [&](size_t i, unsigned worker) {
-      const size_t number = outcome.first + i;
-      const PictureJob& job = plan_.jobs[number];
-      CameraOptions view = options_.views[job.view].camera;
-      view.up = model.up;
-      const Camera camera = camera_of(model, view, job);
-      if (!renderers[worker])
-        renderers[worker] =
-            std::make_unique<MeshRenderer>(model.mesh, model.materials, model.frame, options_.render.srgb);
-      RenderOptions render = options_.render;
-      render.pass = options_.passes[job.pass];
-      render.up = model.up;
-      RenderResult result = renderers[worker]->draw(camera, render, warnings[i]);
-      judge(model, result, warnings[i]);
-      refuse_warnings(model, outcome.warnings.count() + warnings[i].count());
-      const auto write_start = Clock::now();
-      arrived[i] = true;
-      const double upload = result.upload_seconds, drawing = result.draw_seconds,
-                   average = result.average_seconds;
-      outputs_.take(number, std::move(result));
-      const std::scoped_lock lock(mutex);
-      outcome.times.upload += upload;
-      outcome.times.draw += drawing;
-      outcome.times.average += average;
-      outcome.times.write += since(write_start);
-      progress_.step();
-    };
-    const auto draw_and_go_on = [&](size_t i, unsigned worker) {
-      try {
-        draw(i, worker);
-      } catch (const ProgramError& error) {
-        if (!options_.keep_going) throw;
-        errors[i] = error;
-        if (!arrived[i]) outputs_.leave(outcome.first + i);
-        arrived[i] = true;
+    std::vector<std::string> files;
+    for (const size_t job : mine_)
+      files.insert(files.end(), jobs_[job].files.begin(), jobs_[job].files.end());
+    remove_unfinished(files);
+    if (options_.limits.sandbox) collect_sandbox_paths();
+    WorkerPlan plan;
+    plan.processes = processes_;
+    plan.begin = [this] { begin_process(); };
+    plan.work = [this](size_t job) { return draw(job); };
+    plan.answered = [this](size_t job, const std::string& text) { take_answer(job, text); };
+    plan.died = [this](size_t job, int status) { take_death(job, status); };
+    std::vector<size_t> to_draw;
+    for (const size_t job : todo_) {
+      if (jobs_[job].fault.empty()) {
+        to_draw.push_back(job);
+        continue;
       }
-    };
-    const auto add_warnings = [&] {
-      for (const Warnings& each : warnings) outcome.warnings.add_new(each);
+      JobResult result = result_of(job);
+      result.exit_code = kUsageError;
+      result.error = jobs_[job].fault;
+      finish(job, result);
+    }
+    std::vector<size_t> dropped;
+    const int signal = run_jobs(to_draw, plan, dropped);
+    for (const size_t job : dropped) remove_unfinished(jobs_[job].files);
+    print_summary(since(start), signal);
+    if (signal) return 128 + signal;
+    if (exit_code_ == kSuccess && !report_.fault().empty()) return kCannotWrite;
+    return exit_code_;
+  }
+
+private:
+  std::string shard_text() const {
+    return std::to_string(shard_.number) + "-of-" + std::to_string(shard_.count);
+  }
+
+  std::string report_name(const std::string& shard) const {
+    const std::string word = "{shard}";
+    std::string name = options_.batch.report;
+    const size_t at = name.find(word);
+    return at == std::string::npos ? name : name.replace(at, word.size(), shard);
+  }
+
+  std::vector<size_t> choose_jobs() const {
+    std::vector<JobWeight> weights;
+    for (const BatchJob& job : jobs_)
+      weights.push_back({job.files.empty() ? job.where : job.files.front(), job.bytes});
+    return jobs_of_shard(weights, shard_);
+  }
+
+  std::vector<size_t> choose_missing() const {
+    if (!options_.batch.resume) return mine_;
+    const bool by_report = !options_.batch.report.empty();
+    DoneJobs done;
+    if (by_report) done.read(report_name("*"));
+    std::vector<size_t> missing;
+    for (const size_t number : mine_) {
+      const BatchJob& job = jobs_[number];
+      const bool there = by_report ? done.has(job.key, stamp_of(job.files)) : !job.outdated;
+      if (!there || !job.fault.empty()) missing.push_back(number);
+    }
+    return missing;
+  }
+
+  void collect_sandbox_paths() {
+    std::set<std::string> read, write;
+    for (const size_t number : todo_) {
+      if (!jobs_[number].fault.empty()) continue;
+      const SandboxPaths paths = sandbox_paths(options_of(jobs_[number]));
+      read.insert(paths.read.begin(), paths.read.end());
+      write.insert(paths.write.begin(), paths.write.end());
+    }
+    sandbox_.read.assign(read.begin(), read.end());
+    sandbox_.write.assign(write.begin(), write.end());
+  }
+
+  static ProgramOptions options_of(const BatchJob& job) {
+    ProgramOptions options = *job.options;
+    options.models = {job.model};
+    options.output = job.output;
+    options.keep_going = false; // it has one model
+    return options;
+  }
+
+  // In a process of its own.
+  void begin_process() {
+    const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+    if (nothing >= 0) ::dup2(nothing, STDIN_FILENO);
+    ::setenv("SOFTGL_THREADS", std::to_string(threads_each_).c_str(), 1);
+    memory_.open();
+    if (options_.limits.sandbox) enter_sandbox(sandbox_);
+  }
+
+  JobAnswer draw(size_t number) const {
+    const BatchJob& job = jobs_[number];
+    const auto start = Clock::now();
+    JobAnswer answer;
+    JobResult result;
+    memory_.start();
+    const auto fail = [&result](int code, const std::string& sentence) {
+      result.exit_code = code;
+      result.error = sentence;
     };
     try {
-      parallel_for(outcome.count, threads_each_, draw_and_go_on);
-    } catch (...) {
-      add_warnings();
-      throw;
+      const ProgramOptions options = options_of(job);
+      start_time_limit(options.limits.seconds);
+      for (const std::string& file : job.files) make_folder_of(file);
+      PictureRecord record;
+      draw_pictures(options, threads_each_, &record);
+      result.warnings = record.warnings;
+      result.pixels = record.pixels;
+    } catch (const ProgramError& error) { fail(error.code, error.what()); } catch (const std::bad_alloc&) {
+      fail(kCannotRead, job.model + ": not enough memory");
+      answer.last = true; // a process that has lost much memory in pieces has less for the next job
+    } catch (const std::exception& error) { fail(kCannotRead, job.model + ": " + error.what()); }
+    start_time_limit(0);
+    result.milliseconds = 1e3 * since(start);
+    result.peak_memory = memory_.bytes();
+    answer.text = as_text(result);
+    return answer;
+  }
+
+  static void make_folder_of(const std::string& file) {
+    std::error_code ignored; // writing the file will say it
+    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+    if (!folder.empty()) std::filesystem::create_directories(folder, ignored);
+  }
+
+  JobResult result_of(size_t number) const {
+    JobResult result;
+    result.job = jobs_[number].key;
+    result.where = jobs_[number].where;
+    result.model = jobs_[number].model;
+    result.output = jobs_[number].output;
+    return result;
+  }
+
+  void take_answer(size_t job, const std::string& text) {
+    JobResult result = result_of(job);
+    read_text(text, result);
+    if (result.exit_code == kSuccess) result.written = stamp_of(jobs_[job].files);
+    finish(job, result);
+  }
+
+  void take_death(size_t number, int status) {
+    const BatchJob& job = jobs_[number];
+    remove_unfinished(job.files);
+    JobResult result = result_of(number);
+    const double seconds = job.options->limits.seconds;
+    if (WIFSIGNALED(status)) {
+      result.exit_code = 128 + WTERMSIG(status);
+      result.error = job.model + ": the process that drew it was ended by signal " +
+                     std::to_string(WTERMSIG(status)) + " (" + ::strsignal(WTERMSIG(status)) + ")";
+    } else if (seconds > 0 && WEXITSTATUS(status) == kCannotRead) {
+      std::ostringstream sentence;
+      sentence << job.model << ": not finished after " << seconds << " s (--timeout)";
+      result.exit_code = kCannotRead;
+      result.error = sentence.str();
+    } else {
+      result.exit_code = WEXITSTATUS(status) ? WEXITSTATUS(status) : int(kCannotRead);
+      result.error =
+          job.model + ": the process that drew it ended with code " + std::to_string(WEXITSTATUS(status));
     }
-    add_warnings();
-    const auto first = std::find_if(errors.begin(), errors.end(), [](const auto& error) { return !!error; });
-    if (first != errors.end()) throw ProgramError(**first);
+    finish(number, result);
   }
 
-  Camera camera_of(const PreparedModel& model, const CameraOptions& view, const PictureJob& job) const {
-    if (options_.turntable) return turntable_camera(model.mesh, view, int(job.frame), options_.turntable);
-    const Camera camera = picture_camera(model, view);
-    if (!options_.place.output.empty() && job.pass == 0)
-      write_camera(options_.place.output, placement_of(camera, model.frame));
-    return camera;
-  }
-
-  void judge(const PreparedModel& model, const RenderResult& result, Warnings& warnings) const {
-    if (options_.render.background.transparent && !has_alpha(options_.format))
-      warnings.add(options_.output == "-" ? "standard output" : options_.output,
-                   "pictures of format " + options_.format +
-                       " have no transparency; the background is white");
-    if (!result.visible)
-      throw ProgramError(kCannotRead,
-                         model.name + ": nothing of the model is visible in this view; no picture written");
-    if (result.as_wireframe)
-      warnings.add(model.name,
-                   result.transparent
-                       ? "nothing of it shows because its materials are transparent (d, Tr or map_d); its "
-                         "edges are drawn instead"
-                       : "its surfaces have no visible area in this view; their edges are drawn instead");
-  }
-
-  void refuse_warnings(const PreparedModel& model, uint64_t count) const {
-    if (!options_.strict || count == 0) return;
-    throw ProgramError(kCannotRead, model.name + ": " + std::to_string(count) +
-                                        (count == 1 ? " warning" : " warnings") +
-                                        " with --strict; no picture written");
-  }
-
-  // Messages by model, whichever ends first.
-  void end_model(Outcome& outcome) {
-    const std::scoped_lock lock(mutex_);
-    outcome.done = true;
-    for (; next_ < outcomes_.size() && outcomes_[next_].done; ++next_) {
-      const Outcome& next = outcomes_[next_];
-      std::string text;
-      if (!options_.quiet)
-        for (const std::string& sentence : next.warnings.sentences())
-          text += "softgl: warning: " + sentence + "\n";
-      if (!options_.quiet)
-        for (const std::string& sentence : next.warnings.notices())
-          text += "softgl: note: " + sentence + "\n";
-      if (options_.verbose)
-        for (const std::string& sentence : next.notes.sentences()) text += "softgl: note: " + sentence + "\n";
-      if (options_.verbose && !next.error && next.count > 0) text += as_text(next.report);
-      if (options_.keep_going && next.error)
-        text += "softgl: error: " + std::string(next.error->what()) + "\n";
-      if (!text.empty()) progress_.say(text);
-      if (next.error && !options_.keep_going) next_ = outcomes_.size(); // the last that is heard of
+  void finish(size_t number, const JobResult& result) {
+    report_.add(result);
+    progress_.step();
+    if (result.exit_code == kSuccess) {
+      ++drawn_;
+      return;
     }
-  }
-
-  int finish() {
-    size_t failed = 0;
-    int code = kSuccess;
-    for (const Outcome& outcome : outcomes_)
-      if (outcome.error) {
-        if (failed++ == 0) code = outcome.error->code;
-      }
-    if (failed > 0)
-      progress_.say("softgl: " + std::to_string(failed) + " of " + std::to_string(outcomes_.size()) +
-                    (outcomes_.size() == 1 ? " model" : " models") + " failed\n");
-    if (options_.stats) print_stats();
-    return code;
-  }
-
-  void print_stats() {
-    std::string text;
-    for (const Outcome& outcome : outcomes_) {
-      if (outcome.error || outcome.count == 0) continue;
-      text +=
-          (text.empty() ? "" : ",\n") + stats_as_json(outcome.report, outcome.times, options_.render.width,
-                                                      options_.render.height, outcome.warnings);
-      text.pop_back();
+    ++failed_;
+    if (number < first_failed_) {
+      first_failed_ = number;
+      exit_code_ = result.exit_code;
     }
-    if (plan_.models.size() != 1) text = "[\n" + text + "\n]";
-    print_text(text + "\n", options_.output == "-" ? stderr : stdout);
+    progress_.say("softgl: error: " + (result.where == result.model ? "" : result.where + ": ") +
+                  result.error + "\n");
+  }
+
+  void print_summary(double seconds, int signal) {
+    if (!report_.fault().empty()) progress_.say("softgl: error: " + report_.fault() + "\n");
+    if (options_.quiet) return;
+    std::ostringstream text;
+    text.precision(3);
+    text << "softgl: " << mine_.size() << (mine_.size() == 1 ? " job" : " jobs");
+    if (shard_.count > 1) text << " of shard " << shard_.number << '/' << shard_.count;
+    text << ": " << drawn_ << " drawn, " << mine_.size() - todo_.size() << " there already, " << failed_
+         << " failed";
+    const size_t left = todo_.size() - drawn_ - failed_;
+    if (left > 0) text << ", " << left << " not begun or dropped";
+    if (signal) text << " after signal " << signal;
+    text << "; " << seconds << " s\n";
+    progress_.say(text.str());
   }
 
   const ProgramOptions& options_;
-  const PicturePlan plan_;
-  OutputSet outputs_;
-  std::vector<Outcome> outcomes_; // for each model
-  std::mutex mutex_;
-  size_t next_ = 0; // model whose messages are next
+  const Shard shard_;
+  const std::vector<BatchJob> jobs_;      // of all shards
+  const std::vector<size_t> mine_, todo_; // the shard's, the heaviest first
+  JobReport report_;
   Progress progress_;
-  unsigned at_once_ = 1, threads_each_ = 1;
+  SandboxPaths sandbox_;
+  MemoryPeak memory_;
+  unsigned processes_ = 1, threads_each_ = 1;
+  size_t drawn_ = 0, failed_ = 0, first_failed_ = SIZE_MAX;
+  int exit_code_ = kSuccess;
 };
 
 } // namespace
 
-int draw_pictures(const ProgramOptions& given, unsigned threads) {
-  ProgramOptions options = given;
-  read_named_files(options);
-  PictureRun run(options, threads);
-  if (run.pictures_at_once() > 1) ::setenv("SOFTGL_THREADS", "1", 1); // before GL is first used
-  return run.run();
+int run_batch(const ProgramOptions& options, const std::vector<GivenOption>& given, unsigned threads) {
+  return BatchRun(options, read_jobs(options, given), threads).run();
 }
 
 } // namespace softgl::cli

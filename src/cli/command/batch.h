@@ -1,12 +1,12 @@
-// All pictures of a run, drawn by as many threads as there are.
+// `softgl batch`: many jobs, each in one of several processes.
 #pragma once
 
 #include "command/options.h"
 
 namespace softgl::cli {
 
-// Reads each model once. Messages go to standard error, by model. Returns the exit code; throws ProgramError
-// for what ends the run.
-int draw_pictures(const ProgramOptions& options, unsigned threads);
+// Returns the exit code; throws ProgramError for what ends the run before a picture is drawn. The process has
+// no other thread.
+int run_batch(const ProgramOptions& options, const std::vector<GivenOption>& given, unsigned threads);
 
 } // namespace softgl::cli

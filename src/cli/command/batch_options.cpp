@@ -1,47 +1,78 @@
 #include "command/batch_options.h"
 
 #include "command/option_kinds.h"
-#include "command/option_values.h"
-#include "image/float_formats.h"
-#include "image/gif_encoder.h"
 
 namespace softgl::cli {
+namespace {
 
-void add_batch(CLI::App& app, ProgramOptions& options) {
-  add_parsed(app, "--pass", "LIST",
-             "color, depth, normal, uv, id (materials), ambient, diffuse, specular, emission or "
-             "coverage (a mask); several with commas and {pass} [color]",
-             [&options](const std::string& text) { options.passes = parse_passes(text); })
-      ->check(offers(pass_names()));
-  app.add_option("--bits", options.bits, "bits of a channel of a .png: 8 or 16 [8]")
-      ->check(CLI::IsMember({8, 16}))
-      ->type_name("N");
-  add_number(app, "--turntable", "N",
-             "N pictures around the model: by {frame}, as one .gif or .apng, or raw to -", options.turntable,
-             2, 10000);
-  add_number(app, "--fps", "N", "frames a second of a .gif or .apng, 1 to 100 [25]",
-             options.frames_per_second, 1, 100);
+constexpr const char* kNotes =
+    "A line of a list is MODEL, OPTIONS and OUTPUT with tabs between them, or {\"model\": \"a.obj\", "
+    "\"options\": \"--view top\", \"output\": \"a.png\"}. Options may be missing, and the output, too, where "
+    "-o "
+    "names it. Options of the command line are for all jobs; those of the line come after them. Lines that "
+    "begin with # are left out. Names are meant from the folder where softgl runs.\n\n"
+    "Each job is drawn by one of --threads processes. One that crashes, or needs more than --timeout or "
+    "--max-memory allows, fails alone. Each job that ends makes a JSON line: job, where (its line), model, "
+    "output, exit_code, milliseconds, peak_memory (bytes), warnings, pixels (a hash of the picture), written "
+    "(a "
+    "hash of the file's size and time), error.\n\n"
+    "--shard I/N: jobs weigh their model's bytes and 1 MiB. Sorted by weight, those of one weight by a hash "
+    "of "
+    "their output's name, each goes to the shard that weighs least so far. So the order of the list does not "
+    "matter. All machines must see the same files.\n\n"
+    "--resume with --report: a picture is there if a line of the report says that this very file was drawn "
+    "with "
+    "exit code 0 by the same softgl, with the same options, from a model of the same name, size and time. "
+    "With "
+    "{shard} in the report's name, the reports of all shards count. Without --report: a picture is there if "
+    "it "
+    "is not older than its model. Material files and textures do not count. A file that is there is whole: "
+    "it "
+    "gets its name when it is complete. What a killed run left unfinished is removed.\n\n"
+    "SIGTERM, SIGINT and SIGHUP: no job is begun, those at work have 10 s to end (none after a second "
+    "signal), "
+    "and the exit code is 128 and the signal, 143 for SIGTERM.\n\n"
+    "Exit codes: 0 all done, 2 wrong usage (also two jobs with one output: nothing is drawn), else that of "
+    "the "
+    "first job of the list that failed: 3 or 4 as softgl, 128 and a signal for a process that was killed.";
+
+} // namespace
+
+CLI::App* add_batch(CLI::App& app, ProgramOptions& options) {
+  CLI::App& batch = *app.add_subcommand(
+      "batch", "draw a list of models, in parts on many machines, or what is missing; takes the "
+               "options of a picture");
+  batch
+      .add_option("list", options.models,
+                  "list of jobs, - for one from standard input; or models and folders of them, with -o "
+                  "'{model}.png'")
+      ->type_name("LIST");
   add_parsed(
-      app, "--sheet", "CxR", "contact sheets of C columns and R rows, by {page}; C alone: one sheet",
-      [&options](const std::string& text) { parse_sheet(text, options.sheet_columns, options.sheet_rows); });
-  app.add_flag("--recursive", options.recursive, "also the models in folders within folders");
-  app.add_flag("--skip-existing", options.skip_existing, "do not draw pictures whose files are there");
-  app.add_flag("--keep-going", options.keep_going,
-               "draw the others when one fails; the exit code is that of the first");
+      batch, "--shard", "I/N",
+      "draw part I of N, the first being 1; slurm: that of the Slurm array's task; kubernetes/N: that of "
+      "an indexed Job's pod",
+      [&options](const std::string& text) { options.batch.shard = parse_shard(text); });
+  batch.add_flag("--resume", options.batch.resume, "draw only what is missing, see below");
+  batch
+      .add_option("--report", options.batch.report,
+                  "add the JSON lines to this file; {shard} in its name stands for I-of-N [standard output]")
+      ->type_name("FILE");
+  add_footer(batch,
+             {"softgl batch parts/ -o 'thumbs/{model}.png' --size 256x256 --resume",
+              "softgl batch jobs.tsv --shard slurm --resume --report 'log/{shard}.jsonl'",
+              "softgl batch - --shard 2/8 --threads 1 --timeout 60 < jobs.jsonl"},
+             kNotes);
+  batch.fallthrough();
+  return &batch;
 }
 
-std::string complete_batch(ProgramOptions& options) {
-  if (options.format == "exr" && !can_write_exr())
-    return "this softgl was built without tinyexr and writes no OpenEXR; pfm is another format of floats";
-  if (options.bits == 16 && (options.format != "png" || options.sheet_columns))
-    return "--bits 16 is for .png pictures; .pfm and .exr have floats";
-  if (is_float_format(options.format) && options.sheet_columns) return "a sheet has no floats";
-  options.render.values = is_float_format(options.format) ? Values::kFloats
-                          : options.bits == 16            ? Values::kWords
-                                                          : Values::kBytes;
-  if (options.format == "gif" && !can_write_gif())
-    return "this softgl was built without giflib and writes no GIF; apng is another format";
-  if (is_animation(options.format) && options.sheet_columns) return "a sheet is no animation";
+std::string complete_batch(const ProgramOptions& options) {
+  if (options.models.empty()) return "no list of jobs given";
+  if (options.stats) return "--stats: what each job took stands in its JSON line";
+  if (options.skip_existing) return "--skip-existing: in a batch this is --resume";
+  if (options.sheet_columns) return "--sheet: jobs have no pictures in common";
+  if (options.output == "-") return "the pictures of a batch are files";
+  if (options.batch.report == "-") return "--report names a file; without it lines go to standard output";
   return {};
 }
 

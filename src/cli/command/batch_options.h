@@ -1,4 +1,4 @@
-// The options of a run that draws more than one picture.
+// The options of `softgl batch`.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -7,10 +7,9 @@
 
 namespace softgl::cli {
 
-void add_batch(CLI::App& app, ProgramOptions& options);
+CLI::App* add_batch(CLI::App& app, ProgramOptions& options);
 
-// After parsing: a sentence about a mistake, or nothing. The format is known. Sets how values are drawn for
-// it.
-std::string complete_batch(ProgramOptions& options);
+// After parsing: a sentence about a mistake, or nothing.
+std::string complete_batch(const ProgramOptions& options);
 
 } // namespace softgl::cli

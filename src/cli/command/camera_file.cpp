@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "common/file_writer.h"
 #include "common/program_error.h"
 #include "image/image_writer.h"
 

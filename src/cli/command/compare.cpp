@@ -8,6 +8,7 @@
 
 #include "command/compare_report.h"
 #include "command/report.h"
+#include "common/file_writer.h"
 #include "common/parallel.h"
 #include "common/program_error.h"
 #include "image/image_writer.h"

@@ -12,6 +12,7 @@
 #include "command/figure_options.h"
 #include "command/help_page.h"
 #include "command/look_options.h"
+#include "command/many_options.h"
 #include "command/option_kinds.h"
 #include "command/option_values.h"
 #include "command/settings.h"
@@ -69,7 +70,7 @@ public:
     add_colors();
     add_look(app_, options_);
     start_group(app_, "Many pictures");
-    add_batch(app_, options_);
+    add_many(app_, options_);
     start_group(app_, "Models of unknown origin");
     add_limits(app_);
     add_number(app_, "--max-size", "N", "refuse pictures wider or higher", options_.limits.picture_side, 1,
@@ -83,20 +84,18 @@ public:
     compare_ = add_compare(app_, options_.compare);
     add_stats(*compare_, "print times to standard error: json", stats_);
     add_window();
+    batch_ = add_batch(app_, options_);
     add_config();
   }
 
+  // Throws ProgramError for a mistake, and CLI::Success if it has printed what was asked for.
   ParsedOptions parse(int argc, const char* const* argv) {
     try {
       app_.parse(argc, argv);
       take_settings();
-    } catch (const ProgramError& mistake) {
-      return refuse(mistake.what());
-    } catch (const CLI::CallForHelp& help) {
-      return {std::nullopt, app_.exit(help)};
-    } catch (const CLI::CallForVersion& version) {
-      return {std::nullopt, app_.exit(version)};
-    } catch (const CLI::Error& mistake) { return refuse(one_line(mistake.what())); }
+    } catch (const CLI::Success&) { throw; } catch (const CLI::Error& mistake) {
+      refuse(one_line(mistake.what()));
+    }
     options_.stats = !stats_.empty();
     if (*info_) {
       options_.command = ProgramOptions::kInfo;
@@ -106,15 +105,27 @@ public:
       options_.command = ProgramOptions::kCompare;
       return {options_, 0};
     }
+    if (*batch_) {
+      options_.command = ProgramOptions::kBatch;
+      refuse(complete_batch(options_));
+      return {options_, 0, given()};
+    }
     if (*view_) options_.command = ProgramOptions::kView;
     std::string mistake = *figure_ ? complete_figure() : std::string();
     if (mistake.empty()) mistake = complete_output();
     if (mistake.empty()) mistake = complete_rendering();
-    if (!mistake.empty()) return refuse(mistake);
+    refuse(mistake);
     complete_view();
-    mistake = complete_look(options_);
-    if (!mistake.empty()) return refuse(mistake);
+    refuse(complete_look(options_));
     return {options_, 0, given()};
+  }
+
+  // What CLI11 throws for --help and --version.
+  int print(const CLI::Success& asked) const { return app_.exit(asked); }
+
+  void let_last_count() {
+    for (CLI::Option* option : app_.get_options())
+      if (option->get_expected_max() == 1) option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   }
 
   CommandRow describe_all() const { return describe(app_); }
@@ -369,9 +380,8 @@ private:
     return all;
   }
 
-  static ParsedOptions refuse(const std::string& sentence) {
-    std::fprintf(stderr, "softgl: %s (softgl --help shows the options)\n", sentence.c_str());
-    return {std::nullopt, kUsageError};
+  static void refuse(const std::string& mistake) {
+    if (!mistake.empty()) throw ProgramError(kUsageError, mistake);
   }
 
   // What follows from the options together. Each gives the sentence about a mistake, or nothing.
@@ -408,7 +418,7 @@ private:
              "\"; known are png, ppm, pam, jpg, bmp, tga, gif, apng, pfm and exr";
     if (format.empty()) format = "png";
     if (!is_image_format(format)) return "unknown picture format \"" + format + "\"";
-    return complete_batch(options_);
+    return complete_many(options_);
   }
 
   std::string complete_rendering() {
@@ -452,7 +462,7 @@ private:
   }
 
   CLI::App app_;
-  CLI::App *info_ = nullptr, *figure_ = nullptr, *compare_ = nullptr, *view_ = nullptr;
+  CLI::App *info_ = nullptr, *figure_ = nullptr, *compare_ = nullptr, *view_ = nullptr, *batch_ = nullptr;
   ProgramOptions options_;
   std::string config_;
   std::string png_ = "default", shading_ = "gouraud", specular_ = "half", stats_;
@@ -464,7 +474,30 @@ private:
 
 } // namespace
 
-ParsedOptions parse_options(int argc, const char* const* argv) { return CommandLine().parse(argc, argv); }
+ParsedOptions parse_options(int argc, const char* const* argv) {
+  CommandLine line;
+  try {
+    return line.parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    return {std::nullopt, line.print(asked)};
+  } catch (const ProgramError& mistake) {
+    std::fprintf(stderr, "softgl: %s (softgl --help shows the options)\n", mistake.what());
+    return {std::nullopt, kUsageError};
+  }
+}
+
+ProgramOptions parse_picture(const std::vector<std::string>& words) {
+  std::vector<const char*> argv = {"softgl"};
+  for (const std::string& word : words) argv.push_back(word.c_str());
+  CommandLine line;
+  line.let_last_count();
+  try {
+    const ParsedOptions parsed = line.parse(int(argv.size()), argv.data());
+    if (parsed.options->command == ProgramOptions::kRender && parsed.options->models.size() == 1)
+      return *parsed.options;
+  } catch (const CLI::Success&) {}
+  throw ProgramError(kUsageError, "these are no options of a picture");
+}
 
 CommandRow describe_command_line() { return CommandLine().describe_all(); }
 

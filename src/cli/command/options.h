@@ -11,6 +11,7 @@
 #include "command/model_loader.h"
 #include "figure/language.h"
 #include "image/image_writer.h"
+#include "jobs/shard.h"
 #include "mesh/normal_generator.h"
 #include "scene/camera.h"
 #include "scene/renderer.h"
@@ -53,9 +54,15 @@ struct FigureOptions {
   bool folder = false; // the output is one
 };
 
+struct BatchOptions {
+  std::optional<Shard> shard;
+  bool resume = false;
+  std::string report; // empty: standard output
+};
+
 struct ProgramOptions {
-  enum Command { kRender, kInfo, kFigure, kCompare, kView } command = kRender;
-  std::vector<std::string> models; // and folders of models; none for kFigure: a sphere
+  enum Command { kRender, kInfo, kFigure, kCompare, kView, kBatch } command = kRender;
+  std::vector<std::string> models; // and folders of models, and lists for kBatch; none for kFigure: a sphere
   std::string output;
   std::string format; // of pictures; of figures also svg and html
   int bits = 8;       // of a PNG's channel
@@ -78,6 +85,7 @@ struct ProgramOptions {
   CompareOptions compare;
   FigureOptions figure;
   std::string script; // of kView
+  BatchOptions batch;
 };
 
 // An option as the command line has it, by its first long name; a flag has no values.
@@ -95,6 +103,10 @@ struct ParsedOptions {
 };
 
 ParsedOptions parse_options(int argc, const char* const* argv);
+
+// The options of one picture, for which there is a command line without the program's name. Of an option that
+// comes twice the last counts, but for --light. Throws ProgramError (kUsageError).
+ProgramOptions parse_picture(const std::vector<std::string>& words);
 
 // What parse_options() takes.
 CommandRow describe_command_line();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "common/file_writer.h"
 #include "image/float_formats.h"
 #include "scene/sheet.h"
 

@@ -11,15 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_model_name(const std::string& path) {
-  std::string name = path;
-  for (char& c : name) c = char(c >= 'A' && c <= 'Z' ? c + 32 : c);
-  for (const char* packed : {".gz", ".zst"})
-    if (name.ends_with(packed)) name.resize(name.rfind('.'));
-  return name.ends_with(".obj") || name.ends_with(".ply") || name.ends_with(".stl");
-}
-
-template <class Iterator> std::vector<std::string> models_in(const std::string& folder) {
+template <class Iterator> std::vector<std::string> list_models(const std::string& folder) {
   std::vector<std::string> models;
   std::error_code problem;
   for (Iterator i(folder, problem), end; !problem && i != end; i.increment(problem))
@@ -73,9 +65,7 @@ public:
   PicturePlan plan() {
     for (const std::string& model : options_.models) {
       if (model != "-" && fs::is_directory(model)) {
-        const std::vector<std::string> inside = options_.recursive
-                                                    ? models_in<fs::recursive_directory_iterator>(model)
-                                                    : models_in<fs::directory_iterator>(model);
+        const std::vector<std::string> inside = models_in(model, options_.recursive);
         plan_.models.insert(plan_.models.end(), inside.begin(), inside.end());
       } else {
         plan_.models.push_back(model);
@@ -170,6 +160,19 @@ private:
 };
 
 } // namespace
+
+bool is_model_name(const std::string& path) {
+  std::string name = path;
+  for (char& c : name) c = char(c >= 'A' && c <= 'Z' ? c + 32 : c);
+  for (const char* packed : {".gz", ".zst"})
+    if (name.ends_with(packed)) name.resize(name.rfind('.'));
+  return name.ends_with(".obj") || name.ends_with(".ply") || name.ends_with(".stl");
+}
+
+std::vector<std::string> models_in(const std::string& folder, bool deep) {
+  return deep ? list_models<fs::recursive_directory_iterator>(folder)
+              : list_models<fs::directory_iterator>(folder);
+}
 
 std::string stem_of(const std::string& path) {
   if (path == "-") return "stdin";

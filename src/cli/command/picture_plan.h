@@ -24,6 +24,13 @@ struct PicturePlan {
   std::vector<PlannedOutput> outputs;
 };
 
+// By the end of its name: OBJ, PLY or STL, which may be compressed.
+bool is_model_name(const std::string& path);
+
+// The models in a folder, by name; with `deep` those of the folders in it, too. Throws ProgramError
+// (kCannotRead), also if there are none.
+std::vector<std::string> models_in(const std::string& folder, bool deep);
+
 // Folders become the OBJ, PLY and STL files in them, by name. With --skip-existing, without the pictures that
 // are there. Throws ProgramError: kCannotRead for a folder without models, kUsageError if two pictures would
 // have one name or the name asks for what there is not.

@@ -13,10 +13,12 @@
 #include "command/figure.h"
 #include "command/model_loader.h"
 #include "command/options.h"
+#include "command/picture_run.h"
 #include "command/prepared_model.h"
 #include "command/sandbox_paths.h"
 #include "command/window_start.h"
 #include "common/compressed_text.h"
+#include "common/file_writer.h"
 #include "common/program_error.h"
 #include "common/time_limit.h"
 #include "mesh/face_triangulation.h"
@@ -26,10 +28,12 @@ namespace {
 
 class Program {
 public:
-  explicit Program(const ProgramOptions& options) : options_(options) {}
+  Program(const ProgramOptions& options, const std::vector<GivenOption>& given)
+      : options_(options), given_(given) {}
 
   int run() {
     switch (options_.command) {
+    case ProgramOptions::kBatch: return run_batch(options_, given_, threads());
     case ProgramOptions::kCompare: return compare();
     case ProgramOptions::kFigure: return measured(&Program::figure, "draw", options_.output == "-");
     case ProgramOptions::kInfo: return measured(&Program::info, "measure", true);
@@ -157,12 +161,15 @@ private:
   }
 
   const ProgramOptions& options_;
+  const std::vector<GivenOption>& given_;
   Warnings warnings_, notes_;
   RunTimes times_;
 };
 
-void start_limits(const RunLimits& limits) {
-  if (limits.seconds > 0) start_time_limit(limits.seconds);
+// The processes of a batch have a time limit for each job, and a sandbox each.
+void start_limits(const ProgramOptions& options) {
+  const RunLimits& limits = options.limits;
+  if (limits.seconds > 0 && options.command != ProgramOptions::kBatch) start_time_limit(limits.seconds);
   if (limits.memory_bytes == 0) return;
   // What is allocated, and not what is merely mapped: libraries and the model's file do not count.
   const rlimit memory{limits.memory_bytes, limits.memory_bytes};
@@ -171,7 +178,7 @@ void start_limits(const RunLimits& limits) {
 }
 
 void start_sandbox(const ProgramOptions& options) {
-  if (!options.limits.sandbox) return;
+  if (!options.limits.sandbox || options.command == ProgramOptions::kBatch) return;
   for (const std::string& lacking : enter_sandbox(sandbox_paths(options)))
     if (options.verbose) std::fprintf(stderr, "softgl: note: %s\n", lacking.c_str());
 }
@@ -192,9 +199,9 @@ int run_program(int argc, const char* const* argv) {
     if (parsed.options->models.size() == 1) name = parsed.options->models.front().c_str();
     if (parsed.options->threads)
       ::setenv("SOFTGL_THREADS", std::to_string(parsed.options->threads).c_str(), 1);
-    start_limits(parsed.options->limits);
+    start_limits(*parsed.options);
     start_sandbox(*parsed.options);
-    Program program(*parsed.options);
+    Program program(*parsed.options, parsed.given);
     try {
       const int code = program.run();
       program.print_messages();

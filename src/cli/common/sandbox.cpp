@@ -95,7 +95,7 @@ constexpr long kAllowed[] = {
     SYS_lseek, SYS_open, SYS_openat, SYS_stat, SYS_fstat, SYS_lstat, SYS_newfstatat, SYS_statx, SYS_statfs,
     SYS_fstatfs, SYS_access, SYS_faccessat, 439 /* faccessat2 */, SYS_readlink, SYS_readlinkat,
     SYS_getdents64, SYS_getcwd, SYS_mkdir, SYS_mkdirat, SYS_rename, SYS_renameat, SYS_renameat2, SYS_unlink,
-    SYS_unlinkat, SYS_fchmod, SYS_ftruncate, SYS_fsync, SYS_fcntl, SYS_dup, SYS_poll, SYS_ppoll,
+    SYS_unlinkat, SYS_fchmod, SYS_flock, SYS_ftruncate, SYS_fsync, SYS_fcntl, SYS_dup, SYS_poll, SYS_ppoll,
     SYS_fadvise64,
     // Within the process: UBSan finds out by a pipe whether memory can be read.
     SYS_pipe, SYS_pipe2,

@@ -5,8 +5,8 @@
 
 namespace softgl::cli {
 
-// After so many seconds the program says so and ends with kCannotRead. A file that is being written is
-// removed.
+// After so many seconds, counted from now (0: no more), the program says so and ends with kCannotRead. A file
+// that is being written is removed.
 void start_time_limit(double seconds);
 
 // While one exists, the file of that name is incomplete.

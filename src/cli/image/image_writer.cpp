@@ -1,17 +1,9 @@
 #include "image/image_writer.h"
 
 #include <algorithm>
-#include <atomic>
-#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-#include <fcntl.h>
-#include <optional>
-#include <sys/stat.h>
-#include <unistd.h>
 
-#include "common/program_error.h"
-#include "common/time_limit.h"
 #include "image/png_encoder.h"
 
 #pragma GCC diagnostic push
@@ -114,63 +106,6 @@ GrowingArray<uint8_t> encode_image(const Picture& picture, const std::string& fo
                            picture.pixels.data(), 92);
   }
   return out;
-}
-
-namespace {
-
-[[noreturn]] void cannot_write(const std::string& name, int problem) {
-  throw ProgramError(kCannotWrite, name + ": cannot write: " + std::strerror(problem));
-}
-
-// 0, or what went wrong.
-int write_all(int file, const GrowingArray<uint8_t>& bytes) {
-  size_t written = 0;
-  while (written < bytes.size()) {
-    const ssize_t count = ::write(file, bytes.data() + written, bytes.size() - written);
-    if (count >= 0)
-      written += size_t(count);
-    else if (errno != EINTR)
-      return errno;
-  }
-  return 0;
-}
-
-// The file that a symbolic link names in the end: the link stays.
-std::string real_path(const std::string& path) {
-  char* real = ::realpath(path.c_str(), nullptr);
-  std::string result = real ? real : path;
-  std::free(real);
-  return result;
-}
-
-} // namespace
-
-void write_file(const std::string& path, const GrowingArray<uint8_t>& bytes) {
-  if (path == "-") {
-    if (const int problem = write_all(STDOUT_FILENO, bytes)) cannot_write("standard output", problem);
-    return;
-  }
-  struct stat status {};
-  const bool exists = ::stat(path.c_str(), &status) == 0;
-  const std::string target = exists ? real_path(path) : path;
-  // A device or a pipe is written to; a file is replaced at once, so that nobody sees half of it.
-  // An empty file may be held open by who made it and waits for the picture, as tumbler does.
-  const bool replaced = !exists || (S_ISREG(status.st_mode) && status.st_size > 0);
-  static std::atomic<unsigned> number{0};
-  const std::string temporary =
-      replaced ? target + "." + std::to_string(::getpid()) + "-" + std::to_string(number++) + ".tmp" : target;
-  const int file =
-      ::open(temporary.c_str(), O_WRONLY | O_CREAT | (replaced ? O_EXCL : O_TRUNC) | O_CLOEXEC, 0666);
-  if (file < 0) cannot_write(path, errno);
-  std::optional<UnfinishedFile> unfinished;
-  if (replaced) unfinished.emplace(temporary);
-  if (exists && replaced) ::fchmod(file, status.st_mode & 07777);
-  int problem = write_all(file, bytes);
-  if (::close(file) != 0 && problem == 0) problem = errno;
-  if (replaced && problem == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) problem = errno;
-  if (problem == 0) return;
-  if (replaced) ::unlink(temporary.c_str());
-  cannot_write(path, problem);
 }
 
 } // namespace softgl::cli

@@ -26,8 +26,4 @@ GrowingArray<uint8_t> encode_image(const Picture& picture, const std::string& fo
 
 Picture as_rgb(const Picture& picture); // of 8 bits; alpha is laid over white
 
-// To a file, or to standard output for "-". A file is written under another name beside it and then renamed:
-// it is the old one or the new one, whole, at any time. Throws ProgramError (kCannotWrite).
-void write_file(const std::string& path, const GrowingArray<uint8_t>& bytes);
-
 } // namespace softgl::cli

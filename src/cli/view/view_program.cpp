@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "command/picture_plan.h"
+#include "common/file_writer.h"
 #include "common/source_text.h"
 #include "image/image_writer.h"
 #include "view/script.h"

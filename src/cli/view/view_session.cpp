@@ -7,6 +7,7 @@
 
 #include "command/picture_inputs.h"
 #include "command/picture_plan.h"
+#include "common/file_writer.h"
 #include "view/view_arguments.h"
 #include "view/view_motion.h"
 
