@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <sys/stat.h>
 
 using namespace softgl::test;
@@ -160,6 +161,9 @@ TEST_CASE("mpi: any number of processes draws the bytes of softgl", "[mpi]") {
     CHECK((draw(processes, files) == expected));
   }
   CHECK((draw(9, files) == expected)); // more processes than parts
+  // Which axis points up is guessed from all parts.
+  const std::vector<std::string> guessed(files.begin(), files.end() - 2);
+  CHECK((draw(2, guessed) == draw_alone({whole})));
   CHECK((draw(3, with(files, {"--deal", "turns"})) == expected));
   const std::vector<std::string> look = {"--aa",       "4",     "--view", "front",           "--ortho",
                                          "--shading",  "phong", "--bg",   "#aabbcc:#224466", "--light",
@@ -189,11 +193,10 @@ TEST_CASE("mpi: of equal depths the last part's is seen, whoever draws it", "[mp
   const std::vector<std::string> look = {"--up", "+Y", "--view", "front"};
   const std::string expected = draw_alone(with({write("squares.obj", whole)}, look));
   CHECK(parse_ppm(expected).colors() == 10);
-  for (const int processes : {1, 2, 3})
-    for (const char* deal : {"blocks", "turns"}) {
-      INFO(processes << " processes, " << deal);
-      CHECK((draw(processes, with(with(files, look), {"--deal", deal})) == expected));
-    }
+  for (const auto& [processes, deal] : {std::pair{1, "blocks"}, {2, "turns"}, {3, "blocks"}, {4, "turns"}}) {
+    INFO(processes << " processes, " << deal);
+    CHECK((draw(processes, with(with(files, look), {"--deal", deal})) == expected));
+  }
   // The other way round another one is on top.
   std::vector<std::string> reversed(files.rbegin(), files.rend());
   CHECK((draw(2, with(reversed, look)) != expected));
@@ -233,24 +236,102 @@ TEST_CASE("mpi: what cannot be composed is refused with one sentence", "[mpi]") 
   const std::string part = balls().write_parts("ball")[0];
   const std::string output = folder() + "none.png";
   const auto refused = [&](const std::vector<std::string>& more, int code, const std::string& sentence) {
-    const ProgramRun done = run(1, with({part, "--up", "+Y", "-o", output}, more));
+    const ProgramRun done = run(1, with({part, "--up", "+Y"}, more));
     INFO(done.errors);
     CHECK(done.exit_code == code);
     CHECK(has(done.errors, sentence));
     CHECK(std::count(done.errors.begin(), done.errors.end(), '\n') == 1);
     CHECK_FALSE(fs::exists(output));
   };
-  refused({"--ground"}, 2, "the shadow of --ground");
-  refused({"--edges", "sharp"}, 2, "no --edges");
-  refused({"--pass", "depth"}, 2, "not --pass depth");
-  refused({"--bits", "16"}, 2, "no --bits 16");
+  refused({"-o", output, "--ground"}, 2, "the shadow of --ground");
+  refused({"-o", output, "--edges", "sharp"}, 2, "no --edges");
+  refused({"-o", output, "--pass", "depth"}, 2, "not --pass depth");
+  refused({"-o", output, "--bits", "16"}, 2, "no --bits 16");
   refused({"--turntable", "4", "-o", folder() + "{n}.png"}, 2, "one picture of one view");
-  refused({"--deal", "cards"}, 2, "--deal is blocks or turns");
-  refused({"--radix", "1"}, 2, "--radix is a number");
-  refused({"--aa", "3"}, 2, "--aa");
+  refused({"-o", output, "--deal", "cards"}, 2, "--deal is blocks or turns");
+  refused({"-o", output, "--radix", "1"}, 2, "--radix is a number");
+  refused({"-o", output, "--aa", "3"}, 2, "--aa");
   const std::string glass =
       write("glass.obj", "mtllib parts.mtl\nusemtl glass\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
-  refused({glass}, 3, "material \"glass\" is transparent");
+  refused({"-o", output, glass}, 3, "material \"glass\" is transparent");
+}
+
+namespace {
+
+// A rough sheet with everything that makes a file hard to cut: vertices that stand far from their faces,
+// relative indices, smoothing groups and materials that hold for many lines, normals and colors for some
+// corners only.
+std::string sheet(bool vertices_first) {
+  constexpr int kSide = 30;
+  std::mt19937 random(17);
+  const auto chance = [&random](unsigned percent) { return random() % 100 < percent; };
+  std::string vertices, text = "mtllib parts.mtl\n", faces;
+  const auto say = [&](const std::string& line) { (vertices_first ? faces : text) += line + "\n"; };
+  int last = 0;
+  for (int row = 0; row <= kSide; ++row) {
+    for (int column = 0; column <= kSide; ++column, ++last) {
+      std::string& to = vertices_first ? vertices : text;
+      to += "v " + number(column * .1) + " " + number((random() % 100) * .004) + " " + number(row * .1);
+      if (row > kSide / 2) to += " " + number((random() % 10) * .1) + " .5 .2";
+      to += "\n";
+      if (chance(20)) to += "vn " + number((random() % 10) * .1) + " 1 0\n";
+    }
+    if (row % 7 == 3) say("s " + std::string(chance(30) ? "off" : chance(50) ? "1" : "2"));
+    if (row % 5 == 2) say(std::string("usemtl ") + color_of(random() % 3));
+    for (int column = 0; row > 0 && column < kSide; ++column) {
+      const int corner = row * (kSide + 1) + column + 1; // its number, from 1
+      const int four[4] = {corner - kSide - 1, corner - kSide, corner + 1, corner};
+      std::string face = "f";
+      const int count = chance(30) ? 3 : 4;
+      for (int i = 0; i < count; ++i) {
+        const bool relative = !vertices_first && chance(50);
+        face += " " + std::to_string(relative ? four[i] - last - 1 : four[i]);
+        if (chance(20)) face += "//" + std::to_string(random() % 20 + 1);
+      }
+      say(face);
+      if (chance(3)) say("l " + std::to_string(four[0]) + " " + std::to_string(four[2]));
+      if (chance(3)) say("p " + std::to_string(four[1]));
+    }
+  }
+  for (int i = 0; i < 20; ++i) { // from one end of the sheet to the other
+    std::string face = "f";
+    for (int k = 0; k < 3; ++k) face += " " + std::to_string(random() % unsigned(last) + 1);
+    say(face);
+  }
+  return vertices + text + faces;
+}
+
+} // namespace
+
+TEST_CASE("mpi: one file is read in stretches, and the picture is that of the whole", "[mpi]") {
+  if (!can_run()) return;
+  balls().write_parts("ball"); // the materials
+  for (const bool vertices_first : {false, true}) {
+    const std::string file = write("sheet.obj", sheet(vertices_first));
+    const std::string expected = draw_alone({file});
+    CHECK(parse_ppm(expected).colors() > 500);
+    for (int processes = 2; processes <= 4; ++processes) {
+      if (vertices_first && processes == 2) continue;
+      INFO(processes << " processes");
+      CHECK((draw(processes, {file}) == expected));
+    }
+  }
+  // Vertices that no face names are points. Faces with vertices of their own are smooth across their places.
+  std::string cloud, soup;
+  for (int i = 0; i < 200; ++i)
+    cloud += "v " + number(i % 7) + " " + number(i % 5) + " " + number(i % 11) + "\n";
+  for (int i = 0; i < 200; ++i) {
+    const auto place = [](int x, int z) {
+      return "v " + number(x * .1) + " " + number(.02 * (x * z % 7)) + " " + number(z * .1) + "\n";
+    };
+    const int x = i / 20, z = i % 20;
+    soup += place(x, z) + place(x, z + 1) + place(x + 1, z + 1) + "f -3 -2 -1\n";
+    soup += place(x, z) + place(x + 1, z + 1) + place(x + 1, z) + "f -3 -2 -1\n";
+  }
+  for (const std::string& text : {cloud, soup}) {
+    const std::string file = write("places.obj", text);
+    CHECK((draw(3, {file}) == draw_alone({file})));
+  }
 }
 
 TEST_CASE("mpi: a failure of one process ends all with its sentence", "[mpi]") {
@@ -258,7 +339,9 @@ TEST_CASE("mpi: a failure of one process ends all with its sentence", "[mpi]") {
   std::vector<std::string> files = balls().write_parts("ball");
   const std::string output = folder() + "failed.png";
   const auto failed = [&](const std::vector<std::string>& arguments, int code, const std::string& sentence) {
-    const ProgramRun done = run(3, with(arguments, {"--up", "+Y", "-o", output}));
+    std::vector<std::string> words = with(arguments, {"--up", "+Y"});
+    if (std::count(words.begin(), words.end(), "-o") == 0) words = with(words, {"-o", output});
+    const ProgramRun done = run(3, words);
     INFO(done.errors);
     CHECK(done.exit_code == code);
     CHECK(has(done.errors, "softgl-mpi: error: " + sentence));
@@ -269,7 +352,8 @@ TEST_CASE("mpi: a failure of one process ends all with its sentence", "[mpi]") {
   broken[5] = write("broken.obj", "v 0 0 0\nno faces\n");
   failed(broken, 3, broken[5] + ": no geometry");
   broken[2] = folder() + "missing.obj";
-  failed(broken, 3, broken[2] + ": cannot open"); // the lowest rank that fails is heard
+  failed(broken, 3, broken[2] + ": cannot open");      // the lowest rank that fails is heard
+  failed({broken[5]}, 3, broken[5] + ": no geometry"); // one file, of which each reads a stretch
   failed(with(files, {"-o", folder() + "no/such/folder.png"}), 4, "");
 }
 

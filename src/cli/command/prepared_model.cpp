@@ -20,26 +20,10 @@ void replace(const MaterialOptions::Reflectance& chosen, float* reflectance) {
   if (chosen) std::copy(chosen->begin(), chosen->end(), reflectance);
 }
 
-void paint_over(const MaterialOptions& chosen, LoadedModel& loaded) {
-  if (chosen.color || chosen.ambient || chosen.diffuse) loaded.model.colors.release();
-  if (chosen.color)
-    for (Material& material : loaded.library.materials()) {
-      replace(chosen.color, material.ambient);
-      replace(chosen.color, material.diffuse);
-      for (float& value : material.emission) value = 0;
-      material.diffuse_map = {};
-      material.opacity_map = {};
-      material.opacity = 1;
-    }
-  override_reflectances(chosen, loaded.library.materials());
-}
-
 UpAxis guess_up_axis(const PreparedModel& prepared, const SourceText& text, Warnings& warnings,
                      Warnings& notes) {
-  const std::string_view comments = prepared.report.format == std::string_view("STL")
-                                        ? "# STL"
-                                        : std::string_view(text.begin(), std::min<size_t>(text.size(), 4096));
-  const UpEvidence evidence = up_evidence(prepared.mesh, prepared.frame, prepared.materials, comments);
+  const UpEvidence evidence = up_evidence(prepared.mesh, prepared.frame, prepared.materials,
+                                          first_lines(text, prepared.report.format));
   notes.add(text.name(), "what speaks for +Z (positive) and +Y: " + as_text(evidence));
   if (!z_is_up(evidence)) return UpAxis::kPlusY;
   warnings.add_notice(text.name(), "turned: its +Z seems to point up (--up +Y draws it as it is)");
@@ -64,6 +48,32 @@ void decode_colors(Mesh& mesh, std::vector<Material>& materials) {
 }
 
 } // namespace
+
+std::string_view first_lines(const SourceText& text, std::string_view format) {
+  return format == "STL" ? "# STL" : std::string_view(text.begin(), std::min<size_t>(text.size(), 4096));
+}
+
+void paint_over(const MaterialOptions& chosen, LoadedModel& loaded) {
+  if (chosen.color || chosen.ambient || chosen.diffuse) loaded.model.colors.release();
+  if (chosen.color)
+    for (Material& material : loaded.library.materials()) {
+      replace(chosen.color, material.ambient);
+      replace(chosen.color, material.diffuse);
+      for (float& value : material.emission) value = 0;
+      material.diffuse_map = {};
+      material.opacity_map = {};
+      material.opacity = 1;
+    }
+  override_reflectances(chosen, loaded.library.materials());
+}
+
+MeshOptions mesh_options_for(const ProgramOptions& options, const ModelReport& report) {
+  MeshOptions mesh;
+  mesh.flat = options.render.lighting.shading == Shading::kFlat;
+  const bool uv = std::find(options.passes.begin(), options.passes.end(), Pass::kUv) != options.passes.end();
+  mesh.with_texcoords = uv || (report.textures > 0 && !options.materials.color);
+  return mesh;
+}
 
 void override_reflectances(const MaterialOptions& chosen, std::vector<Material>& materials) {
   for (Material& material : materials) {
@@ -94,17 +104,13 @@ PreparedModel prepare_model(ReadModel& read, const ModelBounds& bounds, const Pr
   LoadedModel& loaded = read.loaded;
   ObjModel& model = loaded.model;
   paint_over(options.materials, loaded);
-  const bool flat = options.render.lighting.shading == Shading::kFlat;
+  const MeshOptions mesh_options = mesh_options_for(options, loaded.report);
   PreparedModel prepared;
   prepared.name = read.text.name();
   prepared.frame = frame_model(model, bounds);
   note_bounds(prepared.frame, loaded.report);
   if (options.verbose) loaded.report.area = surface_area(model);
-  if (!flat) generate_normals(model, prepared.frame, options.normals);
-  MeshOptions mesh_options;
-  mesh_options.flat = flat;
-  const bool uv = std::find(options.passes.begin(), options.passes.end(), Pass::kUv) != options.passes.end();
-  mesh_options.with_texcoords = uv || (loaded.report.textures > 0 && !options.materials.color);
+  if (!mesh_options.flat) generate_normals(model, prepared.frame, options.normals);
   prepared.mesh = build_mesh(model, prepared.frame, loaded.library, mesh_options, read.remarks);
   warnings.add(read.remarks, read.text);
   prepared.up = options.views.front().camera.up;

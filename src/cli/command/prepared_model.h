@@ -38,6 +38,13 @@ PreparedModel prepare_model(ReadModel& read, const ModelBounds& bounds, const Pr
 PreparedModel prepare_model(const std::string& path, const ProgramOptions& options, unsigned threads,
                             Warnings& warnings, Warnings& notes, RunTimes& times);
 
+// Where the program that wrote a model may be named, see exporter_evidence(). STL files say nothing but that.
+std::string_view first_lines(const SourceText& text, std::string_view format);
+
+// The steps of it that depend on the command line: the colors, and the options of the mesh.
+void paint_over(const MaterialOptions& chosen, LoadedModel& loaded);
+MeshOptions mesh_options_for(const ProgramOptions& options, const ModelReport& report);
+
 // The reflectances that the command line gives all materials.
 void override_reflectances(const MaterialOptions& chosen, std::vector<Material>& materials);
 

@@ -69,8 +69,6 @@ void refuse_what_is_not_drawn(const ProgramOptions& options) {
   if (options.limits.sandbox || options.limits.seconds > 0 || options.limits.memory_bytes)
     refuse("limits are those of the batch system: no --sandbox, --timeout or --max-memory");
   if (options.stats) refuse("no --stats; --verbose says what each process does");
-  if (options.views.front().camera.up == UpAxis::kAuto)
-    refuse("which axis points up is guessed from a whole model only; --up +Y or --up +Z says it");
 }
 
 } // namespace softgl::cli

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <new>
+#include <set>
 #include <sys/resource.h>
 #include <thread>
 
@@ -16,8 +17,9 @@
 #include "image/image_writer.h"
 #include "mpi/compositor.h"
 #include "mpi/mpi_options.h"
-#include "mpi/part_set.h"
+#include "mpi/parts_reader.h"
 #include "mpi/ranks.h"
+#include "mpi/split_reader.h"
 #include "scene/placed_camera.h"
 
 namespace softgl::cli {
@@ -69,8 +71,8 @@ public:
   void run() {
     ranks_.together([&] { read_named_files(options_); });
     const std::vector<PartFile> files = find_parts(options_, ranks_);
-    PartSet parts(files, mpi_.deal, options_, threads(), ranks_);
-    lines_.done(count_of(files.size(), "part") + " read");
+    RankModel parts = read(files);
+    lines_.done("read");
     const Camera camera = choose_camera(parts);
     PartSamples samples = draw(parts, camera);
     print_messages(parts);
@@ -91,35 +93,57 @@ private:
     return std::max(1u, std::thread::hardware_concurrency() / unsigned(ranks_.on_this_machine()));
   }
 
-  Camera choose_camera(const PartSet& parts) {
+  // One file is cut, and more of them are dealt.
+  RankModel read(const std::vector<PartFile>& files) const {
+    bool split = false;
+    ranks_.together([&] {
+      split = ranks_.is_first() && ranks_.count() > 1 && files.size() == 1 && can_split(files.front().path);
+    });
+    return ranks_.any(split) ? read_split(files.front().path, options_, threads(), ranks_)
+                             : read_parts(files, mpi_.deal, options_, threads(), ranks_);
+  }
+
+  UpAxis guess_up_axis(const RankModel& parts) const {
+    const UpEvidence evidence = parts.up_evidence(ranks_);
+    const bool z = z_is_up(evidence);
+    if (ranks_.is_first() && options_.verbose)
+      std::fprintf(stderr, "softgl-mpi: note: what speaks for +Z (positive) and +Y: %s\n",
+                   as_text(evidence).c_str());
+    if (ranks_.is_first() && z && !options_.quiet)
+      std::fputs("softgl-mpi: note: turned: its +Z seems to point up (--up +Y draws it as it is)\n", stderr);
+    return z ? UpAxis::kPlusZ : UpAxis::kPlusY;
+  }
+
+  Camera choose_camera(const RankModel& parts) {
     Camera camera{};
-    const CameraOptions& view = options_.views.front().camera;
+    CameraOptions view = options_.views.front().camera;
+    if (view.up == UpAxis::kAuto) view.up = guess_up_axis(parts);
     const CameraPoints points = parts.points(ranks_);
     try { // all ranks find the same camera, or the same mistake
-      camera = view.placement ? place_camera(points, view, parts.frame()) : fit_camera(points, view);
+      camera = view.placement ? place_camera(points, view, parts.frame) : fit_camera(points, view);
     } catch (const ProgramError& error) { throw SharedError(error.code, error.what()); }
     ranks_.together([&] {
       if (ranks_.is_first() && !options_.place.output.empty())
-        write_camera(options_.place.output, placement_of(camera, parts.frame()));
+        write_camera(options_.place.output, placement_of(camera, parts.frame));
     });
     return camera;
   }
 
-  PartSamples draw(PartSet& parts, const Camera& camera) {
+  PartSamples draw(RankModel& parts, const Camera& camera) {
     options_.render.pass = options_.passes.front();
     const bool interleaved = parts.is_interleaved(ranks_), lines = parts.lines_on_surfaces(ranks_);
     std::unique_ptr<PartRenderer> renderer;
     PartSamples samples;
     ranks_.together([&] {
       std::vector<Warnings> warnings(parts.meshes().size());
-      renderer = std::make_unique<PartRenderer>(parts.meshes(), parts.frame(), options_.render, interleaved,
-                                                warnings);
-      for (size_t i = 0; i < warnings.size(); ++i) parts.messages()[i].warnings.add_new(warnings[i]);
+      renderer =
+          std::make_unique<PartRenderer>(parts.meshes(), parts.frame, options_.render, interleaved, warnings);
+      for (size_t i = 0; i < warnings.size(); ++i) parts.messages[i].warnings.add_new(warnings[i]);
       if (const Material* material = renderer->transparent_material())
         throw ProgramError(kCannotRead, "material \"" + printable(material->name) +
                                             "\" is transparent, and only opaque parts are composed; --color "
                                             "COLOR draws all of it opaque");
-      samples = renderer->draw(camera, parts.steps(), lines);
+      samples = renderer->draw(camera, parts.steps, lines);
     });
     lines_.done("drawn");
     bool visible = false;
@@ -135,26 +159,27 @@ private:
     return samples;
   }
 
-  // All that ranks have to say, by the parts' order.
-  void print_messages(PartSet& parts) {
+  // All that ranks have to say, in the order of the parts.
+  void print_messages(RankModel& parts) {
     uint64_t count = 0;
     std::string text;
-    for (const PartMessages& part : parts.messages()) {
+    for (const PartMessages& part : parts.messages) {
       count += part.warnings.count();
-      std::string lines;
-      const auto add = [&lines](const char* kind, const std::vector<std::string>& sentences) {
+      const auto add = [&](const char* kind, const std::vector<std::string>& sentences) {
         for (const std::string& sentence : sentences)
-          lines += "softgl-mpi: " + std::string(kind) + sentence + "\n";
+          text += as_text({PartFile{"softgl-mpi: " + std::string(kind) + sentence + "\n", part.number}});
       };
       if (!options_.quiet) add("warning: ", part.warnings.sentences());
       if (options_.verbose) add("note: ", part.notes.sentences());
-      text += as_text({PartFile{lines, part.number}});
     }
-    std::vector<PartFile> all;
+    std::vector<PartFile> lines;
     for (const std::string& rank : ranks_.gather(text))
-      for (PartFile& part : parts_from(rank)) all.push_back(std::move(part));
-    std::sort(all.begin(), all.end(), [](const PartFile& a, const PartFile& b) { return a.bytes < b.bytes; });
-    for (const PartFile& part : all) std::fputs(part.path.c_str(), stderr);
+      for (PartFile& line : parts_from(rank)) lines.push_back(std::move(line));
+    std::stable_sort(lines.begin(), lines.end(),
+                     [](const PartFile& a, const PartFile& b) { return a.bytes < b.bytes; });
+    std::set<std::string> said; // several ranks may find the same
+    for (const PartFile& line : lines)
+      if (said.insert(line.path).second) std::fputs(line.path.c_str(), stderr);
     if (ranks_.is_first() && !options_.quiet) print_own_warnings();
     count = ranks_.sum(count) + as_wireframe_ + without_transparency();
     if (options_.strict && count > 0)
@@ -183,12 +208,12 @@ private:
     write_file(options_.output, encode_image(picture, options_.format, options_.png));
   }
 
-  void describe_ranks(const PartSet& parts) const {
+  void describe_ranks(const RankModel& parts) const {
     if (!options_.verbose) return;
     rusage usage{};
     ::getrusage(RUSAGE_SELF, &usage);
     const std::string line =
-        count_of(parts.meshes().size(), "part") + ", " + count_of(parts.triangles(), "triangle") + ", " +
+        count_of(parts.models.size(), "part") + ", " + count_of(parts.triangles(), "triangle") + ", " +
         count_of(ranks_.sent_messages(), "message") + " of " + std::to_string(ranks_.sent_bytes()) +
         " bytes sent, at most " + std::to_string(usage.ru_maxrss / 1024) + " MiB of memory";
     const std::vector<std::string> lines = ranks_.gather(line);

@@ -89,6 +89,10 @@ void Ranks::largest(double* values, size_t count) const {
   MPI_Allreduce(MPI_IN_PLACE, values, int(count), MPI_DOUBLE, MPI_MAX, world());
 }
 
+void Ranks::add(std::vector<int64_t>& values) const {
+  MPI_Allreduce(MPI_IN_PLACE, values.data(), int(values.size()), MPI_INT64_T, MPI_SUM, world());
+}
+
 uint64_t Ranks::largest(uint64_t value) const { return reduced(value, MPI_MAX); }
 uint64_t Ranks::sum(uint64_t value) const { return reduced(value, MPI_SUM); }
 
@@ -144,6 +148,34 @@ void Ranks::exchange(const std::vector<Message>& messages, const std::vector<int
     take(message);
   }
   MPI_Waitall(int(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+}
+
+std::vector<std::vector<uint32_t>> Ranks::swap(std::vector<std::vector<uint32_t>> words) const {
+  const auto count = size_t(count_), own = size_t(rank_);
+  std::vector<int> to(count), from(count);
+  for (size_t i = 0; i < count; ++i) {
+    if (words[i].size() > INT_MAX) throw std::bad_alloc();
+    to[i] = int(words[i].size());
+  }
+  MPI_Alltoall(to.data(), 1, MPI_INT, from.data(), 1, MPI_INT, world());
+  std::vector<std::vector<uint32_t>> received(count);
+  std::vector<MPI_Request> requests;
+  for (size_t i = 0; i < count; ++i) {
+    if (i == own || from[i] == 0) continue;
+    received[i].resize(size_t(from[i]));
+    requests.emplace_back();
+    MPI_Irecv(received[i].data(), from[i], MPI_UINT32_T, int(i), kTag + 1, world(), &requests.back());
+  }
+  for (size_t i = 0; i < count; ++i) {
+    if (i == own || to[i] == 0) continue;
+    requests.emplace_back();
+    MPI_Isend(words[i].data(), to[i], MPI_UINT32_T, int(i), kTag + 1, world(), &requests.back());
+    sent_bytes_ += 4 * words[i].size();
+    ++sent_messages_;
+  }
+  MPI_Waitall(int(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+  received[own] = std::move(words[own]);
+  return received;
 }
 
 } // namespace softgl::cli

@@ -37,6 +37,7 @@ public:
   // Each value becomes the largest of all ranks.
   void largest(double* values, size_t count) const;
   uint64_t largest(uint64_t value) const;
+  void add(std::vector<int64_t>& values) const; // each becomes the sum of all ranks'
   uint64_t sum(uint64_t value) const;
   uint64_t sum_before(uint64_t value) const; // of the lower ranks
   bool any(bool value) const { return largest(uint64_t(value)) != 0; }
@@ -56,7 +57,10 @@ public:
   void exchange(const std::vector<Message>& messages, const std::vector<int>& senders,
                 const std::function<void(const Message&)>& take) const;
 
-  // What this rank has sent in exchange(), for --verbose.
+  // To every rank the words that stand at its place, and from every rank those for this one.
+  std::vector<std::vector<uint32_t>> swap(std::vector<std::vector<uint32_t>> words) const;
+
+  // What this rank has sent in exchange() and swap(), for --verbose.
   uint64_t sent_bytes() const { return sent_bytes_; }
   uint64_t sent_messages() const { return sent_messages_; }
 
