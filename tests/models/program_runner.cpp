@@ -44,14 +44,13 @@ std::string output_folder(const std::string& name) {
 }
 
 // Files instead of pipes: no deadlock, whatever the amount.
-ProgramRun run_softgl(const std::vector<std::string>& arguments, const std::string& input,
-                      const std::vector<std::string>& environment) {
+ProgramRun run_command(const std::vector<std::string>& words, const std::string& input,
+                       const std::vector<std::string>& environment) {
   const std::string stem = output_folder("run");
   const std::string paths[3] = {stem + "in", stem + "out", stem + "err"};
   std::ofstream(paths[0], std::ios::binary) << input;
-  const std::string program = std::string(SOFTGL_TEST_BINARY_DIR) + "/softgl";
-  std::vector<char*> argv{const_cast<char*>(program.c_str())};
-  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  std::vector<char*> argv;
+  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
   argv.push_back(nullptr);
   const pid_t child = ::fork();
   if (child == 0) {
@@ -62,7 +61,7 @@ ProgramRun run_softgl(const std::vector<std::string>& arguments, const std::stri
     }
     ::setenv("XDG_CONFIG_HOME", "/nonexistent", 1); // the user's own settings are no matter of the tests
     for (const std::string& variable : environment) ::putenv(const_cast<char*>(variable.c_str()));
-    ::execv(argv[0], argv.data());
+    ::execvp(argv[0], argv.data());
     ::_exit(127);
   }
   int status = 0;
@@ -73,6 +72,13 @@ ProgramRun run_softgl(const std::vector<std::string>& arguments, const std::stri
   run.errors = read_bytes(paths[2]);
   for (const std::string& path : paths) std::filesystem::remove(path);
   return run;
+}
+
+ProgramRun run_softgl(const std::vector<std::string>& arguments, const std::string& input,
+                      const std::vector<std::string>& environment) {
+  std::vector<std::string> words = {std::string(SOFTGL_TEST_BINARY_DIR) + "/softgl"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return run_command(words, input, environment);
 }
 
 TestPicture parse_ppm(const std::string& bytes) {

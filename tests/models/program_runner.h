@@ -20,6 +20,10 @@ std::string output_folder(const std::string& name);
 ProgramRun run_softgl(const std::vector<std::string>& arguments, const std::string& input = {},
                       const std::vector<std::string>& environment = {});
 
+// The same for any program: its path or a name that PATH knows, and its arguments.
+ProgramRun run_command(const std::vector<std::string>& words, const std::string& input = {},
+                       const std::vector<std::string>& environment = {});
+
 struct TestPicture {
   int width = 0, height = 0;
   std::vector<uint8_t> rgb;

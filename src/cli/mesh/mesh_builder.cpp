@@ -18,9 +18,8 @@ struct MaterialRun {
 
 class MaterialResolver {
 public:
-  MaterialResolver(const ObjModel& model, const MaterialLibrary& library, RemarkList& remarks)
+  MaterialResolver(const ObjModel& model, const MaterialLibrary& library, bool any, RemarkList& remarks)
       : model_(model), library_(library), remarks_(remarks) {
-    bool any = false;
     for (const ObjChunk& chunk : model.chunks)
       for (const StateChange& change : chunk.changes) any |= change.kind == StateChange::kMaterial;
     // A library of one material that nobody names is meant for the whole model.
@@ -135,7 +134,8 @@ private:
     mesh_.triangles.extend(total);
     with_texcoords_ = false;
     for (const ObjChunk& chunk : model_.chunks) with_texcoords_ |= !chunk.corner_texcoords.values.empty();
-    with_texcoords_ = with_texcoords_ && options_.with_texcoords && model_.texcoord_count > 0;
+    with_texcoords_ = options_.has_texcoords.value_or(with_texcoords_ && model_.texcoord_count > 0) &&
+                      options_.with_texcoords;
     if (options_.flat)
       mesh_.positions.room(3 * total);
     else
@@ -281,7 +281,7 @@ private:
 
 Mesh build_mesh(ObjModel& model, const ModelFrame& frame, const MaterialLibrary& library,
                 const MeshOptions& options, RemarkList& remarks) {
-  MaterialResolver materials(model, library, remarks);
+  MaterialResolver materials(model, library, options.names_materials, remarks);
   return MeshBuilder(model, frame, library.materials(), options).build(materials);
 }
 

@@ -1,6 +1,7 @@
 // The model as GL wants it: one array of vertices, triangles by material.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "mesh/model_frame.h"
@@ -35,6 +36,9 @@ struct Mesh {
 struct MeshOptions {
   bool flat = false; // each triangle with its own normal
   bool with_texcoords = true;
+  // Where this is a stretch of a file: what the whole file has.
+  std::optional<bool> has_texcoords;
+  bool names_materials = false;
 };
 
 // `library` resolves usemtl; unknown names become material 0 with a remark. The corners of the model's faces

@@ -5,8 +5,7 @@
 
 namespace softgl::cli {
 
-ModelFrame frame_model(const ObjModel& model) {
-  ModelFrame frame;
+ModelBounds bounds_of(const ObjModel& model) {
   const size_t count = model.position_count;
   GrowingArray<uint8_t> used;
   used.fill(count, 0);
@@ -15,18 +14,25 @@ ModelFrame frame_model(const ObjModel& model) {
     for (const IndexList* list : {&chunk.corner_vertices, &chunk.line_vertices, &chunk.point_vertices})
       for (const int32_t vertex : list->values) mark[vertex] = 1;
 
-  double low[3] = {1e300, 1e300, 1e300}, high[3] = {-1e300, -1e300, -1e300};
+  ModelBounds bounds;
   const double* p = model.positions.data();
   for (size_t i = 0; i < count; ++i) {
     if (!mark[i]) continue;
     for (size_t axis = 0; axis < 3; ++axis) {
       const double value = p[3 * i + axis];
-      low[axis] = value < low[axis] ? value : low[axis];
-      high[axis] = value > high[axis] ? value : high[axis];
+      bounds.low[axis] = value < bounds.low[axis] ? value : bounds.low[axis];
+      bounds.high[axis] = value > bounds.high[axis] ? value : bounds.high[axis];
     }
   }
-  if (low[0] > high[0]) return frame;
+  return bounds;
+}
 
+ModelFrame frame_model(const ObjModel& model) { return frame_model(model, bounds_of(model)); }
+
+ModelFrame frame_model(const ObjModel& model, const ModelBounds& bounds) {
+  ModelFrame frame;
+  if (bounds.empty()) return frame;
+  const double *low = bounds.low, *high = bounds.high;
   double half = 0;
   for (int axis = 0; axis < 3; ++axis) {
     frame.low[axis] = low[axis];
@@ -38,6 +44,8 @@ ModelFrame frame_model(const ObjModel& model) {
   if (half > 0) std::frexp(half, &exponent);
   frame.scale = std::ldexp(1.0, -exponent);
 
+  const size_t count = model.position_count;
+  const double* p = model.positions.data();
   float* out = frame.positions.extend(3 * count);
   for (size_t i = 0; i < count; ++i)
     for (size_t axis = 0; axis < 3; ++axis)

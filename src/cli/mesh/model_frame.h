@@ -15,6 +15,16 @@ struct ModelFrame {
   double to_frame(double value, int axis) const { return (value - center[axis]) * scale; }
 };
 
+// The least box around everything that is drawn.
+struct ModelBounds {
+  double low[3] = {1e300, 1e300, 1e300}, high[3] = {-1e300, -1e300, -1e300};
+  bool empty() const { return low[0] > high[0]; }
+};
+
+ModelBounds bounds_of(const ObjModel& model);
+
 ModelFrame frame_model(const ObjModel& model);
+// As a part of a model with these bounds.
+ModelFrame frame_model(const ObjModel& model, const ModelBounds& bounds);
 
 } // namespace softgl::cli

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,9 +48,19 @@ struct Camera {
   double distance_of(double depth) const;
 };
 
+// The places that a camera shows. Each process may have a part of them.
+struct CameraPoints {
+  CameraPoints(const Mesh& mesh) : meshes{&mesh} {}
+  explicit CameraPoints(std::vector<const Mesh*> parts) : meshes(std::move(parts)) {}
+
+  std::vector<const Mesh*> meshes; // which outlive it
+  // Makes each value the largest of those that the processes have; none: all places are here.
+  std::function<void(double* values, size_t count)> largest_of_all;
+};
+
 // Part of the picture left free on each side of the tighter dimension.
 inline constexpr double kMargin = 0.01;
 
-Camera fit_camera(const Mesh& mesh, const CameraOptions& options);
+Camera fit_camera(const CameraPoints& points, const CameraOptions& options);
 
 } // namespace softgl::cli

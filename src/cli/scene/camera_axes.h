@@ -25,6 +25,15 @@ template <class Visit> void for_each_position(const Mesh& mesh, const Visit& vis
     for (size_t i = 0; i < positions->size(); i += 3) visit(positions->data() + i);
 }
 
+template <class Visit> void for_each_position(const CameraPoints& points, const Visit& visit) {
+  for (const Mesh* mesh : points.meshes) for_each_position(*mesh, visit);
+}
+
+// Of the places of all processes.
+template <size_t kCount> void find_largest(const CameraPoints& points, double (&values)[kCount]) {
+  if (points.largest_of_all) points.largest_of_all(values, kCount);
+}
+
 // The part of the picture that a model fills.
 inline constexpr double kFill = 1 - 2 * kMargin;
 

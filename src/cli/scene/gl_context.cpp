@@ -9,8 +9,8 @@ namespace softgl::cli {
 
 void GlContext::Destroy::operator()(osmesa_context* context) const { OSMesaDestroyContext(context); }
 
-GlContext::GlContext(uint8_t* pixels, int width, int height, int depth_bits)
-    : context_(OSMesaCreateContextExt(OSMESA_RGBA, depth_bits, 0, 0, nullptr)) {
+GlContext::GlContext(uint8_t* pixels, int width, int height, int depth_bits, int stencil_bits)
+    : context_(OSMesaCreateContextExt(OSMESA_RGBA, depth_bits, stencil_bits, 0, nullptr)) {
   if (!context_) throw std::bad_alloc(); // a context of this kind is refused for no other reason
   attach(pixels, width, height);
   OSMesaPixelStore(OSMESA_Y_UP, 0);

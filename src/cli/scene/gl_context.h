@@ -13,7 +13,7 @@ class GlContext {
 public:
   // Makes a context current that draws to `pixels`: RGBA rows from the top, which outlive it. Throws
   // ProgramError if GL draws no picture of that size, std::bad_alloc if memory ends.
-  GlContext(uint8_t* pixels, int width, int height, int depth_bits);
+  GlContext(uint8_t* pixels, int width, int height, int depth_bits, int stencil_bits = 0);
 
   // Makes the context current again and lets it draw to other memory, as the constructor does.
   void attach(uint8_t* pixels, int width, int height) const;

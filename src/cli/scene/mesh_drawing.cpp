@@ -7,15 +7,22 @@ namespace softgl::cli {
 bool MeshDrawing::draw_opaque() const {
   uploaded_.use_vertices();
   bool all = true;
-  for (const Batch& batch : mesh_.triangle_batches) {
-    if (uploaded_.blended(batch.material)) {
+  for (const Batch& batch : mesh_.triangle_batches)
+    if (uploaded_.blended(batch.material))
       all = false;
-      continue;
-    }
-    use_material(batch.material);
-    uploaded_.draw_triangles(batch.first, batch.count);
-  }
+    else
+      draw_used_triangles(batch);
   return all;
+}
+
+void MeshDrawing::draw_triangles(const Batch& batch) const {
+  uploaded_.use_vertices();
+  draw_used_triangles(batch);
+}
+
+void MeshDrawing::draw_used_triangles(const Batch& batch) const {
+  use_material(batch.material);
+  uploaded_.draw_triangles(batch.first, batch.count);
 }
 
 void MeshDrawing::use_material(uint32_t number) const {
@@ -32,14 +39,25 @@ void MeshDrawing::set_sizes() const {
 }
 
 void MeshDrawing::draw_segments_and_points() const {
-  draw_elements(GL_LINES, mesh_.segment_positions, mesh_.segment_colors, mesh_.segment_batches);
-  draw_elements(GL_POINTS, mesh_.point_positions, mesh_.point_colors, mesh_.point_batches);
+  if (!mesh_.segment_positions.empty()) start_elements(mesh_.segment_positions, mesh_.segment_colors);
+  for (const Batch& batch : mesh_.segment_batches) draw_elements(GL_LINES, batch);
+  if (!mesh_.point_positions.empty()) start_elements(mesh_.point_positions, mesh_.point_colors);
+  for (const Batch& batch : mesh_.point_batches) draw_elements(GL_POINTS, batch);
+}
+
+void MeshDrawing::draw_segments(const Batch& batch) const {
+  start_elements(mesh_.segment_positions, mesh_.segment_colors);
+  draw_elements(GL_LINES, batch);
+}
+
+void MeshDrawing::draw_points(const Batch& batch) const {
+  start_elements(mesh_.point_positions, mesh_.point_colors);
+  draw_elements(GL_POINTS, batch);
 }
 
 // Segments and points: the plain diffuse color, since they have no normals.
-void MeshDrawing::draw_elements(GLenum mode, const GrowingArray<float>& positions,
-                                const GrowingArray<float>& colors, const std::vector<Batch>& batches) const {
-  if (positions.empty()) return;
+void MeshDrawing::start_elements(const GrowingArray<float>& positions,
+                                 const GrowingArray<float>& colors) const {
   glDisable(GL_LIGHTING);
   glDisable(GL_TEXTURE_2D);
   glDisableClientState(GL_NORMAL_ARRAY);
@@ -53,14 +71,15 @@ void MeshDrawing::draw_elements(GLenum mode, const GrowingArray<float>& position
     glDisableClientState(GL_COLOR_ARRAY);
   }
   set_sizes();
-  for (const Batch& batch : batches) {
-    const float* color = materials_[batch.material].diffuse;
-    if (unlit_black_)
-      glColor4f(0, 0, 0, 1);
-    else
-      glColor4f(color[0], color[1], color[2], 1);
-    glDrawArrays(mode, GLint(batch.first), GLsizei(batch.count));
-  }
+}
+
+void MeshDrawing::draw_elements(GLenum mode, const Batch& batch) const {
+  const float* color = materials_[batch.material].diffuse;
+  if (unlit_black_)
+    glColor4f(0, 0, 0, 1);
+  else
+    glColor4f(color[0], color[1], color[2], 1);
+  glDrawArrays(mode, GLint(batch.first), GLsizei(batch.count));
 }
 
 // Blended triangles of all materials from the far end to the near one.

@@ -24,6 +24,10 @@ public:
   // Triangles of all materials but the blended ones. False: some are left.
   bool draw_opaque() const;
   void draw_blended() const;
+  // One batch of each kind, which is not blended.
+  void draw_triangles(const Batch& batch) const;
+  void draw_segments(const Batch& batch) const;
+  void draw_points(const Batch& batch) const;
   void draw_segments_and_points() const;
   // What has no area to be seen, a plane from its edge or a single place, is shown by its edges and corners.
   void draw_bare_edges() const;
@@ -36,11 +40,12 @@ private:
     uint32_t first, material;
   };
 
+  void draw_used_triangles(const Batch& batch) const;
   void use_material(uint32_t number) const;
   void set_sizes() const;
   void set_plain_state() const;
-  void draw_elements(GLenum mode, const GrowingArray<float>& positions, const GrowingArray<float>& colors,
-                     const std::vector<Batch>& batches) const;
+  void start_elements(const GrowingArray<float>& positions, const GrowingArray<float>& colors) const;
+  void draw_elements(GLenum mode, const Batch& batch) const;
   std::vector<BlendedTriangle> sort_blended() const;
 
   const Mesh& mesh_;

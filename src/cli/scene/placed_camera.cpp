@@ -41,7 +41,7 @@ Axes axes_of(const CameraPlacement& place, const double* eye, const double* targ
 
 } // namespace
 
-Camera place_camera(const Mesh& mesh, const CameraOptions& options, const ModelFrame& frame) {
+Camera place_camera(const CameraPoints& points, const CameraOptions& options, const ModelFrame& frame) {
   const CameraPlacement& place = *options.placement;
   double eye[3], target[3] = {0, 0, 0};
   for (int i = 0; i < 3; ++i) {
@@ -53,18 +53,20 @@ Camera place_camera(const Mesh& mesh, const CameraOptions& options, const ModelF
     return axis[0] * eye[0] + axis[1] * eye[1] + axis[2] * eye[2];
   };
   const double distance = component(axes.back);
-  double high = -1e300, low = 1e300;
-  for_each_position(mesh, [&](const float* p) {
-    high = std::max(high, along(axes.back, p));
-    low = std::min(low, along(axes.back, p));
+  double ends[2] = {-1e300, -1e300};
+  for_each_position(points, [&](const float* p) {
+    ends[0] = std::max(ends[0], along(axes.back, p));
+    ends[1] = std::max(ends[1], -along(axes.back, p));
   });
+  find_largest(points, ends);
+  double high = ends[0], low = -ends[1];
   if (high < low) high = low = 0;
   Camera camera{};
   set_view(camera, axes, component(axes.right), component(axes.up), distance);
   if (options.orthographic) {
     double half_height = place.height * frame.scale / 2;
     if (!(half_height > 0)) { // what shows all of the model
-      const Camera fitted = fit_camera(mesh, options);
+      const Camera fitted = fit_camera(points, options);
       half_height = 1 / fitted.projection[5];
     } else {
       half_height /= options.zoom;

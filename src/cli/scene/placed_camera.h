@@ -7,7 +7,7 @@
 namespace softgl::cli {
 
 // For options with a placement.
-Camera place_camera(const Mesh& mesh, const CameraOptions& options, const ModelFrame& frame);
+Camera place_camera(const CameraPoints& points, const CameraOptions& options, const ModelFrame& frame);
 
 // Eye, target, up, field of view and height of any camera, in the model's coordinates.
 CameraPlacement placement_of(const Camera& camera, const ModelFrame& frame);

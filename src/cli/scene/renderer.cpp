@@ -6,14 +6,13 @@
 
 #include "image/sample_average.h"
 #include "image/srgb.h"
-#include "scene/background.h"
 #include "scene/data_pass.h"
 #include "scene/float_target.h"
 #include "scene/gl_context.h"
 #include "scene/ground.h"
-#include "scene/lighting_setup.h"
 #include "scene/line_overlay.h"
 #include "scene/mesh_drawing.h"
+#include "scene/picture_state.h"
 #include "scene/uploaded_mesh.h"
 
 namespace softgl::cli {
@@ -22,16 +21,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-unsigned terms_of(Pass pass, unsigned chosen) {
-  switch (pass) {
-  case Pass::kAmbient: return kAmbient;
-  case Pass::kDiffuse: return kDiffuse;
-  case Pass::kSpecular: return kSpecular;
-  case Pass::kEmission: return kEmission;
-  default: return chosen;
-  }
 }
 
 // Alpha alone.
@@ -68,18 +57,9 @@ class MeshRenderer::Drawing {
 public:
   Drawing(const MeshRenderer& renderer, const Camera& camera, const RenderOptions& options)
       : mesh_(renderer.mesh_), materials_(renderer.materials_), frame_(renderer.frame_), camera_(camera),
-        options_(options), width_(options.width * options.samples_per_side),
+        options_(settle_for_pass(options)), width_(options.width * options.samples_per_side),
         height_(options.height * options.samples_per_side) {
     samples_.extend(size_t(4) * size_t(width_) * size_t(height_));
-    options_.lighting.terms = terms_of(options.pass, options.lighting.terms);
-    Background& background = options_.background;
-    if (is_term(options.pass)) {
-      std::fill_n(background.color, 3, uint8_t(0));
-      background.below.reset();
-      background.picture.reset();
-    }
-    if (options.pass == Pass::kCoverage) background.transparent = true;
-    if (options.pass != Pass::kColor) options_.ground = false;
   }
 
   // The renderer's context and objects, made if there are none yet.
@@ -128,7 +108,7 @@ private:
       drawing.draw_silhouette();
       GlContext::finish();
       result.transparent = anything_drawn(target);
-      clear();
+      clear_picture(options_, width_, height_);
       drawing.draw_bare_edges();
       GlContext::finish();
       result.as_wireframe = result.visible = anything_drawn(target);
@@ -166,41 +146,11 @@ private:
       result.picture = quantize(picture, options_.values == Values::kWords ? 16 : 8);
   }
 
-  float stored(uint8_t value) const {
-    return options_.srgb ? from_srgb(float(value) / 255) : float(value) / 255;
-  }
-
-  void clear() {
-    // Alpha counts what is drawn: the background has none, whatever its color.
-    const uint8_t* color = options_.background.color;
-    if (options_.background.transparent)
-      glClearColor(0, 0, 0, 0);
-    else
-      glClearColor(stored(color[0]), stored(color[1]), stored(color[2]), 0);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    draw_background(options_.background, width_, height_, options_.srgb);
-  }
-
-  void set_state() {
-    glViewport(0, 0, width_, height_);
-    clear();
-    apply_lighting(options_.lighting, camera_, frame_);
-    glMatrixMode(GL_PROJECTION);
-    glLoadMatrixd(camera_.projection);
-    glMatrixMode(GL_MODELVIEW);
-    glLoadMatrixd(camera_.view);
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LEQUAL);
-    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    glAlphaFunc(GL_GREATER, 0);
+  void set_state() const {
     const LineOptions& lines = options_.lines;
     const bool any_lines = !mesh_.segment_positions.empty() || lines.edges != Edges::kNone ||
                            lines.style != LineOptions::kSurface;
-    if (any_lines && !mesh_.triangles.empty()) {
-      glEnable(GL_POLYGON_OFFSET_FILL); // lines on a surface are to be seen
-      glPolygonOffset(1, 1);
-    }
+    start_picture(options_, camera_, frame_, width_, height_, any_lines && !mesh_.triangles.empty());
   }
 
   void draw(const MeshDrawing& drawing) {
