@@ -14,6 +14,7 @@
 #include "command/camera_file.h"
 #include "command/picture_inputs.h"
 #include "command/picture_plan.h"
+#include "common/file_writer.h"
 #include "image/image_writer.h"
 #include "mpi/compositor.h"
 #include "mpi/mpi_options.h"
