@@ -11,6 +11,11 @@
 
 namespace softgl::suite {
 
+const char* word_of(Outcome outcome) {
+  const char* const words[] = {"pass", "fail", "not supported"};
+  return words[int(outcome)];
+}
+
 int RunResult::count(Outcome outcome) const {
   return int(
       std::count_if(tests.begin(), tests.end(), [&](const TestResult& t) { return t.outcome == outcome; }));
@@ -83,7 +88,7 @@ TestResult run_test(const Test& test, size_t index, const RunOptions& options, c
     if (i != 0 && options.levels != Levels::All && (i != other || options.levels == Levels::Plain)) continue;
     if (std::optional<Script> script = levels[i].make(body)) {
       scripts.push_back(std::move(*script));
-      result.levels.push_back({levels[i].name, false, "", {}, {}});
+      result.levels.push_back({levels[i].name, false, "", {}, {}, 0});
     }
   }
   const ChildResult child = run_in_child(options.subject, scripts, options.seconds);
@@ -102,7 +107,7 @@ TestResult run_test(const Test& test, size_t index, const RunOptions& options, c
       if (osmesa != osmesa_hashes().end())
         result.exact = osmesa->second == result.hash ? Exact::Same : Exact::Different;
     }
-    if (!level.pass) level.color = picture.color;
+    if (!level.pass) level.color = picture.color, level.hash = hash_of(picture.color);
   }
   result.outcome = Outcome::Pass;
   for (const LevelResult& level : result.levels)

@@ -12,6 +12,8 @@
 namespace softgl::suite {
 
 enum class Outcome { Pass, Fail, NotSupported };
+/// "pass", "fail", "not supported".
+const char* word_of(Outcome outcome);
 
 /// Whether the plain picture is OSMesa 22.3.6's, byte for byte. The specification does not ask for it.
 enum class Exact { NotCompared, Same, Different };
@@ -22,6 +24,7 @@ struct LevelResult {
   std::string text; // why not
   Verdict verdict;
   std::vector<uint8_t> color; // kept where it failed
+  uint64_t hash = 0;          // of the color, where it failed
 };
 
 struct TestResult {
