@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <set>
+#include <thread>
 
 #include "expect/machine.h"
 #include "report/comparison.h"
@@ -54,6 +55,10 @@ int run_suite(int argc, char** argv) {
       ->check(CLI::IsMember({"all", "some", "plain"}))
       ->capture_default_str();
   app.add_option("--time", options.seconds, "Seconds that one test may take")->check(CLI::PositiveNumber);
+  options.jobs = int(std::clamp(std::thread::hardware_concurrency(), 1u, 16u));
+  app.add_option("--jobs", options.jobs, "Processes at a time")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
   app.add_option("--report", files.folder,
                  "Writes index.html, results.json and a C program for each failure here");
   app.add_option("--json", files.json, "Writes the results as JSON");

@@ -10,6 +10,7 @@
 
 namespace softgl::suite {
 
+constexpr int kNoVersion = 1000; // has it: an extension only
 /// What a test needs beyond OpenGL 1.1: one of a version and an extension.
 struct Need {
   int version = 11; // 12 for 1.2
