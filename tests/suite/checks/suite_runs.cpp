@@ -1,5 +1,7 @@
 #include "checks/suite_runs.h"
 
+#include <catch2/catch.hpp>
+
 #include <fstream>
 #include <sstream>
 
@@ -21,7 +23,7 @@ RunResult run_quietly(const RunOptions& options) {
 std::set<std::string> failures(const RunResult& result) {
   std::set<std::string> names;
   for (const TestResult& t : result.tests)
-    if (t.outcome != Outcome::Pass) names.insert(t.test->name);
+    if (t.outcome == Outcome::Fail) names.insert(t.test->name);
   return names;
 }
 
@@ -40,6 +42,26 @@ std::set<std::string> known_failures(const std::string& gl) {
   for (const auto& row : table("known_failures.tsv"))
     if (row.at(0).find(gl) != std::string::npos) names.insert(row.at(1));
   return names;
+}
+
+std::set<std::string> tests_that_need(const std::string& extension) {
+  std::set<std::string> names;
+  for (const Test& test : all_tests())
+    if (test.need.extension == extension) names.insert(test.name);
+  return names;
+}
+
+std::set<std::string> not_supported(const RunResult& result) {
+  std::set<std::string> names;
+  for (const TestResult& t : result.tests)
+    if (t.outcome == Outcome::NotSupported) names.insert(t.test->name);
+  return names;
+}
+
+void check_known(const RunResult& result, const std::string& gl) {
+  CHECK(failures(result) == known_failures(gl));
+  CHECK(not_supported(result) ==
+        (gl == "softgl" ? std::set<std::string>() : tests_that_need("GL_WIN_phong_shading")));
 }
 
 } // namespace softgl::suite
