@@ -274,7 +274,8 @@ void ColorMaterial(Context& c, GLenum face, GLenum mode) {
 void ShadeModel(Context& c, GLenum mode) {
   if (mode != GL_FLAT && mode != GL_SMOOTH && mode != GL_PHONG_WIN)
     return set_error(c, GL_INVALID_ENUM, "mode");
-  c.state.lighting.shade_model = mode;
+  const bool smooth = SOFTGL_FAULT(phong_is_smooth) && mode == GL_PHONG_WIN;
+  c.state.lighting.shade_model = smooth ? GL_SMOOTH : mode;
   c.dirty |= kDirtyLighting;
 }
 

@@ -68,13 +68,4 @@ TEST_CASE("a report has a page, JSON, and a program of C for the failure", "[sui
   CHECK(status_of(kFolder + "/failure") == 1); // the failure shows without the suite
 }
 
-TEST_CASE("the suite runs through EGL", "[suite]") {
-  const int status = status_of(kProgram + " --gl egl --filter 'lighting.sum.*' --levels plain");
-  if (status == 3) {
-    WARN("SKIPPED: there is no EGL that draws OpenGL");
-    return;
-  }
-  CHECK(status == 0);
-}
-
 } // namespace softgl::suite

@@ -3,54 +3,15 @@
 #include <catch2/catch.hpp>
 
 #include <cstdlib>
-#include <fstream>
-#include <map>
 #include <set>
-#include <sstream>
 
+#include "checks/suite_runs.h"
 #include "expect/machine.h"
 #include "run/paths.h"
-#include "run/results.h"
 #include "test_paths.h"
 
 namespace softgl::suite {
 namespace {
-
-RunOptions options_for(const std::string& library, const std::string& filter = "") {
-  RunOptions options;
-  options.subject = {Binding::OSMesa, library, "osmesa:" + library};
-  options.filter = filter, options.levels = Levels::Some;
-  return options;
-}
-
-RunResult run_quietly(const RunOptions& options) {
-  return run(options, probe(options), [](const TestResult&) {});
-}
-
-std::set<std::string> failures(const RunResult& result) {
-  std::set<std::string> names;
-  for (const TestResult& t : result.tests)
-    if (t.outcome != Outcome::Pass) names.insert(t.test->name);
-  return names;
-}
-
-// The rows of a table in this folder's parent: cells between tabs.
-std::vector<std::vector<std::string>> table(const std::string& file) {
-  std::ifstream in(SOFTGL_TEST_SOURCE_DIR "/tests/suite/" + file);
-  std::vector<std::vector<std::string>> rows;
-  for (std::string line, cell; std::getline(in, line);) {
-    if (line.empty() || line[0] == '#') continue;
-    rows.emplace_back();
-    for (std::istringstream cells(line); std::getline(cells, cell, '\t');) rows.back().push_back(cell);
-  }
-  return rows;
-}
-std::set<std::string> known_failures(const std::string& gl) {
-  std::set<std::string> names;
-  for (const auto& row : table("known_failures.tsv"))
-    if (row.at(0).find(gl) != std::string::npos) names.insert(row.at(1));
-  return names;
-}
 
 struct Hostile { // sets how the hostile library misbehaves
   explicit Hostile(const char* kind) {
@@ -70,7 +31,7 @@ TestResult hostile_result(const char* kind, double seconds = 60) {
 } // namespace
 
 TEST_CASE("the conformance suite finds in softgl what is known", "[suite]") {
-  CHECK(failures(run_quietly(options_for(SOFTGL_TEST_LIBRARY))) == known_failures("softgl"));
+  check_known(run_quietly(options_for(SOFTGL_TEST_LIBRARY)), "softgl");
 }
 
 TEST_CASE("the conformance suite finds in llvmpipe what is known", "[suite]") {
@@ -78,7 +39,7 @@ TEST_CASE("the conformance suite finds in llvmpipe what is known", "[suite]") {
   const char* other = std::getenv("SOFTGL_TEST_OSMESA");
   RunOptions options = options_for(other ? other : "libOSMesa.so.8");
   options.levels = Levels::Plain;
-  CHECK(failures(run_quietly(options)) == known_failures("llvmpipe"));
+  check_known(run_quietly(options), "llvmpipe");
 }
 
 TEST_CASE("every conformance test shows something and is certain of it", "[suite]") {
@@ -166,8 +127,8 @@ TEST_CASE("every seeded fault is caught by the test that the table names", "[sui
     setenv("SOFTGL_SEEDED_FAULT", row.at(0).c_str(), 1);
     RunOptions options = options_for(SOFTGL_TEST_FAULTY_LIBRARY, row.at(1));
     options.levels = Levels::Plain;
-    const RunResult result =
-        run(options, SubjectFacts{"", "", "1.5", "", 15, {}, 24, 8}, [](const TestResult&) {});
+    const RunResult result = run(options, SubjectFacts{"", "", "1.5", "GL_WIN_phong_shading", 15, {}, 24, 8},
+                                 [](const TestResult&) {});
     REQUIRE(result.tests.size() == 1);
     CHECK(result.tests[0].outcome == Outcome::Fail);
     CHECK_THAT(result.tests[0].text, Catch::Contains("wrong"));

@@ -11,10 +11,12 @@ namespace softgl::suite {
 
 using spec::Interval;
 
-/// What the framebuffer of the GL under test is like.
+/// What the framebuffer of the GL under test is like, and what it may choose for all pictures.
 struct Precision {
   int bits[4] = {8, 8, 8, 8}; // of red, green, blue, alpha; alpha may be 0
   int subpixel_bits = 4;
+  /// GL_WIN_phong_shading does not say whether interpolated normals are normalized.
+  bool unit_normals = true;
   /// Half a step of a component's fixed-point number: what one rounding may change.
   double half_step(int component) const { return 0.5 / ((1 << std::min(bits[component], 8)) - 1); }
 };

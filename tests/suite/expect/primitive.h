@@ -15,7 +15,20 @@ struct LitVertex {
   double w = 1; // of clip coordinates
   Interval fog_distance;
   ColorBounds front, back;
+  // Where fragments are lit (GL_WIN_phong_shading):
+  spec::Vec3Interval eye, normal;
+  spec::Material material[2]; // front, back
 };
+
+/// A vertex or fragment lit by the lights that are on (2.14.1), clamped (2.14.6).
+ColorBounds lit_color(const LightingState& lighting, const spec::Material& material,
+                      const spec::Vec3Interval& eye, const spec::Vec3Interval& normal);
+/// Lighting takes place for each fragment of a polygon.
+bool lights_fragments(const State& state);
+/// The color of a fragment from the normal and eye coordinates that the weights give. Throws std::logic_error
+/// if the material is not the same at all vertices.
+ColorBounds lit_fragment(const State& state, const std::vector<LitVertex>& vertices, const double* weights,
+                         bool back, bool unit_normals);
 
 /// Draws into an expectation, with the state's operations on fragments.
 class Rasterizer {
@@ -40,7 +53,8 @@ private:
   void fragment(const State& state, int x, int y, const Fragment& fragment);
   void process_color(const State& state, const Fragment& fragment, Interval color[4]) const;
   void polygon_fragment(const State& state, const std::vector<LitVertex>& vertices,
-                        const std::vector<const ColorBounds*>& colors, int x, int y, double inside);
+                        const std::vector<const ColorBounds*>& colors, bool back, int x, int y,
+                        double inside);
 
   Expectation& picture_;
   const Precision& precision_;

@@ -6,21 +6,11 @@ namespace softgl::suite {
 ColorBounds Machine::lit_color(const spec::Vec3Interval& eye, const spec::Vec3Interval& normal,
                                int face) const {
   const LightingState& l = state_.lighting;
+  if (l.lighting) return suite::lit_color(l, l.material[face], eye, face ? -normal : normal);
   ColorBounds color;
   const Vec4& c = state_.current.color;
   const double plain[4] = {c.x, c.y, c.z, c.w};
-  std::copy(plain, plain + 4, color.primary);
-  if (l.lighting) {
-    std::vector<spec::LightBounds> lights;
-    for (int i = 0; i < 8; i++)
-      if (l.enabled[i]) lights.push_back(l.light[i]);
-    const spec::LitBounds lit =
-        light_vertex_bounds(l.model, lights, l.material[face], eye, face ? -normal : normal);
-    std::copy(lit.primary, lit.primary + 4, color.primary);
-    std::copy(lit.secondary, lit.secondary + 3, color.secondary);
-  }
-  for (Interval& i : color.primary) i = spec::clamped(i, 0, 1); // 2.14.6
-  for (Interval& i : color.secondary) i = spec::clamped(i, 0, 1);
+  for (int i = 0; i < 4; i++) color.primary[i] = spec::clamped(plain[i], 0, 1);
   return color;
 }
 
@@ -44,6 +34,8 @@ LitVertex Machine::transform(const Vec4& object) const {
   spec::Vec3Interval normal{spec::widened(n.x, accuracy), spec::widened(n.y, accuracy),
                             spec::widened(n.z, accuracy)};
   if (normalize) normal = spec::unit(normal);
+  v.eye = eye, v.normal = normal;
+  std::copy(state_.lighting.material, state_.lighting.material + 2, v.material);
   v.front = lit_color(eye, normal, 0);
   v.back = state_.lighting.lighting && state_.lighting.model.two_sided ? lit_color(eye, normal, 1) : v.front;
   return v;

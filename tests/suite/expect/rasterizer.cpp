@@ -100,16 +100,17 @@ void Rasterizer::polygon(const State& state, const std::vector<LitVertex>& verti
         const double edge = std::hypot(b.x - a.x, b.y - a.y);
         if (edge > 0) inside = std::min(inside, sign * cross2(a, b, center) / edge);
       }
-      if (inside > -1.5 * slack()) polygon_fragment(state, vertices, colors, x, y, inside);
+      if (inside > -1.5 * slack()) polygon_fragment(state, vertices, colors, back, x, y, inside);
     }
 }
 
 void Rasterizer::polygon_fragment(const State& state, const std::vector<LitVertex>& vertices,
-                                  const std::vector<const ColorBounds*>& colors, int x, int y,
+                                  const std::vector<const ColorBounds*>& colors, bool back, int x, int y,
                                   double inside) {
   Fragment f;
   f.certain = inside > 1.5 * slack(), f.nominal = inside > 0;
   const int count = int(vertices.size());
+  if (count > 3 && lights_fragments(state)) throw std::logic_error("a lit polygon that is no triangle");
   if (count > 3) {
     // "we require only that a convex combination of the values of the datum at the polygon's vertices can be
     // used"
@@ -132,8 +133,11 @@ void Rasterizer::polygon_fragment(const State& state, const std::vector<LitVerte
     double perspective[3];
     divide_by_w(w, linear, perspective, 3);
     // "equation 3.6 may be approximated": either is right for colors.
-    const ColorBounds color =
-        hull_of(weighted(colors.data(), linear, 3), weighted(colors.data(), perspective, 3));
+    const auto color_by = [&](const double* weights) {
+      return lights_fragments(state) ? lit_fragment(state, vertices, weights, back, precision_.unit_normals)
+                                     : weighted(colors.data(), weights, 3);
+    };
+    const ColorBounds color = hull_of(color_by(linear), color_by(perspective));
     const Interval distance = spec::hull(weighted(fog, linear, 3), weighted(fog, perspective, 3));
     const double depth = linear[0] * a.z + linear[1] * b.z + linear[2] * c.z;
     f.color = first ? color : hull_of(f.color, color);

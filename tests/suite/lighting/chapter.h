@@ -20,5 +20,6 @@ std::vector<Test> lighting_color_material_tests();
 std::vector<Test> lighting_result_tests();
 std::vector<Test> lighting_flat_tests();
 std::vector<Test> lighting_sequence_tests();
+std::vector<Test> lighting_phong_tests();
 
 } // namespace softgl::suite

@@ -12,10 +12,7 @@ namespace softgl::suite {
 namespace {
 
 std::string image(const std::vector<uint8_t>& color, const char* title) {
-  if (color.empty()) return "";
-  return "<figure><img width=192 height=192 src=\"data:image/png;base64," +
-         base64(png_of(color, kWindowWidth, kWindowHeight)) + "\"><figcaption>" + title +
-         "</figcaption></figure>";
+  return figure(base64(png_of(color, kWindowWidth, kWindowHeight)), title);
 }
 
 // White where a pixel is none of its answers, the worse the brighter; black where it is right.
@@ -30,14 +27,6 @@ std::vector<uint8_t> difference(const std::vector<uint8_t>& expected, const std:
 
 // "lighting.spot.cutoff_30" belongs to "lighting.spot".
 std::string chapter_of(const std::string& name) { return name.substr(0, name.rfind('.')); }
-
-const char kStyle[] =
-    "<style>body{font:16px/1.45 sans-serif;max-width:72em;margin:2em auto;padding:0 1em;color:#222}"
-    "table{border-collapse:collapse}td,th{text-align:left;padding:.2em .9em .2em 0;border-bottom:1px solid "
-    "#ddd}"
-    "figure{display:inline-block;margin:.5em 1em .5em 0}img{image-rendering:pixelated;border:1px solid #999}"
-    "pre{background:#f4f4f4;padding:1em;overflow:auto;max-height:30em;font-size:13px}"
-    ".fail{color:#b00020}.pass{color:#1b7a2f}section{border-top:2px solid #ccc;margin-top:2em}</style>";
 
 std::string failure(const TestResult& t, const std::map<std::string, std::string>& programs) {
   std::string text = "<section id=\"" + escaped(t.test->name) + "\"><h3 class=fail>" + escaped(t.test->name) +
@@ -67,8 +56,7 @@ std::string failure(const TestResult& t, const std::map<std::string, std::string
 
 std::string to_html(const RunResult& result, const std::map<std::string, std::string>& programs) {
   std::string page =
-      "<!doctype html><meta charset=utf-8><title>softgl-conformance</title>" + std::string(kStyle) +
-      "<h1>Conformance of " + escaped(result.facts.renderer) + "</h1><table><tr><td>GL<td>" +
+      page_begin("Conformance of " + result.facts.renderer) + "<table><tr><td>GL<td>" +
       escaped(result.subject) + "<tr><td>Vendor<td>" + escaped(result.facts.vendor) + "<tr><td>Version<td>" +
       escaped(result.facts.version) + "<tr><td>Tests<td>" + std::to_string(result.count(Outcome::Pass)) +
       " pass, " + std::to_string(result.count(Outcome::Fail)) + " fail, " +

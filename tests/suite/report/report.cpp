@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "expect/machine.h"
 #include "report/c_program.h"
 #include "report/markup.h"
 #include "report/pictures.h"
@@ -13,12 +14,24 @@
 namespace softgl::suite {
 namespace {
 
+std::string hexadecimal(uint64_t hash) {
+  char text[20];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  return text;
+}
+
+} // namespace
+
+void make_folder(const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) throw std::runtime_error("cannot make " + path + ": " + error.message());
+}
+
 void write_file(const std::string& path, const std::string& text) {
   std::ofstream file(path, std::ios::binary);
   if (!(file << text) || !file.flush()) throw std::runtime_error("cannot write " + path);
 }
-
-} // namespace
 
 std::string to_json(const RunResult& result) {
   using nlohmann::json;
@@ -30,21 +43,40 @@ std::string to_json(const RunResult& result) {
                         {"pass", l.pass},
                         {"text", l.text},
                         {"wrong_pixels", l.verdict.wrong_pixels},
-                        {"other_side", l.verdict.other_side}});
+                        {"other_side", l.verdict.other_side},
+                        {"hash", hexadecimal(l.hash)}});
     const char* const exact_words[] = {"not compared", "same", "different"};
-    const char* const outcomes[] = {"pass", "fail", "not supported"};
-    tests.push_back({{"name", t.test->name},
-                     {"section", t.test->section},
-                     {"sentence", t.test->sentence},
-                     {"outcome", outcomes[int(t.outcome)]},
-                     {"text", t.text},
-                     {"as_osmesa", exact_words[int(t.exact)]},
-                     {"levels", levels}});
+    json row = {{"name", t.test->name},
+                {"section", t.test->section},
+                {"sentence", t.test->sentence},
+                {"outcome", word_of(t.outcome)},
+                {"text", t.text},
+                {"as_osmesa", exact_words[int(t.exact)]},
+                {"hash", hexadecimal(t.hash)},
+                {"levels", levels}};
+    for (const LevelResult& l : t.levels) {
+      if (l.pass || l.color.empty()) continue;
+      row["got"] = base64(png_of(l.color, kWindowWidth, kWindowHeight));
+      row["expected"] = base64(png_of(expected_bytes(expected_picture(whole_script(*t.test), kWindowWidth,
+                                                                      kWindowHeight, result.facts.precision)),
+                                      kWindowWidth, kWindowHeight));
+      break;
+    }
+    tests.push_back(std::move(row));
   }
+  const int* b = result.facts.precision.bits;
+  const json bits = {{"red", b[0]},
+                     {"green", b[1]},
+                     {"blue", b[2]},
+                     {"alpha", b[3]},
+                     {"depth", result.facts.depth_bits},
+                     {"stencil", result.facts.stencil_bits}};
   const json whole = {{"gl", result.subject},
                       {"vendor", result.facts.vendor},
                       {"renderer", result.facts.renderer},
                       {"version", result.facts.version},
+                      {"extensions", result.facts.extensions},
+                      {"bits", bits},
                       {"pass", result.count(Outcome::Pass)},
                       {"fail", result.count(Outcome::Fail)},
                       {"not_supported", result.count(Outcome::NotSupported)},
@@ -113,8 +145,7 @@ void write_reports(const ReportFiles& files, const RunResult& result, const RunO
   if (!files.junit.empty()) write_file(files.junit, to_junit(result));
   if (!files.hashes.empty()) write_file(files.hashes, hash_rows(result));
   if (files.folder.empty()) return;
-  std::error_code error;
-  std::filesystem::create_directories(files.folder, error);
+  make_folder(files.folder);
   std::map<std::string, std::string> programs;
   for (const TestResult& t : result.tests) {
     if (t.outcome != Outcome::Fail) continue;

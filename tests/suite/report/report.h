@@ -19,6 +19,11 @@ void write_reports(const ReportFiles& files, const RunResult& result, const RunO
 /// The expected pictures as one PNG.
 void write_sheet(const std::vector<const Test*>& tests, const std::string& path);
 
+/// With the folders above it. Throws std::runtime_error.
+void make_folder(const std::string& path);
+/// Throws std::runtime_error if it cannot be written.
+void write_file(const std::string& path, const std::string& text);
+
 std::string to_json(const RunResult& result);
 /// `programs`: of failed tests, by their names.
 std::string to_html(const RunResult& result, const std::map<std::string, std::string>& programs);

@@ -18,6 +18,8 @@
 namespace softgl::suite {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr size_t kBytes = size_t(4) * kWindowWidth * kWindowHeight;
 constexpr uint32_t kFinished = 0x50494354;
 
@@ -117,12 +119,10 @@ SubjectFacts facts_of(const Shared& s) {
 }
 
 /// Waits for the end of the process: its fault, or nothing.
-std::string wait_for(pid_t process, int pipe, double seconds) {
+std::string wait_for(pid_t process, int pipe, Clock::time_point until) {
   pollfd end{pipe, POLLIN, 0};
-  const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
   for (;;) {
-    const auto left =
-        std::chrono::duration_cast<std::chrono::milliseconds>(until - std::chrono::steady_clock::now());
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now());
     const int ready = poll(&end, 1, int(std::max<long long>(left.count(), 0)));
     if (ready != 0 && !(ready < 0 && errno == EINTR)) break;
     if (ready == 0) {
@@ -139,7 +139,7 @@ std::string wait_for(pid_t process, int pipe, double seconds) {
       if (WIFSIGNALED(status)) return std::string("died of ") + strsignal(WTERMSIG(status));
       return WEXITSTATUS(status) ? "ended with status " + std::to_string(WEXITSTATUS(status)) : "";
     }
-    if (std::chrono::steady_clock::now() > until) {
+    if (Clock::now() > until) {
       kill(process, SIGKILL);
       waitpid(process, nullptr, 0);
       return "ran out of time";
@@ -150,30 +150,56 @@ std::string wait_for(pid_t process, int pipe, double seconds) {
 
 } // namespace
 
-ChildResult run_in_child(const SubjectName& subject, const std::vector<Script>& scripts, double seconds) {
-  ChildResult result;
-  const size_t size = sizeof(Shared) + scripts.size() * sizeof(SharedPicture);
-  void* memory = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+struct RunningChild::State {
+  Shared* shared = nullptr;
+  size_t size = 0, count = 0; // of the memory, of scripts
+  pid_t process = 0;
+  int pipe = -1;
+  Clock::time_point until;
+  bool ended = false;
+};
+
+RunningChild::RunningChild(const SubjectName& subject, const std::vector<Script>& scripts, double seconds)
+    : state_(std::make_unique<State>()) {
+  State& s = *state_;
+  s.count = scripts.size(), s.size = sizeof(Shared) + s.count * sizeof(SharedPicture);
+  s.until =
+      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  void* memory = mmap(nullptr, s.size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) throw std::bad_alloc();
-  Shared& shared = *static_cast<Shared*>(memory);
+  s.shared = static_cast<Shared*>(memory);
   int pipes[2];
   if (pipe2(pipes, O_CLOEXEC) != 0) throw std::runtime_error("there are no more pipes");
-  const pid_t process = fork();
-  if (process < 0) throw std::runtime_error("there are no more processes");
-  if (process == 0) {
+  s.process = fork();
+  if (s.process < 0) throw std::runtime_error("there are no more processes");
+  if (s.process == 0) {
     close(pipes[0]);
-    child(subject, scripts, shared, !getenv("SOFTGL_SUITE_STDERR"));
+    child(subject, scripts, *s.shared, !getenv("SOFTGL_SUITE_STDERR"));
   }
   close(pipes[1]);
-  result.fault = wait_for(process, pipes[0], seconds);
-  close(pipes[0]);
+  s.pipe = pipes[0];
+  madvise(memory, s.size, MADV_DONTFORK); // a child that runs wild shall not reach another's pictures
+}
+
+RunningChild::~RunningChild() {
+  if (!state_->ended) kill(state_->process, SIGKILL), waitpid(state_->process, nullptr, 0);
+  if (state_->pipe >= 0) close(state_->pipe);
+  munmap(state_->shared, state_->size);
+}
+
+ChildResult RunningChild::finish() {
+  State& s = *state_;
+  const Shared& shared = *s.shared;
+  ChildResult result;
+  result.fault = wait_for(s.process, s.pipe, s.until);
+  s.ended = true;
 
   if (shared.opened == kFinished) result.facts = facts_of(shared);
   if (result.fault.empty() && shared.ended != kFinished) {
     const std::string said = text_of(shared.fault, sizeof shared.fault);
     result.fault = said.empty() ? "ended before the test did" : said;
   }
-  for (size_t i = 0; i < scripts.size(); i++) {
+  for (size_t i = 0; i < s.count; i++) {
     DrawnPicture picture;
     const SharedPicture& from = shared.pictures[i];
     if (from.finished == kFinished) {
@@ -184,8 +210,11 @@ ChildResult run_in_child(const SubjectName& subject, const std::vector<Script>& 
     }
     result.pictures.push_back(std::move(picture));
   }
-  munmap(memory, size);
   return result;
+}
+
+ChildResult run_in_child(const SubjectName& subject, const std::vector<Script>& scripts, double seconds) {
+  return RunningChild(subject, scripts, seconds).finish();
 }
 
 } // namespace softgl::suite

@@ -1,6 +1,7 @@
 // Plays scripts on the GL under test in a process of its own, which may crash, hang or lie.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,24 @@ struct ChildResult {
   std::vector<DrawnPicture> pictures; // one a script; those that were not reached have a fault
 };
 
-/// Each script gets a new context. Never throws for what the GL does.
+/// A child that draws. Nothing throws for what the GL does.
+class RunningChild {
+public:
+  /// Starts it. Each script gets a new context. The time for all of them begins now.
+  RunningChild(const SubjectName& subject, const std::vector<Script>& scripts, double seconds);
+  RunningChild(const RunningChild&) = delete;
+  RunningChild& operator=(const RunningChild&) = delete;
+  /// Kills it if it still runs.
+  ~RunningChild();
+  /// Waits for its end, or for that of its time.
+  ChildResult finish();
+
+private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Starts a child and waits for it.
 ChildResult run_in_child(const SubjectName& subject, const std::vector<Script>& scripts, double seconds);
 
 } // namespace softgl::suite

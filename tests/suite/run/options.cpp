@@ -3,9 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <set>
+#include <thread>
 
 #include "expect/machine.h"
-#include "report/pictures.h"
+#include "report/comparison.h"
 #include "report/report.h"
 #include "run/results.h"
 
@@ -17,6 +18,18 @@ void list_tests(const RunOptions& options) {
     std::printf("%-45s %-22s %s\n", test->name.c_str(), test->section.c_str(), test->sentence.c_str());
 }
 
+// Prints what has changed, and writes the files that are wanted. The status says whether a test got worse.
+int report_changes(const RunRows& before, const RunRows& after, const std::string& folder) {
+  const Comparison changes = compare(before, after);
+  std::printf("%s", changes_as_text(changes).c_str());
+  if (!folder.empty()) {
+    make_folder(folder);
+    write_file(folder + "/changes.json", changes_as_json(changes));
+    write_file(folder + "/changes.html", changes_as_html(changes));
+  }
+  return changes.worse() ? kSomeFail : kAllPass;
+}
+
 } // namespace
 
 int run_suite(int argc, char** argv) {
@@ -25,7 +38,8 @@ int run_suite(int argc, char** argv) {
   app.set_version_flag("--version", SOFTGL_SUITE_VERSION);
   RunOptions options;
   ReportFiles files;
-  std::string gl, levels = "all", sheet;
+  std::string gl, levels = "all", sheet, since;
+  std::vector<std::string> compared;
   std::set<std::string> suites = {"all"};
   for (const Chapter& chapter : chapters()) suites.insert(chapter.name);
   bool list = false, quiet = false;
@@ -41,10 +55,21 @@ int run_suite(int argc, char** argv) {
       ->check(CLI::IsMember({"all", "some", "plain"}))
       ->capture_default_str();
   app.add_option("--time", options.seconds, "Seconds that one test may take")->check(CLI::PositiveNumber);
+  options.jobs = int(std::clamp(std::thread::hardware_concurrency(), 1u, 16u));
+  app.add_option("--jobs", options.jobs, "Processes at a time")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
   app.add_option("--report", files.folder,
                  "Writes index.html, results.json and a C program for each failure here");
   app.add_option("--json", files.json, "Writes the results as JSON");
   app.add_option("--junit", files.junit, "Writes the results as JUnit's XML");
+  app.add_option(
+      "--since", since,
+      "Compares the run with an earlier one, whose results.json or --report folder this is: the status\n"
+      "is 1 only if a test got worse. With --report also as changes.html and changes.json");
+  app.add_option("--compare", compared, "Compares two earlier runs in the same way; needs no GL")
+      ->type_name("OLD NEW")
+      ->expected(2);
   app.add_option("--hashes", files.hashes, "Writes the rows of a chapter's osmesa_hashes.inc");
   app.add_option("--sheet", sheet, "Writes the expected pictures of the tests as one PNG; needs no GL");
   app.add_flag("--list", list, "Lists the tests");
@@ -60,6 +85,8 @@ int run_suite(int argc, char** argv) {
       write_sheet(chosen_tests(options), sheet);
       return kAllPass;
     }
+    if (!compared.empty())
+      return report_changes(read_results(compared[0]), read_results(compared[1]), files.folder);
     if (gl.empty()) throw CLI::RequiredError("--gl");
     options.subject = parse_subject(gl);
   } catch (const CLI::ParseError& e) {
@@ -73,6 +100,8 @@ int run_suite(int argc, char** argv) {
                  options.filter.empty() ? "*" : options.filter.c_str());
     return kUsage;
   }
+  RunRows before;
+  if (!since.empty()) before = read_results(since); // now: --report may write the same file
   SubjectFacts facts;
   try {
     facts = probe(options);
@@ -83,14 +112,15 @@ int run_suite(int argc, char** argv) {
   std::printf("%s, %s\n", facts.renderer.c_str(), facts.version.c_str());
   const RunResult result = run(options, facts, [&](const TestResult& t) {
     if (quiet && t.outcome == Outcome::Pass) return;
-    const char* const words[] = {"pass", "FAIL", "not supported"};
-    std::printf("%-13s %-45s %s\n", words[int(t.outcome)], t.test->name.c_str(), t.text.c_str());
+    std::printf("%-13s %-45s %s\n", t.outcome == Outcome::Fail ? "FAIL" : word_of(t.outcome),
+                t.test->name.c_str(), t.text.c_str());
     std::fflush(stdout);
   });
   const int pass = result.count(Outcome::Pass), fail = result.count(Outcome::Fail);
   std::printf("%d pass, %d fail, %d not supported; %d of %zu byte for byte as OSMesa 22.3.6\n", pass, fail,
               result.count(Outcome::NotSupported), count_exact(result), result.tests.size());
   write_reports(files, result, options);
+  if (!since.empty()) return report_changes(before, parse_results(to_json(result), "this run"), files.folder);
   return fail || !pass ? kSomeFail : kAllPass;
 }
 

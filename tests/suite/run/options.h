@@ -3,6 +3,7 @@
 
 namespace softgl::suite {
 
+/// With --since and --compare kAllPass says that no test got worse, and kSomeFail that one did.
 constexpr int kAllPass = 0, kSomeFail = 1, kUsage = 2, kNoContext = 3;
 
 /// Runs the program; gives the exit status.

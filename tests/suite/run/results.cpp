@@ -3,13 +3,14 @@
 #include <fnmatch.h>
 
 #include <algorithm>
-#include <map>
 #include <stdexcept>
 
-#include "expect/machine.h"
-#include "run/paths.h"
-
 namespace softgl::suite {
+
+const char* word_of(Outcome outcome) {
+  const char* const words[] = {"pass", "fail", "not supported"};
+  return words[int(outcome)];
+}
 
 int RunResult::count(Outcome outcome) const {
   return int(
@@ -34,6 +35,13 @@ SubjectFacts probe(const RunOptions& options) {
   return child.facts;
 }
 
+std::string text_of(const Need& need) {
+  const std::string version =
+      "OpenGL " + std::to_string(need.version / 10) + "." + std::to_string(need.version % 10);
+  if (need.version == kNoVersion) return need.extension;
+  return version + (*need.extension ? std::string(" or ") + need.extension : "");
+}
+
 bool is_supported(const Need& need, const SubjectFacts& facts) {
   if (facts.version_number >= need.version) return true;
   const std::string extension = need.extension;
@@ -50,81 +58,6 @@ uint64_t hash_of(const std::vector<uint8_t>& bytes) { // FNV-1a
 int count_exact(const RunResult& result) {
   return int(std::count_if(result.tests.begin(), result.tests.end(),
                            [](const TestResult& t) { return t.exact == Exact::Same; }));
-}
-
-namespace {
-
-const std::map<std::string, uint64_t>& osmesa_hashes() {
-  static const std::map<std::string, uint64_t> hashes = {
-#define HASH(name, hash) {name, hash},
-#include "run/osmesa_hashes.inc"
-#undef HASH
-  };
-  return hashes;
-}
-
-TestResult run_test(const Test& test, size_t index, const RunOptions& options, const SubjectFacts& facts) {
-  TestResult result;
-  result.test = &test;
-  if (!is_supported(test.need, facts)) {
-    result.outcome = Outcome::NotSupported;
-    result.text = "needs OpenGL " + std::to_string(test.need.version / 10) + "." +
-                  std::to_string(test.need.version % 10) + " or " + test.need.extension;
-    return result;
-  }
-  const Expectation expected =
-      expected_picture(whole_script(test), kWindowWidth, kWindowHeight, facts.precision);
-  Script body;
-  test.body(body);
-  std::vector<Script> scripts;
-  const std::vector<PathLevel>& levels = path_levels();
-  const size_t other = 1 + (index * 7 + options.seed) % (levels.size() - 1);
-  for (size_t i = 0; i < levels.size(); i++) {
-    if (i != 0 && options.levels != Levels::All && (i != other || options.levels == Levels::Plain)) continue;
-    if (std::optional<Script> script = levels[i].make(body)) {
-      scripts.push_back(std::move(*script));
-      result.levels.push_back({levels[i].name, false, "", {}, {}});
-    }
-  }
-  const ChildResult child = run_in_child(options.subject, scripts, options.seconds);
-  for (size_t i = 0; i < scripts.size(); i++) {
-    LevelResult& level = result.levels[i];
-    const DrawnPicture& picture = child.pictures[i];
-    if (!picture.fault.empty()) {
-      level.text = picture.fault;
-    } else {
-      level.verdict = judge(expected, picture.color, facts.precision);
-      level.pass = level.verdict.pass, level.text = level.verdict.text;
-    }
-    if (i == 0 && picture.fault.empty()) {
-      result.hash = hash_of(picture.color);
-      const auto osmesa = osmesa_hashes().find(test.name);
-      if (osmesa != osmesa_hashes().end())
-        result.exact = osmesa->second == result.hash ? Exact::Same : Exact::Different;
-    }
-    if (!level.pass) level.color = picture.color;
-  }
-  result.outcome = Outcome::Pass;
-  for (const LevelResult& level : result.levels)
-    if (!level.pass && result.outcome == Outcome::Pass)
-      result.outcome = Outcome::Fail, result.text = level.level + ": " + level.text;
-  // Every picture may be right and the process still have died behind the last one.
-  if (result.outcome == Outcome::Pass && !child.fault.empty())
-    result.outcome = Outcome::Fail, result.text = child.fault;
-  return result;
-}
-
-} // namespace
-
-RunResult run(const RunOptions& options, const SubjectFacts& facts,
-              const std::function<void(const TestResult&)>& done) {
-  RunResult result{options.subject.text, facts, {}};
-  size_t index = 0;
-  for (const Test* test : chosen_tests(options)) {
-    result.tests.push_back(run_test(*test, index++, options, facts));
-    done(result.tests.back());
-  }
-  return result;
 }
 
 } // namespace softgl::suite

@@ -12,6 +12,8 @@
 namespace softgl::suite {
 
 enum class Outcome { Pass, Fail, NotSupported };
+/// "pass", "fail", "not supported".
+const char* word_of(Outcome outcome);
 
 /// Whether the plain picture is OSMesa 22.3.6's, byte for byte. The specification does not ask for it.
 enum class Exact { NotCompared, Same, Different };
@@ -22,6 +24,7 @@ struct LevelResult {
   std::string text; // why not
   Verdict verdict;
   std::vector<uint8_t> color; // kept where it failed
+  uint64_t hash = 0;          // of the color, where it failed
 };
 
 struct TestResult {
@@ -48,7 +51,8 @@ struct RunOptions {
   std::string suite = "all", filter;
   Levels levels = Levels::All;
   uint64_t seed = 0;
-  double seconds = 60; // for the levels of one test
+  double seconds = 60; // for the levels of one test, and for some tests that share a process
+  int jobs = 2;        // processes at a time
 };
 
 /// The tests that the options choose.
@@ -56,7 +60,9 @@ std::vector<const Test*> chosen_tests(const RunOptions& options);
 /// Asks the GL what it is, in a child. Throws std::runtime_error with the reason if there is no context.
 SubjectFacts probe(const RunOptions& options);
 bool is_supported(const Need& need, const SubjectFacts& facts);
-/// `done` is called in the parent after each test.
+/// "OpenGL 1.2 or GL_EXT_rescale_normal".
+std::string text_of(const Need& need);
+/// `done` is called in the parent after each test, in their order.
 RunResult run(const RunOptions& options, const SubjectFacts& facts,
               const std::function<void(const TestResult&)>& done);
 /// The number of tests whose plain picture is OSMesa's.

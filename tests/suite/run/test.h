@@ -10,10 +10,14 @@
 
 namespace softgl::suite {
 
+constexpr int kNoVersion = 1000; // has it: an extension only
 /// What a test needs beyond OpenGL 1.1: one of a version and an extension.
 struct Need {
   int version = 11; // 12 for 1.2
   const char* extension = "";
+  /// GL_WIN_phong_shading does not say whether interpolated normals are normalized: a picture may follow
+  /// either.
+  bool leaves_normals_open = false;
 };
 constexpr Need kSeparateSpecular{12, "GL_EXT_separate_specular_color"},
     kRescaleNormal{12, "GL_EXT_rescale_normal"};
