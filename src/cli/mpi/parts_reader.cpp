@@ -33,6 +33,7 @@ std::vector<PartStep> steps_of(const RankModel& rank, size_t count) {
 RankModel read_parts(const std::vector<NumberedText>& parts, Deal deal, const ProgramOptions& options,
                      unsigned threads, const Ranks& ranks) {
   std::vector<uint64_t> sizes;
+  sizes.reserve(parts.size());
   for (const NumberedText& part : parts) sizes.push_back(part.number);
   const std::vector<int> dealt = deal_parts(sizes, ranks.count(), deal);
   RankModel rank;
