@@ -32,7 +32,7 @@ std::string program() { return std::string(SOFTGL_TEST_BINARY_DIR) + "/softgl-mp
 // False, and said, where MPI is missing: the program is built where CMake finds it.
 bool can_run() {
   if (!fs::exists(program())) {
-    WARN("SKIPPED: softgl-mpi is not built (Debian: openmpi-bin, libopenmpi-dev; not under sanitizers)");
+    WARN("SKIPPED: softgl-mpi is not built (Debian: openmpi-bin, libopenmpi-dev; left out under sanitizers)");
     return false;
   }
   if (std::system("command -v mpirun > /dev/null 2>&1") != 0) {

@@ -127,11 +127,11 @@ TEST_CASE("mpi: parts are dealt in blocks of equal bytes, or in turns", "[mpi]")
   CHECK(deal_parts({30, 10, 10, 10}, 2, Deal::kBlocks) == std::vector<int>{0, 1, 1, 1});
   CHECK(deal_parts({1, 1, 1, 1}, 3, Deal::kTurns) == std::vector<int>{0, 1, 2, 0});
   CHECK(deal_parts({0, 0}, 4, Deal::kBlocks) == std::vector<int>{0, 1}); // sizes that nobody knows
-  const std::vector<PartFile> parts = {{"a b.obj", 7}, {"", 0}, {"x\ny", 12345678901}};
-  const std::vector<PartFile> again = parts_from(as_text(parts));
+  const std::vector<NumberedText> parts = {{"a b.obj", 7}, {"", 0}, {"x\ny", 12345678901}};
+  const std::vector<NumberedText> again = unpacked(packed(parts));
   REQUIRE(again.size() == 3);
   for (size_t i = 0; i < 3; ++i) {
-    CHECK(again[i].path == parts[i].path);
-    CHECK(again[i].bytes == parts[i].bytes);
+    CHECK(again[i].text == parts[i].text);
+    CHECK(again[i].number == parts[i].number);
   }
 }

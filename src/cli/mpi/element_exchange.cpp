@@ -50,6 +50,7 @@ template <class T> GrowingArray<T> fetch_elements(const std::vector<uint32_t>& n
   const size_t bytes = per_element * sizeof(T);
   // The numbers rise, so those of each owner stand together.
   std::vector<size_t> cuts;
+  cuts.reserve(firsts.size());
   for (const uint64_t first : firsts)
     cuts.push_back(size_t(std::lower_bound(numbers.begin(), numbers.end(), first) - numbers.begin()));
   std::vector<std::vector<uint32_t>> asked(firsts.size() - 1);

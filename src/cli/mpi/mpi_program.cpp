@@ -46,22 +46,20 @@ private:
   const Clock::time_point start_ = Clock::now();
 };
 
-// Folders become the models in them. The first rank looks, and the others believe it.
-std::vector<PartFile> find_parts(const ProgramOptions& options, const Ranks& ranks) {
-  std::string text;
+// Folders become the models in them. The first rank looks, and the others believe it. With their sizes.
+std::vector<NumberedText> find_parts(const ProgramOptions& options, const Ranks& ranks) {
+  std::vector<NumberedText> parts;
   ranks.together([&] {
     if (!ranks.is_first()) return;
     ProgramOptions each = options;
     each.output = "{n}.png"; // names that nobody uses
-    std::vector<PartFile> parts;
     for (const std::string& path : plan_pictures(each).models) {
       std::error_code ignored; // reading it will say it
       const uintmax_t bytes = std::filesystem::file_size(path, ignored);
       parts.push_back({path, ignored ? 0 : uint64_t(bytes)});
     }
-    text = as_text(parts);
   });
-  return parts_from(ranks.broadcast(text));
+  return unpacked(ranks.broadcast(packed(parts)));
 }
 
 class MpiProgram {
@@ -71,7 +69,7 @@ public:
 
   void run() {
     ranks_.together([&] { read_named_files(options_); });
-    const std::vector<PartFile> files = find_parts(options_, ranks_);
+    const std::vector<NumberedText> files = find_parts(options_, ranks_);
     RankModel parts = read(files);
     lines_.done("read");
     const Camera camera = choose_camera(parts);
@@ -95,12 +93,12 @@ private:
   }
 
   // One file is cut, and more of them are dealt.
-  RankModel read(const std::vector<PartFile>& files) const {
+  RankModel read(const std::vector<NumberedText>& files) const {
     bool split = false;
     ranks_.together([&] {
-      split = ranks_.is_first() && ranks_.count() > 1 && files.size() == 1 && can_split(files.front().path);
+      split = ranks_.is_first() && ranks_.count() > 1 && files.size() == 1 && can_split(files.front().text);
     });
-    return ranks_.any(split) ? read_split(files.front().path, options_, threads(), ranks_)
+    return ranks_.any(split) ? read_split(files.front().text, options_, threads(), ranks_)
                              : read_parts(files, mpi_.deal, options_, threads(), ranks_);
   }
 
@@ -168,19 +166,19 @@ private:
       count += part.warnings.count();
       const auto add = [&](const char* kind, const std::vector<std::string>& sentences) {
         for (const std::string& sentence : sentences)
-          text += as_text({PartFile{"softgl-mpi: " + std::string(kind) + sentence + "\n", part.number}});
+          text += packed({{"softgl-mpi: " + std::string(kind) + sentence + "\n", part.number}});
       };
       if (!options_.quiet) add("warning: ", part.warnings.sentences());
       if (options_.verbose) add("note: ", part.notes.sentences());
     }
-    std::vector<PartFile> lines;
+    std::vector<NumberedText> lines;
     for (const std::string& rank : ranks_.gather(text))
-      for (PartFile& line : parts_from(rank)) lines.push_back(std::move(line));
+      for (NumberedText& line : unpacked(rank)) lines.push_back(std::move(line));
     std::stable_sort(lines.begin(), lines.end(),
-                     [](const PartFile& a, const PartFile& b) { return a.bytes < b.bytes; });
+                     [](const NumberedText& a, const NumberedText& b) { return a.number < b.number; });
     std::set<std::string> said; // several ranks may find the same
-    for (const PartFile& line : lines)
-      if (said.insert(line.path).second) std::fputs(line.path.c_str(), stderr);
+    for (const NumberedText& line : lines)
+      if (said.insert(line.text).second) std::fputs(line.text.c_str(), stderr);
     if (ranks_.is_first() && !options_.quiet) print_own_warnings();
     count = ranks_.sum(count) + as_wireframe_ + without_transparency();
     if (options_.strict && count > 0)

@@ -21,21 +21,20 @@ std::vector<int> deal_parts(const std::vector<uint64_t>& sizes, int ranks, Deal 
   return dealt;
 }
 
-// Paths may hold anything but a zero byte.
-std::string as_text(const std::vector<PartFile>& parts) {
-  std::string text;
-  for (const PartFile& part : parts) text += std::to_string(part.bytes) + " " + part.path + '\0';
-  return text;
+std::string packed(const std::vector<NumberedText>& texts) {
+  std::string bytes;
+  for (const NumberedText& each : texts) bytes += std::to_string(each.number) + " " + each.text + '\0';
+  return bytes;
 }
 
-std::vector<PartFile> parts_from(const std::string& text) {
-  std::vector<PartFile> parts;
-  for (size_t at = 0; at < text.size();) {
-    const size_t blank = text.find(' ', at), end = text.find('\0', blank);
-    parts.push_back({text.substr(blank + 1, end - blank - 1), std::stoull(text.substr(at, blank - at))});
+std::vector<NumberedText> unpacked(const std::string& bytes) {
+  std::vector<NumberedText> texts;
+  for (size_t at = 0; at < bytes.size();) {
+    const size_t blank = bytes.find(' ', at), end = bytes.find('\0', blank);
+    texts.push_back({bytes.substr(blank + 1, end - blank - 1), std::stoull(bytes.substr(at, blank - at))});
     at = end + 1;
   }
-  return parts;
+  return texts;
 }
 
 } // namespace softgl::cli

@@ -15,12 +15,12 @@ enum class Deal {
 // A rank for each part.
 std::vector<int> deal_parts(const std::vector<uint64_t>& sizes, int ranks, Deal deal);
 
-// The list of parts as text, so that one rank can tell the others.
-struct PartFile {
-  std::string path;
-  uint64_t bytes = 0;
+// What ranks tell each other: names of files with their sizes, sentences with the numbers of their parts.
+struct NumberedText {
+  std::string text; // without zero bytes
+  uint64_t number = 0;
 };
-std::string as_text(const std::vector<PartFile>& parts);
-std::vector<PartFile> parts_from(const std::string& text);
+std::string packed(const std::vector<NumberedText>& texts);
+std::vector<NumberedText> unpacked(const std::string& bytes);
 
 } // namespace softgl::cli

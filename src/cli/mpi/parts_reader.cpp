@@ -30,10 +30,11 @@ std::vector<PartStep> steps_of(const RankModel& rank, size_t count) {
 
 } // namespace
 
-RankModel read_parts(const std::vector<PartFile>& parts, Deal deal, const ProgramOptions& options,
+RankModel read_parts(const std::vector<NumberedText>& parts, Deal deal, const ProgramOptions& options,
                      unsigned threads, const Ranks& ranks) {
   std::vector<uint64_t> sizes;
-  for (const PartFile& part : parts) sizes.push_back(part.bytes);
+  sizes.reserve(parts.size());
+  for (const NumberedText& part : parts) sizes.push_back(part.number);
   const std::vector<int> dealt = deal_parts(sizes, ranks.count(), deal);
   RankModel rank;
   std::vector<ReadModel> read;
@@ -42,7 +43,7 @@ RankModel read_parts(const std::vector<PartFile>& parts, Deal deal, const Progra
     for (size_t number = 0; number < parts.size(); ++number) {
       if (dealt[number] != ranks.rank()) continue;
       rank.messages.push_back({number, {}, {}});
-      read.push_back(read_model(parts[number].path, options, threads, rank.messages.back().warnings,
+      read.push_back(read_model(parts[number].text, options, threads, rank.messages.back().warnings,
                                 rank.messages.back().notes));
       extend(bounds, bounds_of(read.back().loaded.model));
       if (number == 0)
