@@ -1,9 +1,11 @@
 // A program of libFuzzer for what reads files of unknown origin: models (OBJ, PLY, STL, compressed or not),
-// material libraries, pictures, cameras; and the command line with its file. SOFTGL_FUZZ_READER names one of
-// the functions below. Options print: -close_fd_mask=3 silences them.
+// material libraries, pictures, cameras, lists of jobs; and the command line with its file.
+// SOFTGL_FUZZ_READER names one of the functions below. Options print: -close_fd_mask=3 silences them.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <sys/mman.h>
@@ -16,6 +18,8 @@
 #include "common/compressed_text.h"
 #include "common/program_error.h"
 #include "image/picture_decoder.h"
+#include "jobs/job_list.h"
+#include "jobs/shard.h"
 #include "mesh/mesh_builder.h"
 #include "mesh/model_frame.h"
 #include "mesh/normal_generator.h"
@@ -100,6 +104,16 @@ void require(bool good) {
     require(error.code == kUsageError || error.code == kCannotRead);
     require(*error.what() != 0);
   }
+}
+
+// The first line is also read as the shard.
+[[maybe_unused]] void read_jobs(const SourceText& text) {
+  for (const JobLine& job : read_job_list(text))
+    require(!job.where.empty() && (!job.model.empty() || !job.fault.empty()));
+  try {
+    const Shard shard = parse_shard({text.begin(), std::find(text.begin(), text.end(), '\n')});
+    require(shard.number >= 1 && shard.number <= shard.count);
+  } catch (const std::invalid_argument& error) { require(*error.what() != 0); }
 }
 
 } // namespace
