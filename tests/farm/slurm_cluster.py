@@ -20,6 +20,10 @@ SHARDS = 6
 PICTURES = 500
 
 
+class TooLate(Exception):
+    """The node died when its shard was drawn already: nothing is tested."""
+
+
 class CannotStart(Exception):
     """Slurm does not work on this machine: no fault of softgl."""
 
@@ -218,7 +222,7 @@ def draw_on_cluster(cluster, softgl, script):
     with open(f"{folder}/jobs.tsv", "w", encoding="utf8") as jobs:
         jobs.writelines(f"{folder}/models/{i:03}.obj\t--view front\t{folder}/farm/{i:03}.png\n" for i in range(PICTURES))
     environment = {"SOFTGL": softgl, "JOBS": f"{folder}/jobs.tsv", "LOG": f"{folder}/log",
-                   "OPTIONS": "--up +Y --size 256x256 --aa 4"}
+                   "OPTIONS": "--up +Y --size 512x512 --aa 4"}
     cluster.environment.update(environment)
     said = cluster.ask("sbatch", "--parsable", f"--array=1-{SHARDS}", f"--output={folder}/%a.out", script)
     if not said.strip().isdigit():
@@ -239,10 +243,10 @@ def draw_on_cluster(cluster, softgl, script):
     job = cluster.kill_node(node)
     with open(log, encoding="utf8") as lines:
         before = len(lines.readlines())
-    end = time.monotonic() + 60
+    end = time.monotonic() + 150
     while cluster.ask("squeue", "-h", "-o", "%T").strip():
         if time.monotonic() > end:
-            raise SystemExit("not finished after 60 s: " + cluster.ask("squeue"))
+            raise SystemExit("not finished after 150 s: " + cluster.ask("squeue"))
         time.sleep(0.2)
     shown = dict(word.split("=", 1) for word in cluster.ask("scontrol", "-o", "show", "job", job).split() if "=" in word)
     print(f"{node} died with task {task} after {before} pictures; restarts {shown.get('Restarts')}, "
@@ -255,7 +259,7 @@ def draw_on_cluster(cluster, softgl, script):
 
 def check_pictures(folder, softgl, before, log):
     single = subprocess.run([softgl, f"{folder}/models", "-o", f"{folder}/single/{{model}}.png", "--up", "+Y", "--size",
-                             "256x256", "--aa", "4", "--view", "front", "-q"], check=False)
+                             "512x512", "--aa", "4", "--view", "front", "-q"], check=False)
     if single.returncode:
         raise SystemExit("the single run failed")
     expected, drawn = sorted(os.listdir(f"{folder}/single")), sorted(os.listdir(f"{folder}/farm"))
@@ -272,15 +276,14 @@ def check_pictures(folder, softgl, before, log):
         if any(line["exit_code"] for line in whole):
             raise SystemExit(f"{name}: a job failed")
         if f"{folder}/log/{name}" == log and before >= len({line["output"] for line in whole}):
-            raise SystemExit("the node died too late to test anything")
+            raise TooLate
         jobs += len({line["output"] for line in whole})
     if jobs != PICTURES:
         raise SystemExit(f"the reports have {jobs} jobs")
     print(f"{PICTURES} pictures are those of a single run")
 
 
-def main():
-    softgl, script, folder = sys.argv[1:]
+def run(softgl, script, folder):
     write_models(f"{folder}/models")
     cluster = Cluster(folder)
     try:
@@ -292,6 +295,17 @@ def main():
     finally:
         cluster.stop()
     check_pictures(folder, softgl, before, log)
+
+
+def main():
+    softgl, script, folder = sys.argv[1:]
+    for attempt in ("1", "2", "3"):
+        os.mkdir(f"{folder}/{attempt}")
+        try:
+            return run(softgl, script, f"{folder}/{attempt}")
+        except TooLate:
+            print(f"attempt {attempt}: the node died too late to test anything")
+    raise SystemExit("three times too late")
 
 
 if __name__ == "__main__":
