@@ -13,8 +13,8 @@ RunOptions options_for(const std::string& library, const std::string& filter = "
 /// Throws std::runtime_error if there is no context.
 RunResult run_quietly(const RunOptions& options);
 std::set<std::string> failures(const RunResult& result);
-/// Checks that what fails is what known_failures.tsv says of the GL, and that all but softgl lack
-/// GL_WIN_phong_shading and nothing else.
+/// Checks that what fails is what known_failures.tsv says of the GL and the tests of the run, and that all
+/// but softgl lack GL_WIN_phong_shading and nothing else.
 void check_known(const RunResult& result, const std::string& gl);
 /// The rows of a table in tests/suite: cells between tabs.
 std::vector<std::vector<std::string>> table(const std::string& file);

@@ -13,6 +13,8 @@ class Machine {
 public:
   Machine(Expectation& picture, const Precision& precision);
   void play(const Call& call);
+  /// Throws std::logic_error if the state changes what is read from the window.
+  void check_reading() const;
 
 private:
   bool play_lists(const Call& call);
@@ -24,6 +26,7 @@ private:
   bool play_textures(const Call& call);
   bool play_pixels(const Call& call);
   bool play_fragments(const Call& call);
+  bool play_paint(const Call& call);
 
   void enable(GLenum name, bool on);
   std::vector<Matrix4>& matrices(); // the stack of the matrix mode
@@ -38,8 +41,13 @@ private:
   LitVertex transform(const Vec4& object) const;
   ColorBounds lit_color(const spec::Vec3Interval& eye, const spec::Vec3Interval& normal, int face) const;
   void end();
+  bool enable_texture(GLenum name, bool on);
+  void generation(GLenum coordinate, GLenum name, const std::vector<double>& values);
+  void generate_coordinates(const Vec4& object, const Vec4& eye, const Vec3& normal, LitVertex& vertex) const;
+  bool play_texture_images(const Call& call);
+  void draw_image(const PixelImage& image);
   void bitmap(const Call& call);
-  void texture(const Call& call);
+  void paint_elements(const std::vector<Interval>& elements, const Call& call, size_t first);
 
   State state_;
   Rasterizer raster_;
@@ -47,7 +55,10 @@ private:
   GLenum mode_ = 0;
   std::vector<LitVertex> vertices_;
   LitVertex raster_position_;
-  GLuint list_ = 0; // that is compiled
+  bool raster_position_valid_ = true;
+  GLenum expected_error_ = GL_NO_ERROR;
+  bool skips_next_ = false; // a call that raises an error does nothing
+  GLuint list_ = 0;         // that is compiled
   bool list_executes_ = false;
 };
 
@@ -57,6 +68,9 @@ std::vector<double> numbers_of(const Call& call, size_t first);
 Vec4 vec4(const std::vector<double>& v);
 /// A signed integer of `bits` bits as a color or normal (table 2.9).
 double signed_unit(double integer, int bits);
+/// The target of an image, and the face of a cube map. Throws std::logic_error for what is no texture's
+/// target.
+TextureTarget texture_target(GLenum target, int* face);
 /// A row of a matrix times a vector, with the accuracy of the subject's own arithmetic.
 Interval row_times(const Matrix4& m, int row, const Vec4& v);
 /// A matrix comes from the subject's own arithmetic: some operations of 2.1.1's accuracy.

@@ -19,9 +19,9 @@ void Machine::enable(GLenum name, bool on) {
   case GL_ALPHA_TEST: s.color_buffer.alpha_test = on; break;
   case GL_BLEND: s.color_buffer.blend = on; break;
   case GL_FOG: s.fog.on = on; break;
-  case GL_TEXTURE_2D: s.texture.on = on; break;
   case GL_DITHER: break;
-  default: throw std::logic_error("glEnable of what the machine does not know");
+  default:
+    if (!enable_texture(name, on)) throw std::logic_error("glEnable of what the machine does not know");
   }
 }
 

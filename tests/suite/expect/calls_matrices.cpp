@@ -55,7 +55,7 @@ Matrix4 matrix_of(const std::vector<double>& numbers) {
 std::vector<Matrix4>& Machine::matrices() {
   switch (state_.transform.matrix_mode) {
   case GL_PROJECTION: return state_.projection;
-  case GL_TEXTURE: return state_.texture_matrix;
+  case GL_TEXTURE: return state_.texture_matrix[state_.texture.active];
   }
   return state_.modelview;
 }

@@ -35,7 +35,6 @@ bool Machine::play_vertices(const Call& call) {
   case Command::Color4fv: color(call.v(0)[0], call.v(0)[1], call.v(0)[2], call.v(0)[3]); return true;
   case Command::Color3ub: color(n(0) / 255, n(1) / 255, n(2) / 255); return true;
   case Command::Color4ub: color(n(0) / 255, n(1) / 255, n(2) / 255, n(3) / 255); return true;
-  case Command::TexCoord2f: return true;
   default: return false;
   }
 }

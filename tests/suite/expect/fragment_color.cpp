@@ -22,21 +22,32 @@ Interval fog_factor(const FogState& fog, Interval distance) {
 
 } // namespace
 
+void Rasterizer::apply_textures(const State& state, const Fragment& f, Interval color[4]) const {
+  Interval primary[4];
+  std::copy(color, color + 4, primary);
+  Pixel texels[kTextureUnits];
+  const TextureObject* textures[kTextureUnits];
+  for (int u = 0; u < kTextureUnits; u++)
+    if ((textures[u] = state.texture.texture_of(u)))
+      texels[u] = sampled(*textures[u], f.texture[size_t(u)], state.texture.units[u].environment.lod_bias);
+  double step[4];
+  for (int c = 0; c < 4; c++) step[c] = precision_.half_step(c == 3 && precision_.bits[3] < 2 ? 0 : c);
+  for (int u = 0; u < kTextureUnits; u++) {
+    if (!textures[u]) continue;
+    const TextureObject& t = *textures[u];
+    GLenum base = t.images[0][t.parameters.base_level].base;
+    if (base == GL_DEPTH_COMPONENT) base = t.parameters.depth_mode;
+    apply_environment(state.texture.units[u].environment, base, texels, u, primary, color, step);
+  }
+}
+
 void Rasterizer::process_color(const State& state, const Fragment& f, Interval color[4]) const {
+  const auto step_of = [&](int c) { return precision_.half_step(c == 3 && precision_.bits[3] < 2 ? 0 : c); };
+  for (int c = 0; c < 4; c++) color[c] = spec::clamped(spec::widened(f.color.primary[c], step_of(c)), 0, 1);
+  apply_textures(state, f, color);
   for (int c = 0; c < 4; c++) {
-    const double step = precision_.half_step(c == 3 && precision_.bits[3] < 2 ? 0 : c);
     // Each stage may round to the bits of the framebuffer.
-    const auto stage = [&](Interval value) { return spec::clamped(spec::widened(value, step), 0, 1); };
-    color[c] = stage(f.color.primary[c]);
-    if (state.texture.on) {
-      const double texel = component(state.texture.color, c);
-      if (state.texture.environment == GL_MODULATE)
-        color[c] = stage(color[c] * texel);
-      else if (state.texture.environment == GL_REPLACE)
-        color[c] = stage(texel);
-      else
-        throw std::logic_error("a texture environment that the machine does not know");
-    }
+    const auto stage = [&](Interval value) { return spec::clamped(spec::widened(value, step_of(c)), 0, 1); };
     if (c < 3 && f.color.secondary[c].high > 0) color[c] = stage(color[c] + f.color.secondary[c]);
     if (c < 3 && state.fog.on) {
       const Interval factor = fog_factor(state.fog, f.fog_distance);

@@ -12,15 +12,27 @@ Machine::Machine(Expectation& picture, const Precision& precision) : raster_(pic
 }
 
 void Machine::play(const Call& call) {
+  if (std::exchange(skips_next_, false)) {
+    if (call.command == Command::PaintPixels) // what is read stays as it is
+      paint_elements(packed_elements(state_.pack, {}, call.e(4), call.e(5), int(call.n(6))), call, 7);
+    return;
+  }
   if (list_ && facts_of(call.command).in_lists) {
-    state_.lists[list_].push_back(call);
+    state_.lists[list_].push_back({call, state_.unpack});
     if (!list_executes_) return;
   }
-  for (const auto group : {&Machine::play_vertices, &Machine::play_lists, &Machine::play_attributes,
-                           &Machine::play_matrices, &Machine::play_lighting, &Machine::play_rasterization,
-                           &Machine::play_textures, &Machine::play_pixels, &Machine::play_fragments})
+  for (const auto group :
+       {&Machine::play_vertices, &Machine::play_lists, &Machine::play_attributes, &Machine::play_matrices,
+        &Machine::play_lighting, &Machine::play_rasterization, &Machine::play_textures, &Machine::play_pixels,
+        &Machine::play_fragments, &Machine::play_paint})
     if ((this->*group)(call)) return;
   throw std::logic_error(std::string("the machine does not know gl") + facts_of(call.command).name);
+}
+
+void Machine::check_reading() const {
+  if (!state_.pixel.transfer.is_default() || state_.pack.row_length || state_.pack.skip_pixels ||
+      state_.pack.skip_rows || state_.pack.swap_bytes)
+    throw std::logic_error("the picture could not be read with this state");
 }
 
 bool Machine::play_lists(const Call& call) { // 5.4
@@ -31,10 +43,11 @@ bool Machine::play_lists(const Call& call) { // 5.4
     return true;
   case Command::EndList: list_ = 0; return true;
   case Command::CallList: {
-    const std::vector<Call> calls = state_.lists[GLuint(call.n(0))];
+    const std::vector<ListedCall> calls = state_.lists[GLuint(call.n(0))];
+    const PixelStore unpack = state_.unpack;
     const GLuint compiled = std::exchange(list_, 0); // what is executed is not compiled again
-    for (const Call& c : calls) play(c);
-    list_ = compiled;
+    for (const ListedCall& c : calls) state_.unpack = c.unpack, play(c.call);
+    list_ = compiled, state_.unpack = unpack;
     return true;
   }
   default: return false;
@@ -66,6 +79,7 @@ Expectation expected_picture(const Script& script, int width, int height, const 
   picture.pixels.assign(size_t(width * height), std::vector<Answer>(1));
   Machine machine(picture, precision);
   for (const Call& call : script.calls) machine.play(call);
+  machine.check_reading();
   return picture;
 }
 

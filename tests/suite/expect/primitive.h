@@ -1,6 +1,8 @@
 // Primitives in window coordinates, with the colors that a correct implementation may give to their vertices.
 #pragma once
 
+#include <array>
+
 #include "expect/expectation.h"
 #include "expect/state.h"
 
@@ -17,7 +19,8 @@ struct LitVertex {
   ColorBounds front, back;
   // Where fragments are lit (GL_WIN_phong_shading):
   spec::Vec3Interval eye, normal;
-  spec::Material material[2]; // front, back
+  spec::Material material[2];              // front, back
+  std::array<Vec4, kTextureUnits> texture; // coordinates
 };
 
 /// A vertex or fragment lit by the lights that are on (2.14.1), clamped (2.14.6).
@@ -38,19 +41,26 @@ public:
   void polygon(const State& state, const std::vector<LitVertex>& vertices, int provoking);
   void line(const State& state, const LitVertex& a, const LitVertex& b, int provoking);
   void point(const State& state, const LitVertex& vertex);
-  /// Fragments of a rectangle of pixels, of one color: a bitmap of ones.
-  void rectangle(const State& state, int x, int y, int width, int height, const ColorBounds& color,
-                 double depth);
+  /// A fragment of a bitmap or an image: the color and texture coordinates of the raster position.
+  void pixel(const State& state, int x, int y, const LitVertex& at, Interval depth);
+  /// What 4.3.2 reads.
+  PixelImage read(int x, int y, int width, int height, PixelKind kind) const;
+  /// A square of one color, whatever the state is.
+  void paint(int x, int y, int size, const Interval color[4]);
+  int width() const { return picture_.width; }
+  int height() const { return picture_.height; }
 
 private:
   struct Fragment {
     ColorBounds color;
     Interval depth, fog_distance;
+    std::array<TexturePoint, kTextureUnits> texture;
     bool certain = true; // that it is there
     bool nominal = true; // it is there by the exact geometry
   };
   double slack() const; // how far a vertex may be from where the exact geometry has it, in pixels
   void fragment(const State& state, int x, int y, const Fragment& fragment);
+  void apply_textures(const State& state, const Fragment& fragment, Interval color[4]) const;
   void process_color(const State& state, const Fragment& fragment, Interval color[4]) const;
   void polygon_fragment(const State& state, const std::vector<LitVertex>& vertices,
                         const std::vector<const ColorBounds*>& colors, bool back, int x, int y,

@@ -36,6 +36,7 @@ LitVertex Machine::transform(const Vec4& object) const {
   if (normalize) normal = spec::unit(normal);
   v.eye = eye, v.normal = normal;
   std::copy(state_.lighting.material, state_.lighting.material + 2, v.material);
+  generate_coordinates(object, eye4, {normal.x.middle(), normal.y.middle(), normal.z.middle()}, v);
   v.front = lit_color(eye, normal, 0);
   v.back = state_.lighting.lighting && state_.lighting.model.two_sided ? lit_color(eye, normal, 1) : v.front;
   return v;

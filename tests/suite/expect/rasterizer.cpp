@@ -47,6 +47,85 @@ void divide_by_w(const double* w, const double* weights, double* result, int cou
   for (int i = 0; i < count; i++) result[i] /= sum;
 }
 
+// Texture coordinates that do not change: of a point, or of a raster position.
+TexturePoint constant_point(const Vec4& v) {
+  TexturePoint point;
+  const double c[3] = {v.x, v.y, v.z};
+  for (int i = 0; i < 3; i++) point.coordinate[i] = v.w == 0 ? 0 : c[i] / v.w;
+  return point;
+}
+using TextureCoordinates = std::array<Vec4, kTextureUnits>;
+std::array<TexturePoint, kTextureUnits> constant_texture(const State& state, const TextureCoordinates& at) {
+  std::array<TexturePoint, kTextureUnits> points;
+  for (size_t u = 0; u < kTextureUnits; u++)
+    if (state.texture.texture_of(int(u))) points[u] = constant_point(at[u]);
+  return points;
+}
+// For primitives between whose vertices the machine does not interpolate.
+void refuse_varying(const State& state, const TextureCoordinates& a, const TextureCoordinates& b) {
+  for (size_t u = 0; u < kTextureUnits; u++)
+    if (state.texture.texture_of(int(u)) &&
+        (a[u].x != b[u].x || a[u].y != b[u].y || a[u].z != b[u].z || a[u].w != b[u].w))
+      throw std::logic_error("texture coordinates that vary along a line or in a polygon of many corners");
+}
+
+// Texture coordinates of a triangle (equation 3.6, which is to be used for them) and their changes from pixel
+// to pixel.
+struct TextureTriangle {
+  Vec3 corner[3];
+  double w[3];
+  Vec4 coordinate[3];
+
+  bool constant() const {
+    for (int i = 1; i < 3; i++)
+      if (coordinate[i].x != coordinate[0].x || coordinate[i].y != coordinate[0].y ||
+          coordinate[i].z != coordinate[0].z || coordinate[i].w != coordinate[0].w)
+        return false;
+    return true;
+  }
+  void at(double x, double y, double str[3]) const {
+    const Vec3 p{x, y, 0};
+    const double area = cross2(corner[0], corner[1], corner[2]);
+    const double linear[3] = {cross2(p, corner[1], corner[2]) / area, cross2(corner[0], p, corner[2]) / area,
+                              cross2(corner[0], corner[1], p) / area};
+    double sum[4] = {};
+    for (int i = 0; i < 3; i++) {
+      const double weight = linear[i] / w[i]; // the sum of the weights goes out in the division by q
+      sum[0] += weight * coordinate[i].x, sum[1] += weight * coordinate[i].y,
+          sum[2] += weight * coordinate[i].z, sum[3] += weight * coordinate[i].w;
+    }
+    for (int i = 0; i < 3; i++) str[i] = sum[i] / sum[3];
+  }
+  TexturePoint point(int x, int y, double slack) const {
+    if (constant()) return constant_point(coordinate[0]);
+    TexturePoint result;
+    bool first = true;
+    Interval along[2][3];
+    for (const auto& [dx, dy] : {std::pair{0, 0}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}) {
+      double here[3];
+      at(x + 0.5 + dx * slack, y + 0.5 + dy * slack, here);
+      for (int i = 0; i < 3; i++)
+        result.coordinate[i] = first ? Interval(here[i]) : spec::hull(result.coordinate[i], here[i]);
+      first = false;
+    }
+    double middle[3];
+    at(x + 0.5, y + 0.5, middle);
+    for (int axis = 0; axis < 2; axis++)
+      for (int side = -1; side <= 1; side += 2) {
+        double there[3];
+        at(x + 0.5 + (axis == 0) * side, y + 0.5 + (axis == 1) * side, there);
+        for (int i = 0; i < 3; i++) {
+          const Interval change = std::abs(there[i] - middle[i]);
+          along[axis][i] = side < 0 ? change : spec::hull(along[axis][i], change);
+        }
+      }
+    for (int i = 0; i < 3; i++)
+      result.change[i] = {std::max(along[0][i].low, along[1][i].low),
+                          std::max(along[0][i].high, along[1][i].high)};
+    return result;
+  }
+};
+
 } // namespace
 
 double Rasterizer::slack() const {
@@ -115,7 +194,9 @@ void Rasterizer::polygon_fragment(const State& state, const std::vector<LitVerte
     // "we require only that a convex combination of the values of the datum at the polygon's vertices can be
     // used"
     f.color = *colors[0], f.depth = vertices[0].window.z, f.fog_distance = vertices[0].fog_distance;
+    f.texture = constant_texture(state, vertices[0].texture);
     for (int i = 1; i < count; i++) {
+      refuse_varying(state, vertices[0].texture, vertices[size_t(i)].texture);
       f.color = hull_of(f.color, *colors[size_t(i)]);
       f.depth = spec::hull(f.depth, vertices[size_t(i)].window.z);
       f.fog_distance = spec::hull(f.fog_distance, vertices[size_t(i)].fog_distance);
@@ -145,6 +226,12 @@ void Rasterizer::polygon_fragment(const State& state, const std::vector<LitVerte
     f.fog_distance = first ? distance : spec::hull(f.fog_distance, distance);
     first = false;
   }
+  for (size_t u = 0; u < kTextureUnits; u++)
+    if (state.texture.texture_of(int(u)))
+      f.texture[u] = TextureTriangle{{a, b, c},
+                                     {w[0], w[1], w[2]},
+                                     {vertices[0].texture[u], vertices[1].texture[u], vertices[2].texture[u]}}
+                         .point(x, y, slack());
   fragment(state, x, y, f);
 }
 
@@ -154,6 +241,8 @@ void Rasterizer::line(const State& state, const LitVertex& a, const LitVertex& b
   if (length < 2) throw std::logic_error("a line of less than two pixels");
   const bool x_major = std::abs(q.x - p.x) >= std::abs(q.y - p.y),
              flat = state.lighting.shade_model == GL_FLAT;
+  refuse_varying(state, a.texture, b.texture);
+  const auto texture = constant_texture(state, a.texture);
   const ColorBounds* ends[2] = {&a.front, &b.front};
   if (flat) ends[0] = ends[1] = ends[provoking];
   const auto color_at = [&](double t) {
@@ -177,7 +266,7 @@ void Rasterizer::line(const State& state, const LitVertex& a, const LitVertex& b
       if (off > 1.1 + half_width) continue;
       Fragment f;
       f.certain = false, f.nominal = off < half_width;
-      f.color = color_at(t), f.fog_distance = spec::hull(a.fog_distance, b.fog_distance);
+      f.color = color_at(t), f.fog_distance = spec::hull(a.fog_distance, b.fog_distance), f.texture = texture;
       f.depth = spec::hull(p.z, q.z);
       fragment(state, x, y, f);
     }
@@ -196,7 +285,7 @@ void Rasterizer::line(const State& state, const LitVertex& a, const LitVertex& b
         witness.pixels.push_back(y * picture_.width + x);
     }
     Fragment f;
-    f.color = color_at(t), f.fog_distance = spec::hull(a.fog_distance, b.fog_distance);
+    f.color = color_at(t), f.fog_distance = spec::hull(a.fog_distance, b.fog_distance), f.texture = texture;
     process_color(state, f, witness.color);
     picture_.witnesses.push_back(witness), picture_.covered++;
   }
@@ -206,6 +295,7 @@ void Rasterizer::point(const State& state, const LitVertex& vertex) {
   const double size = state.width.point, x = vertex.window.x, y = vertex.window.y;
   Fragment f;
   f.color = vertex.front, f.depth = vertex.window.z, f.fog_distance = vertex.fog_distance;
+  f.texture = constant_texture(state, vertex.texture);
   Witness witness;
   for (int j = int(y - size / 2) - 2; j <= int(y + size / 2) + 2; j++)
     for (int i = int(x - size / 2) - 2; i <= int(x + size / 2) + 2; i++) {
@@ -221,12 +311,52 @@ void Rasterizer::point(const State& state, const LitVertex& vertex) {
   picture_.witnesses.push_back(witness);
 }
 
-void Rasterizer::rectangle(const State& state, int left, int bottom, int width, int height,
-                           const ColorBounds& color, double depth) {
+void Rasterizer::pixel(const State& state, int x, int y, const LitVertex& at, Interval depth) {
+  if (x < 0 || y < 0 || x >= picture_.width || y >= picture_.height) return;
   Fragment f;
-  f.color = color, f.depth = depth;
-  for (int y = std::max(bottom, 0); y < std::min(bottom + height, picture_.height); y++)
-    for (int x = std::max(left, 0); x < std::min(left + width, picture_.width); x++) fragment(state, x, y, f);
+  f.color = at.front, f.depth = depth, f.fog_distance = at.fog_distance,
+  f.texture = constant_texture(state, at.texture);
+  fragment(state, x, y, f);
+}
+
+PixelImage Rasterizer::read(int left, int bottom, int width, int height, PixelKind kind) const {
+  PixelImage image{kind, width, height, 1, {}};
+  for (int y = bottom; y < bottom + height; y++)
+    for (int x = left; x < left + width; x++) {
+      if (x < 0 || y < 0 || x >= picture_.width || y >= picture_.height)
+        throw std::logic_error("pixels outside of the window are read");
+      const std::vector<Answer>& answers = picture_.pixels[size_t(y * picture_.width + x)];
+      Pixel pixel;
+      for (size_t i = 0; i < answers.size(); i++) {
+        const Answer& a = answers[i];
+        const auto add = [&](int c, Interval value) {
+          pixel.c[c] = i == 0 ? value : spec::hull(pixel.c[c], value);
+        };
+        switch (kind) {
+        case PixelKind::Color:
+          for (int c = 0; c < 4; c++) {
+            const bool stored = c < 3 || precision_.bits[3] > 0;
+            add(c, stored ? spec::clamped(spec::widened(a.color[c], precision_.half_step(c)), 0, 1)
+                          : Interval(1));
+          }
+          break;
+        case PixelKind::Depth: add(0, spec::clamped(spec::widened(a.depth, 1.0 / 65535), 0, 1)); break;
+        default: throw std::logic_error("a buffer that the machine does not have");
+        }
+      }
+      image.pixels.push_back(pixel);
+    }
+  return image;
+}
+
+void Rasterizer::paint(int left, int bottom, int size, const Interval color[4]) {
+  for (int y = std::max(bottom, 0); y < std::min(bottom + size, picture_.height); y++)
+    for (int x = std::max(left, 0); x < std::min(left + size, picture_.width); x++) {
+      auto& answers = picture_.pixels[size_t(y * picture_.width + x)];
+      answers.resize(1);
+      std::copy(color, color + 4, answers[0].color);
+      picture_.covered++;
+    }
 }
 
 } // namespace softgl::suite

@@ -17,7 +17,24 @@ void restore(State& state, const SavedAttributes& saved) {
   if (mask & GL_FOG_BIT) state.fog = from.fog;
   if (mask & GL_COLOR_BUFFER_BIT) state.color_buffer = from.color_buffer;
   if (mask & GL_DEPTH_BUFFER_BIT) state.depth = from.depth;
-  if (mask & GL_TEXTURE_BIT) state.texture = from.texture;
+  if (mask & GL_PIXEL_MODE_BIT) { // the maps are not saved (table 6.22)
+    const auto maps = state.pixel.transfer.maps;
+    state.pixel = from.pixel, state.pixel.transfer.maps = maps;
+  }
+  if (mask & GL_TEXTURE_BIT) {
+    state.texture.active = from.texture.active;
+    for (int u = 0; u < kTextureUnits; u++) {
+      state.texture.units[u] = from.texture.units[u];
+      for (int target = 0; target < kTextureTargets; target++) {
+        // The parameters of what is bound, not its images.
+        const auto saved_object =
+            from.texture.objects.find({TextureTarget(target), state.texture.units[u].bound[target]});
+        TextureObject& object = state.texture.bound(u, TextureTarget(target));
+        object.parameters = saved_object == from.texture.objects.end() ? TextureParameters()
+                                                                       : saved_object->second.parameters;
+      }
+    }
+  }
   if (mask & GL_POINT_BIT) state.width.point = from.width.point;
   if (mask & GL_LINE_BIT) state.width.line = from.width.line;
   if (mask & GL_VIEWPORT_BIT) std::copy(from.viewport, from.viewport + 4, state.viewport);
@@ -30,7 +47,11 @@ void restore(State& state, const SavedAttributes& saved) {
     state.polygon.cull = from.polygon.cull, state.fog.on = from.fog.on, state.depth.test = from.depth.test;
     state.color_buffer.alpha_test = from.color_buffer.alpha_test,
     state.color_buffer.blend = from.color_buffer.blend;
-    state.texture.on = from.texture.on;
+    for (int u = 0; u < kTextureUnits; u++) {
+      const TextureUnit& unit = from.texture.units[u];
+      std::copy(unit.on, unit.on + kTextureTargets, state.texture.units[u].on);
+      for (int i = 0; i < 4; i++) state.texture.units[u].generation[i].on = unit.generation[i].on;
+    }
   }
 }
 

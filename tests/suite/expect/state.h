@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "expect/texture_state.h"
 #include "script/script.h"
 #include "spec/lighting_bounds.h"
 
@@ -19,6 +20,7 @@ using spec::Vec4;
 struct CurrentState {
   Vec4 color{1, 1, 1, 1};
   Vec3 normal{0, 0, 1};
+  Vec4 texture_coordinate[kTextureUnits];
 };
 struct LightingState {
   LightingState();
@@ -53,10 +55,9 @@ struct DepthState {
   GLenum function = GL_LESS;
   double clear = 1;
 };
-struct TextureState { // of one color
-  bool on = false;
-  Vec4 color{1, 1, 1, 1};
-  GLenum environment = GL_MODULATE;
+struct PixelModeState {
+  PixelTransferState transfer;
+  double zoom[2] = {1, 1};
 };
 struct WidthState { // of points and lines
   double point = 1, line = 1;
@@ -71,6 +72,7 @@ struct Attributes {
   ColorBufferState color_buffer;
   DepthState depth;
   TextureState texture;
+  PixelModeState pixel;
   WidthState width;
   int viewport[4] = {0, 0, 0, 0};
 };
@@ -80,10 +82,19 @@ struct SavedAttributes {
   Attributes attributes;
 };
 
+/// A call in a list, and how it unpacks images: by the state of when it was compiled (5.4).
+struct ListedCall {
+  Call call;
+  PixelStore unpack;
+};
+
 struct State : Attributes {
-  std::vector<Matrix4> modelview{1}, projection{1}, texture_matrix{1};
+  std::vector<Matrix4> modelview{1}, projection{1};
+  std::vector<Matrix4> texture_matrix[kTextureUnits] = {std::vector<Matrix4>(1), std::vector<Matrix4>(1),
+                                                        std::vector<Matrix4>(1), std::vector<Matrix4>(1)};
+  PixelStore pack, unpack;
   std::vector<SavedAttributes> saved;
-  std::map<GLuint, std::vector<Call>> lists;
+  std::map<GLuint, std::vector<ListedCall>> lists;
 };
 
 /// Copies what the bits of `mask` name (tables 6.5 to 6.30).

@@ -12,6 +12,10 @@ GlTable load_functions(const Resolver& resolve) {
   SUITE_COMMAND(GetIntegerv, "")
   SUITE_COMMAND(GetFloatv, "")
   SUITE_COMMAND(ReadPixels, "")
+  SUITE_COMMAND(GetTexImage, "")
+  SUITE_COMMAND(GetTexLevelParameteriv, "")
+  SUITE_COMMAND(GetTexParameterfv, "")
+  SUITE_COMMAND(GetTexEnviv, "")
 #undef SUITE_COMMAND
 #undef SUITE_COMMAND_NOT_IN_LISTS
   return gl;

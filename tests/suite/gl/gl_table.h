@@ -23,6 +23,10 @@ struct GlTable {
   decltype(&::glGetIntegerv) GetIntegerv = nullptr;
   decltype(&::glGetFloatv) GetFloatv = nullptr;
   decltype(&::glReadPixels) ReadPixels = nullptr;
+  decltype(&::glGetTexImage) GetTexImage = nullptr;
+  decltype(&::glGetTexLevelParameteriv) GetTexLevelParameteriv = nullptr;
+  decltype(&::glGetTexParameterfv) GetTexParameterfv = nullptr;
+  decltype(&::glGetTexEnviv) GetTexEnviv = nullptr;
 };
 
 /// Functions that the library does not have stay null.

@@ -113,7 +113,8 @@ std::string c_program(const Test& test, const Script& script, const Verdict& v) 
 
 static unsigned char window[SIZE * SIZE * 4];
 
-static int make_context(void) {
+)" + paint_in_c(script) +
+         R"(static int make_context(void) {
 #ifdef USE_EGL
   static const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_RED_SIZE, 8,
                                   EGL_ALPHA_SIZE, 8, EGL_DEPTH_SIZE, 16, EGL_NONE};

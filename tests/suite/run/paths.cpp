@@ -17,6 +17,21 @@ bool enables(const Script& s, GLenum name) {
   });
 }
 
+// Whether images, parameters or environments of textures are set: another texture would be in the way.
+bool uses_textures(const Script& s) {
+  return std::any_of(s.calls.begin(), s.calls.end(), [](const Call& c) {
+    const std::string name = facts_of(c.command).name;
+    return name.find("Tex") != std::string::npos && !name.starts_with("TexCoord");
+  });
+}
+// Whether a buffer other than that of colors is seen.
+bool reads_depths(const Script& s) {
+  return std::any_of(s.calls.begin(), s.calls.end(), [](const Call& c) {
+    return (c.command == Command::PaintPixels && c.e(4) == GL_DEPTH_COMPONENT) ||
+           (c.command == Command::CopyPixels && c.e(4) == GL_DEPTH);
+  });
+}
+
 std::optional<Script> with(const Script& before, const Script& body) {
   Script s = prologue();
   s.append(before), s.append(body);
@@ -37,7 +52,7 @@ std::optional<Script> stencil_test(const Script& body) {
   return with(s, body);
 }
 std::optional<Script> depth_test(const Script& body) {
-  if (enables(body, GL_DEPTH_TEST)) return {};
+  if (enables(body, GL_DEPTH_TEST) || reads_depths(body)) return {};
   Script s;
   s.DepthFunc(GL_ALWAYS), s.Enable(GL_DEPTH_TEST);
   return with(s, body);
@@ -67,7 +82,7 @@ std::optional<Script> fog(const Script& body) {
   return with(s, body);
 }
 std::optional<Script> white_texture(const Script& body) {
-  if (enables(body, GL_TEXTURE_2D)) return {};
+  if (enables(body, GL_TEXTURE_2D) || uses_textures(body)) return {};
   Script s;
   s.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   s.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);

@@ -2,12 +2,16 @@
 
 #include "gl/subject.h"
 #include "lighting/chapter.h"
+#include "pixels/chapter.h"
+#include "texture/chapter.h"
 
 namespace softgl::suite {
 
 const std::vector<Chapter>& chapters() {
   static const std::vector<Chapter> chapters = {
       {"lighting", lighting_tests},
+      {"texture", texture_tests},
+      {"pixels", pixels_tests},
   };
   return chapters;
 }

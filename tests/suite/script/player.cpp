@@ -2,16 +2,20 @@
 #include <utility>
 
 #include "gl/gl_table.h"
+#include "script/pixel_types.h"
 
 namespace softgl::suite {
 namespace {
 
-template <class T> void store(std::vector<std::byte>& bytes, const std::vector<double>& numbers) {
-  bytes.resize(sizeof(T) * numbers.size());
-  for (size_t i = 0; i < numbers.size(); i++) {
-    const T value = static_cast<T>(numbers[i]);
-    std::memcpy(&bytes[sizeof(T) * i], &value, sizeof(T));
-  }
+GLenum type_of_element(GLfloat) { return GL_FLOAT; }
+GLenum type_of_element(GLint) { return GL_INT; }
+GLenum type_of_element(GLuint) { return GL_UNSIGNED_INT; }
+GLenum type_of_element(GLubyte) { return GL_UNSIGNED_BYTE; }
+
+std::vector<std::byte> doubles(const std::vector<double>& numbers) {
+  std::vector<std::byte> bytes(sizeof(double) * numbers.size());
+  if (!numbers.empty()) std::memcpy(bytes.data(), numbers.data(), bytes.size());
+  return bytes;
 }
 
 // Turns an argument of a call into one of a function of C.
@@ -22,17 +26,12 @@ struct Converter {
     if constexpr (std::is_pointer_v<T>) {
       using Element = std::remove_cv_t<std::remove_pointer_t<T>>;
       auto bytes = std::make_unique<std::vector<std::byte>>();
-      if constexpr (!std::is_void_v<Element>) {
-        store<Element>(*bytes, a.numbers);
-      } else {
-        switch (a.memory_type) {
-        case GL_FLOAT: store<GLfloat>(*bytes, a.numbers); break;
-        case GL_UNSIGNED_SHORT: store<GLushort>(*bytes, a.numbers); break;
-        case GL_SHORT: store<GLshort>(*bytes, a.numbers); break;
-        case GL_BYTE: store<GLbyte>(*bytes, a.numbers); break;
-        default: store<GLubyte>(*bytes, a.numbers); break;
-        }
-      }
+      if constexpr (std::is_void_v<Element>)
+        *bytes = bytes_of(a.memory_type, a.numbers);
+      else if constexpr (std::is_same_v<Element, GLdouble>)
+        *bytes = doubles(a.numbers);
+      else
+        *bytes = bytes_of(type_of_element(Element{}), a.numbers);
       if (bytes->empty()) return nullptr;
       memory.push_back(std::move(bytes));
       return reinterpret_cast<T>(memory.back()->data());
@@ -67,7 +66,7 @@ const char* Player::missing(const Script& script) const {
     break;
 #define SUITE_COMMAND_NOT_IN_LISTS SUITE_COMMAND
 #include "script/commands.inc"
-    case Command::Count: break;
+    default: there = true; // what is painted
     }
     if (!there) return facts_of(call.command).name;
   }
@@ -86,7 +85,7 @@ void Player::play(const Script& script) {
 #include "script/commands.inc"
 #undef SUITE_COMMAND
 #undef SUITE_COMMAND_NOT_IN_LISTS
-    case Command::Count: break;
+    default: paint(call); break;
     }
   }
 }

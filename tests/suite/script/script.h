@@ -15,10 +15,12 @@ namespace softgl::suite {
 
 enum class Command : uint8_t {
 #define SUITE_COMMAND(name, kinds) name,
-#define SUITE_COMMAND_NOT_IN_LISTS(name, kinds) name,
+#define SUITE_COMMAND_NOT_IN_LISTS SUITE_COMMAND
+#define SUITE_PAINT SUITE_COMMAND
 #include "script/commands.inc"
 #undef SUITE_COMMAND
 #undef SUITE_COMMAND_NOT_IN_LISTS
+#undef SUITE_PAINT
   Count
 };
 
@@ -36,7 +38,7 @@ struct V : std::vector<double> {
 };
 /// Elements behind a pointer to void.
 struct Memory {
-  GLenum type; // GL_FLOAT, GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_BYTE, GL_SHORT
+  GLenum type; // one of pixel_types.h, GL_BITMAP
   std::vector<double> elements;
 };
 
@@ -68,9 +70,11 @@ struct Script {
 #define SUITE_COMMAND(name, kinds) \
   template <class... A> void name(A... a) { calls.push_back({Command::name, {Argument(a)...}}); }
 #define SUITE_COMMAND_NOT_IN_LISTS SUITE_COMMAND
+#define SUITE_PAINT SUITE_COMMAND
 #include "script/commands.inc"
 #undef SUITE_COMMAND
 #undef SUITE_COMMAND_NOT_IN_LISTS
+#undef SUITE_PAINT
 
   void append(const Script& other) { calls.insert(calls.end(), other.calls.begin(), other.calls.end()); }
 };
@@ -88,11 +92,25 @@ public:
   void play(const Script& script);
 
 private:
+  void paint(const Call& call);
+  void paint(double x, double y, double size, double red, double green, double blue);
+  void paint_elements(const Call& call, size_t first, const std::vector<std::byte>& bytes, bool swapped);
+
   const GlTable& gl_;
   std::vector<std::unique_ptr<std::vector<std::byte>>> memory_;
 };
 
-/// The calls as statements of C, one a line.
+/// The calls as statements of C, one a line. What they paint needs paint_in_c before.
 std::string to_c(const Script& script, const char* indent);
+/// An argument of a call in C.
+std::string c_argument(const Call& call, size_t i);
+/// A function of C that paints a square, for scripts that need it.
+std::string paint_in_c(const Script& script);
+/// PaintPixels and the like as a statement.
+std::string paint_to_c(const Call& call, const std::string& indent);
+
+/// Pixels of the squares that say whether a GL answers right, and their red for an error.
+constexpr int kPaintedSquare = 8;
+constexpr double painted_error(GLenum error) { return error == GL_NO_ERROR ? 1 : (error - 0x4ff) / 16.0; }
 
 } // namespace softgl::suite

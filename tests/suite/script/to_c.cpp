@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <map>
 
-#include "script/script.h"
+#include "script/pixel_types.h"
 
 namespace softgl::suite {
 namespace {
@@ -39,7 +39,9 @@ std::string mask_bits(GLbitfield bits) {
                                                              {GL_CURRENT_BIT, "GL_CURRENT_BIT"},
                                                              {GL_ENABLE_BIT, "GL_ENABLE_BIT"},
                                                              {GL_TRANSFORM_BIT, "GL_TRANSFORM_BIT"},
-                                                             {GL_POLYGON_BIT, "GL_POLYGON_BIT"}};
+                                                             {GL_POLYGON_BIT, "GL_POLYGON_BIT"},
+                                                             {GL_TEXTURE_BIT, "GL_TEXTURE_BIT"},
+                                                             {GL_PIXEL_MODE_BIT, "GL_PIXEL_MODE_BIT"}};
   if (bits == GL_ALL_ATTRIB_BITS) return "GL_ALL_ATTRIB_BITS";
   std::string text;
   for (const auto& [bit, name] : names)
@@ -58,6 +60,7 @@ std::string list(const std::vector<double>& numbers, const char* type, bool real
 std::string vector_argument(const Call& call, const Argument& a) {
   const std::string name = facts_of(call.command).name;
   if (call.command == Command::ClipPlane) return list(a.numbers, "GLdouble", true);
+  if (name.ends_with("Textures") && call.arguments.size() == 2) return list(a.numbers, "GLuint", false);
   if (name.ends_with("iv")) return list(a.numbers, "GLint", false);
   return list(a.numbers, "GLfloat", true);
 }
@@ -65,14 +68,21 @@ std::string vector_argument(const Call& call, const Argument& a) {
 std::string memory_argument(const Argument& a) {
   switch (a.memory_type) {
   case GL_FLOAT: return list(a.numbers, "GLfloat", true);
-  case GL_UNSIGNED_SHORT: return list(a.numbers, "GLushort", false);
   case GL_SHORT: return list(a.numbers, "GLshort", false);
   case GL_BYTE: return list(a.numbers, "GLbyte", false);
+  case GL_INT: return list(a.numbers, "GLint", false);
+  case GL_NONE:
+  case GL_BITMAP: break;
+  default:
+    if (pixel_type(a.memory_type).bytes == 2) return list(a.numbers, "GLushort", false);
+    if (pixel_type(a.memory_type).bytes == 4) return list(a.numbers, "GLuint", false);
   }
   return a.numbers.empty() ? "NULL" : list(a.numbers, "GLubyte", false);
 }
 
-std::string argument(const Call& call, size_t i) {
+} // namespace
+
+std::string c_argument(const Call& call, size_t i) {
   const Argument& a = call.arguments[i];
   const auto whole = [&] { return std::to_string(int64_t(a.number)); };
   switch (facts_of(call.command).kinds[i]) {
@@ -97,15 +107,15 @@ std::string argument(const Call& call, size_t i) {
   return whole();
 }
 
-} // namespace
-
 const CommandFacts& facts_of(Command command) {
   static const CommandFacts facts[] = {
 #define SUITE_COMMAND(name, kinds) {#name, kinds, true},
 #define SUITE_COMMAND_NOT_IN_LISTS(name, kinds) {#name, kinds, false},
+#define SUITE_PAINT SUITE_COMMAND_NOT_IN_LISTS
 #include "script/commands.inc"
 #undef SUITE_COMMAND
 #undef SUITE_COMMAND_NOT_IN_LISTS
+#undef SUITE_PAINT
   };
   return facts[size_t(command)];
 }
@@ -113,8 +123,12 @@ const CommandFacts& facts_of(Command command) {
 std::string to_c(const Script& script, const char* indent) {
   std::string text;
   for (const Call& call : script.calls) {
+    if (call.command >= Command::Raises) { // the first of paint_commands.inc
+      text += paint_to_c(call, indent);
+      continue;
+    }
     text += indent + std::string("gl") + facts_of(call.command).name + "(";
-    for (size_t i = 0; i < call.arguments.size(); i++) text += (i ? ", " : "") + argument(call, i);
+    for (size_t i = 0; i < call.arguments.size(); i++) text += (i ? ", " : "") + c_argument(call, i);
     text += ");\n";
   }
   return text;
