@@ -10,6 +10,7 @@
 #include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <poll.h>
 #include <random>
 #include <sstream>
 #include <sys/file.h>
@@ -66,6 +67,11 @@ int reader_of(const std::string& pipe) {
   return writer;
 }
 
+bool has_reader(int writer) {
+  pollfd end{writer, POLLOUT, 0};
+  return ::poll(&end, 1, 0) >= 0 && !(end.revents & POLLERR);
+}
+
 Json line_of(const std::string& lines, const std::string& model) {
   std::istringstream stream(lines);
   for (std::string line; std::getline(stream, line);) {
@@ -91,21 +97,42 @@ TEST_CASE("job faults: a process that dies takes its job alone", "[models][jobs]
   StartedProgram program(batch({list, "--threads", "1", "--report", out + "report"}));
   // The heaviest are drawn first, and the pipe has no bytes.
   const int writer = reader_of(pipe);
-  for (const pid_t child : program.children()) ::kill(child, SIGKILL);
-  CHECK(program.wait() == 128 + SIGKILL);
+  for (const pid_t child : program.children()) ::kill(child, SIGABRT);
+  CHECK(program.wait() == 128 + SIGABRT);
   ::close(writer);
   const std::string lines = read_bytes(out + "report");
-  CHECK(line_of(lines, pipe).at("exit_code") == 128 + SIGKILL);
-  CHECK(has(line_of(lines, pipe).at("error"), "the process that drew it was ended by signal 9"));
+  CHECK(line_of(lines, pipe).at("exit_code") == 128 + SIGABRT);
+  CHECK(has(line_of(lines, pipe).at("error"), "the process that drew it was ended by signal 6"));
   CHECK(line_of(lines, good).at("exit_code") == 0);
   CHECK(has(program.errors(), "3 jobs: 2 drawn, 0 there already, 1 failed"));
+}
+
+TEST_CASE("job faults: a job that is killed is drawn once more", "[models][jobs]") {
+  const std::string pipe = endless("alone/pipe.obj"), good = model("alone/good.obj"),
+                    out = folder() + "alone/";
+  const std::string text = read_bytes(good);
+  for (const bool again : {false, true}) {
+    StartedProgram program(batch({pipe, "--threads", "2", "-o", out + "{model}.ppm"}));
+    const int writer = reader_of(pipe);
+    const std::vector<pid_t> first = program.children();
+    for (const pid_t child : first) ::kill(child, SIGKILL);
+    wait_until([&] { return program.children() != first && has_reader(writer); });
+    if (again)
+      for (const pid_t child : program.children()) ::kill(child, SIGKILL);
+    else
+      CHECK(::write(writer, text.data(), text.size()) == ssize_t(text.size()));
+    ::close(writer);
+    CHECK(program.wait() == (again ? 128 + SIGKILL : 0));
+    CHECK(has(program.errors(),
+              again ? "0 drawn, 0 there already, 1 failed" : "1 drawn, 0 there already, 0 failed"));
+  }
 }
 
 TEST_CASE("job faults: the time limit is that of a job", "[models][jobs]") {
   const std::string pipe = endless("late/pipe.obj"), good = model("late/good.obj"), out = folder() + "late/";
   const ProgramRun run =
-      run_softgl(batch({"-", "--threads", "1", "--timeout", "0.2", "--resume", "-o", out + "{model}.png"}),
-                 pipe + "\n" + good + "\n");
+      run_softgl(batch({"-", "--threads", "1", "--timeout", "0.2", "-o", out + "{model}.png"}),
+                 pipe + "\n" + good + "\t--timeout 60\n");
   CHECK(run.exit_code == 3);
   CHECK(has(line_of(run.output, pipe).at("error"), "pipe.obj: not finished after 0.2 s (--timeout)"));
   CHECK(line_of(run.output, good).at("exit_code") == 0);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
@@ -107,7 +108,12 @@ public:
       finish(job, result);
     }
     std::vector<size_t> dropped;
-    const int signal = run_jobs(to_draw, plan, dropped);
+    int signal = run_jobs(to_draw, plan, dropped);
+    if (signal == 0 && !killed_.empty()) {
+      plan.processes = 1;
+      alone_ = true;
+      signal = run_jobs(killed_, plan, dropped);
+    }
     for (const size_t job : dropped) remove_unfinished(jobs_[job].files);
     print_summary(since(start), signal);
     if (signal) return 128 + signal;
@@ -231,6 +237,11 @@ private:
   void take_death(size_t number, int status) {
     const BatchJob& job = jobs_[number];
     remove_unfinished(job.files);
+    // The kernel kills whoever is largest when memory ends, and the others may have had most of it.
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL && !alone_) {
+      killed_.push_back(number);
+      return;
+    }
     JobResult result = result_of(number);
     const double seconds = job.options->limits.seconds;
     if (WIFSIGNALED(status)) {
@@ -291,6 +302,8 @@ private:
   SandboxPaths sandbox_;
   MemoryPeak memory_;
   unsigned processes_ = 1, threads_each_ = 1;
+  std::vector<size_t> killed_; // to be drawn once more
+  bool alone_ = false;         // they are
   size_t drawn_ = 0, failed_ = 0, first_failed_ = SIZE_MAX;
   int exit_code_ = kSuccess;
 };

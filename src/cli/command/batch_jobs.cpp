@@ -83,7 +83,7 @@ private:
     BatchJob& job = jobs_.emplace_back();
     job.where = std::move(line.where);
     job.model = std::move(line.model);
-    job.output = line.output.empty() ? options_.output : std::move(line.output);
+    job.output = line.output.empty() ? options_.output : line.output;
     job.fault = std::move(line.fault);
     if (job.fault.empty()) try {
         job.options = options_for(line.options, job.output);
