@@ -1,4 +1,7 @@
 #include "snapshot/texture_environment.h"
+#include "shaders/common/seeded_faults.h"
+
+#include <utility>
 
 namespace softgl {
 
@@ -11,14 +14,15 @@ CombineFunction combine_function(GLenum f, bool products) {
   case GL_ADD: return products ? CombineFunction::AddProducts : CombineFunction::Add;
   case GL_ADD_SIGNED: return products ? CombineFunction::AddProductsSigned : CombineFunction::AddSigned;
   case GL_INTERPOLATE: return CombineFunction::Interpolate;
-  case GL_SUBTRACT: return CombineFunction::Subtract;
+  case GL_SUBTRACT: return SOFTGL_FAULT(subtract_is_add) ? CombineFunction::Add : CombineFunction::Subtract;
   case GL_MODULATE_ADD_ATI: return CombineFunction::ModulateAdd;
   case GL_MODULATE_SIGNED_ADD_ATI: return CombineFunction::ModulateSignedAdd;
   case GL_MODULATE_SUBTRACT_ATI: return CombineFunction::ModulateSubtract;
   case GL_DOT3_RGB:
   case GL_DOT3_RGB_EXT: return CombineFunction::Dot3Rgb;
   case GL_DOT3_RGBA:
-  case GL_DOT3_RGBA_EXT: return CombineFunction::Dot3Rgba;
+  case GL_DOT3_RGBA_EXT:
+    return SOFTGL_FAULT(dot3_alpha_forgotten) ? CombineFunction::Dot3Rgb : CombineFunction::Dot3Rgba;
   default: return CombineFunction::Modulate;
   }
 }
@@ -45,11 +49,12 @@ CombineSource combine_source(GLenum source, int unit, uint32_t sampled) {
   switch (source) {
   case GL_TEXTURE: return texel_of(unit, sampled);
   case GL_CONSTANT: return CombineSource::Constant;
-  case GL_PRIMARY_COLOR: return CombineSource::Primary;
+  case GL_PRIMARY_COLOR:
+    return SOFTGL_FAULT(primary_is_previous) ? CombineSource::Previous : CombineSource::Primary;
   case GL_ZERO: return CombineSource::Zero;
   case GL_ONE: return CombineSource::One;
   case GL_PREVIOUS: return CombineSource::Previous;
-  default: return texel_of(int(source - GL_TEXTURE0) & 7, sampled);
+  default: return texel_of(SOFTGL_FAULT(crossbar_ignored) ? unit : int(source - GL_TEXTURE0) & 7, sampled);
   }
 }
 
@@ -58,7 +63,8 @@ CombinerChain::Unit make_combine(const TextureUnitState& s, int unit, uint32_t s
   CombinerChain::Unit t{
       {combine_function(s.combine_rgb, products), combine_function(s.combine_alpha, products)},
       {},
-      {uint8_t(s.rgb_scale), uint8_t(s.alpha_scale)}};
+      {uint8_t(SOFTGL_FAULT(scale_ignored) ? 1 : s.rgb_scale),
+       uint8_t(SOFTGL_FAULT(scale_ignored) ? 1 : s.alpha_scale)}};
   // Those of GL_EXT_texture_env_dot3 are not scaled.
   if (s.combine_rgb == GL_DOT3_RGB_EXT || s.combine_rgb == GL_DOT3_RGBA_EXT) t.scale[0] = 1;
   if (s.combine_rgb == GL_DOT3_RGBA_EXT) t.scale[1] = 1;
@@ -66,8 +72,11 @@ CombinerChain::Unit make_combine(const TextureUnitState& s, int unit, uint32_t s
     const GLenum operand = s.operand_rgb[i];
     t.argument[0][i] = {combine_source(s.source_rgb[i], unit, sampled),
                         operand == GL_SRC_ALPHA || operand == GL_ONE_MINUS_SRC_ALPHA,
-                        operand == GL_ONE_MINUS_SRC_COLOR || operand == GL_ONE_MINUS_SRC_ALPHA};
+                        (operand == GL_ONE_MINUS_SRC_COLOR || operand == GL_ONE_MINUS_SRC_ALPHA) &&
+                            !SOFTGL_FAULT(operand_not_inverted)};
   }
+  if (SOFTGL_FAULT(interpolate_turned) && t.function[0] == CombineFunction::Interpolate)
+    std::swap(t.argument[0][0], t.argument[0][1]);
   for (int i = 0; i < argument_count(t.function[1]); ++i)
     t.argument[1][i] = {combine_source(s.source_alpha[i], unit, sampled), 1,
                         s.operand_alpha[i] == GL_ONE_MINUS_SRC_ALPHA};
@@ -97,13 +106,17 @@ CombinerChain::Unit make_environment(const TextureUnitState& s, int unit, GLenum
     break;
   case GL_DECAL: // undefined but for RGB and RGBA
     if (base == GL_RGB) set(0, CombineFunction::Replace, texel);
-    if (base == GL_RGBA) set(0, CombineFunction::Interpolate, texel, previous, texel_alpha);
+    if (base == GL_RGBA && SOFTGL_FAULT(decal_opaque)) set(0, CombineFunction::Replace, texel);
+    if (base == GL_RGBA && !SOFTGL_FAULT(decal_opaque))
+      set(0, CombineFunction::Interpolate, texel, previous, texel_alpha);
     break;
   case GL_BLEND:
-    if (rgb) set(0, CombineFunction::Interpolate, constant, previous, texel);
+    if (rgb && SOFTGL_FAULT(blend_is_modulate)) set(0, CombineFunction::Modulate, texel, previous);
+    if (rgb && !SOFTGL_FAULT(blend_is_modulate))
+      set(0, CombineFunction::Interpolate, constant, previous, texel);
     if (base == GL_INTENSITY)
       set(1, CombineFunction::Interpolate, constant, previous, texel);
-    else if (alpha)
+    else if (alpha && !SOFTGL_FAULT(alpha_of_blend_forgotten))
       set(1, CombineFunction::Modulate, texel, previous);
     break;
   case GL_ADD:

@@ -10,6 +10,7 @@
 #include "base/fast_paths.h"
 #include "base/kernel_table.h"
 #include "context/context.h"
+#include "shaders/common/seeded_faults.h"
 #include "shaders/texture/texture_constants.h"
 #include "snapshot/texture_environment.h"
 #include "texture/texture_object.h"
@@ -21,6 +22,7 @@ namespace {
 /// The target that a unit samples: the enabled one of the highest order (3.8.15); kTextureTargets if it is
 /// off.
 TextureTarget enabled_target(const TextureUnitState& unit) {
+  if (SOFTGL_FAULT(one_dimension_wins) && unit.enabled[kTexture1D]) return kTexture1D;
   for (TextureTarget t : {kTextureCube, kTexture3D, kTextureRectangle, kTexture2D, kTexture1D})
     if (unit.enabled[t]) return t;
   return kTextureTargets;
@@ -42,14 +44,16 @@ float quantized_bias(float bias) { return std::round(std::clamp(bias, -16.0f, 16
 void set_level_of_detail(const SamplingParameters& p, float unit_bias, TextureUnitConstants& t) {
   t.min_linear = p.min_filter == GL_LINEAR || p.min_filter == GL_LINEAR_MIPMAP_NEAREST ||
                  p.min_filter == GL_LINEAR_MIPMAP_LINEAR;
-  t.mag_linear = p.mag_filter == GL_LINEAR;
+  t.mag_linear = SOFTGL_FAULT(mag_filter_is_min) ? t.min_linear : p.mag_filter == GL_LINEAR;
   t.mip = !uses_mipmaps(p.min_filter) ? TextureMip::None
           : p.min_filter == GL_NEAREST_MIPMAP_NEAREST || p.min_filter == GL_LINEAR_MIPMAP_NEAREST
               ? TextureMip::Nearest
               : TextureMip::Linear;
-  t.lod_bias = quantized_bias(p.lod_bias) + quantized_bias(unit_bias);
-  t.min_lod = std::max(p.min_lod, 0.0f);
-  t.max_lod = p.max_lod;
+  if (SOFTGL_FAULT(mipmaps_nearest) && t.mip == TextureMip::Linear) t.mip = TextureMip::Nearest;
+  t.lod_bias =
+      quantized_bias(p.lod_bias) + (SOFTGL_FAULT(lod_bias_ignored) ? 0.0f : quantized_bias(unit_bias));
+  t.min_lod = SOFTGL_FAULT(min_lod_ignored) ? 0.0f : std::max(p.min_lod, 0.0f);
+  t.max_lod = SOFTGL_FAULT(max_lod_ignored) ? 1000.0f : p.max_lod;
   t.constant_lod = t.min_lod == t.max_lod;
   t.has_min_lod = t.min_lod > 0;
   t.has_max_lod = t.max_lod < float(kMaxTextureLevels);
@@ -74,6 +78,7 @@ void set_border(Vec4 color, const TexelFormat& format, TextureUnitConstants& t) 
     color[i] = color[i] > least ? color[i] : least;
     if (!floats) color[i] = std::min(color[i], 1.0f);
   }
+  if (SOFTGL_FAULT(border_color_black)) color = Vec4(0.0f);
   const float r = color.x;
   switch (format.base) {
   case GL_RED: t.border[0] = r, t.border[1] = t.border[2] = 0, t.border[3] = 1; break;
@@ -191,22 +196,30 @@ TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum&
   const bool cube = target == kTextureCube;
   const TextureImage& zero = level_zero(*object, levels.first);
   t->wrap[0] = wrap_mode(cube ? GLenum(GL_CLAMP_TO_EDGE) : p.wrap[0], zero.width);
-  t->wrap[1] = wrap_mode(cube || target == kTexture1D ? GLenum(GL_CLAMP_TO_EDGE) : p.wrap[1], zero.height);
+  t->wrap[1] = wrap_mode(cube || target == kTexture1D ? GLenum(GL_CLAMP_TO_EDGE)
+                                                      : p.wrap[SOFTGL_FAULT(wrap_t_is_s) ? 0 : 1],
+                         zero.height);
   t->wrap[2] = wrap_mode(p.wrap[2], zero.depth);
   set_level_of_detail(p, state.lod_bias, *t);
   t->seamless = cube && c.state.texture.seamless_cube_map && (t->min_linear || t->mag_linear);
   if (levels.first == 0 && levels.count == 1 && p.max_lod > 0) t->mip = TextureMip::None;
   for (int i = 0; i < 4; ++i)
-    t->color[i] = state.env_color[i] > 0 ? std::min(state.env_color[i], 1.0f) : 0.0f; // no NaN
+    t->color[i] = state.env_color[i] > 0 && !SOFTGL_FAULT(environment_color_black)
+                      ? std::min(state.env_color[i], 1.0f)
+                      : 0.0f; // no NaN
   base = sampled_base(*object, *image.format);
   set_border(p.border_color, *image.format, *t);
   t->no_alpha = !has_alpha(image.format->base);
   if (image.format->layout == TexelLayout::Depth) {
     // Cube maps have no coordinate left to compare with.
-    t->compares = p.compare_mode == GL_COMPARE_R_TO_TEXTURE && t->shape != TextureShape::Cube;
+    t->compares = p.compare_mode == GL_COMPARE_R_TO_TEXTURE && !SOFTGL_FAULT(compare_ignored) &&
+                  t->shape != TextureShape::Cube;
     t->compare_function = uint8_t(p.compare_function - GL_NEVER);
     const GLenum mode = object->parameters.depth_mode;
-    t->depth_components = mode == GL_INTENSITY ? 15 : mode == GL_ALPHA ? 8 : mode == GL_RED ? 1 : 7;
+    t->depth_components = mode == GL_INTENSITY || SOFTGL_FAULT(depth_is_intensity) ? 15
+                          : mode == GL_ALPHA                                       ? 8
+                          : mode == GL_RED                                         ? 1
+                                                                                   : 7;
   }
   set_anisotropy(*object, p.max_anisotropy, levels.first, *t);
   fixed = fixed_point(*t, image.format->block);

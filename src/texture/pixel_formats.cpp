@@ -1,5 +1,6 @@
 #include "texture/pixel_formats.h"
 
+#include "shaders/common/seeded_faults.h"
 #include "texture/pixel_state.h"
 
 namespace softgl {
@@ -145,8 +146,9 @@ PixelFormat describe_pixel_format(GLenum format, GLenum type) {
     break;
   case GL_BGRA:
     f.components = 4;
-    f.target[0] = 2;
+    f.target[0] = SOFTGL_FAULT(bgra_is_rgba) ? 0 : 2;
     f.target[1] = 1;
+    if (SOFTGL_FAULT(bgra_is_rgba)) f.target[2] = 2;
     f.target[3] = 3;
     break;
   case GL_ABGR_EXT:
@@ -208,7 +210,8 @@ PixelFormat describe_pixel_format(GLenum format, GLenum type) {
     int used = 0;
     for (int i = 0; i < f.components; ++i) {
       f.bits[i] = p.bits[i];
-      f.shift[i] = uint8_t(p.reversed ? used : p.bytes * 8 - used - p.bits[i]);
+      f.shift[i] =
+          uint8_t(p.reversed && !SOFTGL_FAULT(reversed_ignored) ? used : p.bytes * 8 - used - p.bits[i]);
       used += p.bits[i];
     }
     return f;
@@ -222,9 +225,10 @@ PixelFormat describe_pixel_format(GLenum format, GLenum type) {
 ImageLayout layout_image(const PixelStore& store, int dimensions, int width, int height,
                          const PixelFormat& format) {
   ImageLayout layout{};
-  const size_t row_pixels = size_t(store.row_length > 0 ? store.row_length : width);
+  const size_t row_pixels =
+      size_t(store.row_length > 0 && !SOFTGL_FAULT(row_length_ignored) ? store.row_length : width);
   const size_t rows = size_t(dimensions == 3 && store.image_height > 0 ? store.image_height : height);
-  const size_t alignment = size_t(store.alignment);
+  const size_t alignment = SOFTGL_FAULT(alignment_ignored) ? 1 : size_t(store.alignment);
   if (format.channel == PixelChannel::Bitmap) {
     layout.row_stride = ((row_pixels + 7) / 8 + alignment - 1) / alignment * alignment;
     layout.bit_offset = store.skip_pixels % 8;
@@ -232,12 +236,13 @@ ImageLayout layout_image(const PixelStore& store, int dimensions, int width, int
     layout.row_bytes = (size_t(width) + size_t(layout.bit_offset) + 7) / 8;
   } else {
     layout.row_stride = (row_pixels * format.bytes + alignment - 1) / alignment * alignment;
-    layout.offset = size_t(store.skip_pixels) * format.bytes;
+    layout.offset = SOFTGL_FAULT(skip_pixels_ignored) ? 0 : size_t(store.skip_pixels) * format.bytes;
     layout.row_bytes = size_t(width) * format.bytes;
   }
   layout.image_stride = layout.row_stride * rows;
   layout.inverted = store.invert ? height : 0;
-  if (dimensions >= 2) layout.offset += size_t(store.skip_rows) * layout.row_stride;
+  if (dimensions >= 2 && !SOFTGL_FAULT(skip_rows_ignored))
+    layout.offset += size_t(store.skip_rows) * layout.row_stride;
   if (dimensions == 3) layout.offset += size_t(store.skip_images) * layout.image_stride;
   return layout;
 }

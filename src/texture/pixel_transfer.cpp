@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/unit_range.h"
+#include "shaders/common/seeded_faults.h"
 
 namespace softgl {
 namespace {
@@ -13,6 +14,7 @@ constexpr int map_number(GLenum map) { return int(map - GL_PIXEL_MAP_I_TO_I); }
 /// The map's value for a color.
 float mapped(const PixelMaps& maps, int map, float v) {
   const int last = maps.size[map] - 1;
+  if (SOFTGL_FAULT(map_truncates)) return maps.value[map][int(unit_range(v) * float(last))];
   return maps.value[map][std::clamp(int(std::lrint(unit_range(v) * float(last))), 0, last)];
 }
 
@@ -39,8 +41,10 @@ void PixelTransfer::color(float (*rgba)[4], int count) const {
   for (int i = 0; i < count; ++i)
     for (int k = 0; k < 4; ++k) {
       float& v = rgba[i][k];
-      v = v * mode.scale[k] + mode.bias[k];
-      if (mode.map_color) v = mapped(maps, map_number(GL_PIXEL_MAP_R_TO_R) + k, v);
+      v = v * (SOFTGL_FAULT(color_scale_ignored) ? 1.0f : mode.scale[k]) +
+          (SOFTGL_FAULT(color_bias_ignored) ? 0.0f : mode.bias[k]);
+      if (mode.map_color && !SOFTGL_FAULT(color_map_ignored))
+        v = mapped(maps, map_number(GL_PIXEL_MAP_R_TO_R) + k, v);
     }
 }
 
@@ -53,7 +57,8 @@ void PixelTransfer::clamped_color(float (*rgba)[4], int count) const {
 bool PixelTransfer::changes_depth() const { return mode.depth_scale != 1.0f || mode.depth_bias != 0.0f; }
 
 float PixelTransfer::depth(float value) const {
-  return unit_range(changes_depth() ? value * mode.depth_scale + mode.depth_bias : value);
+  const float bias = SOFTGL_FAULT(depth_bias_ignored) ? 0.0f : mode.depth_bias;
+  return unit_range(changes_depth() ? value * mode.depth_scale + bias : value);
 }
 
 void PixelTransfer::depths(float* value, int count) const {
@@ -63,9 +68,12 @@ void PixelTransfer::depths(float* value, int count) const {
 }
 
 uint32_t PixelTransfer::index(uint32_t v) const {
+  if (SOFTGL_FAULT(index_shift_turned))
+    return (mode.index_shift > 0 ? v >> mode.index_shift : v << -mode.index_shift) +
+           uint32_t(mode.index_offset);
   if (mode.index_shift > 0) v = mode.index_shift < 32 ? v << mode.index_shift : 0;
   if (mode.index_shift < 0) v = mode.index_shift > -32 ? v >> -mode.index_shift : 0;
-  return v + uint32_t(mode.index_offset);
+  return SOFTGL_FAULT(index_offset_ignored) ? v : v + uint32_t(mode.index_offset);
 }
 
 uint32_t PixelTransfer::stencil(uint32_t value) const {

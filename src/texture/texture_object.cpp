@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/assert.h"
+#include "shaders/common/seeded_faults.h"
 #include "texture/pixel_formats.h"
 #include "texture/pixel_transfer.h"
 
@@ -111,7 +112,8 @@ void match_formats(TextureObject& object, const TextureImage& image) {
 bool uses_mipmaps(GLenum min_filter) { return min_filter != GL_NEAREST && min_filter != GL_LINEAR; }
 
 CompleteLevels complete_levels(const TextureObject& object, GLenum min_filter) {
-  const int first = object.base_level(), max_level = object.max_level();
+  const int first = SOFTGL_FAULT(base_level_ignored) ? 0 : object.base_level(),
+            max_level = object.max_level();
   if (first < 0 || first >= kMaxTextureLevels) return {};
   const TextureImage* base = object.image[0][first].get();
   if (!base || base->empty()) return {};
@@ -130,6 +132,7 @@ CompleteLevels complete_levels(const TextureObject& object, GLenum min_filter) {
       const int shift = level - first;
       if (!image || image->format != base->format || image->internal_format != base->internal_format)
         return {};
+      if (SOFTGL_FAULT(incomplete_is_sampled)) continue;
       if (image->width != std::max(1, base->width >> shift) ||
           image->height != std::max(1, base->height >> shift) ||
           image->depth != std::max(1, base->depth >> shift))

@@ -12,6 +12,7 @@
 #include "commands/generated/commands.h"
 #include "context/context.h"
 #include "context/pixel_transfer.h"
+#include "shaders/common/seeded_faults.h"
 #include "shaders/fragment/pixel_image.h"
 #include "snapshot/feedback.h"
 #include "snapshot/render_targets.h"
@@ -96,8 +97,10 @@ struct Placement {
 Placement place_at_raster_position(Context& c, int width, int height) {
   const RasterPosition& p = c.state.raster_position;
   auto pixel = [](float v) { return std::round(v); };
-  return Placement(c.draw->surface, pixel(p.window.x), pixel(p.window.y), width, height,
-                   c.state.pixel_mode.zoom_x, c.state.pixel_mode.zoom_y);
+  return Placement(
+      c.draw->surface, pixel(p.window.x), pixel(p.window.y), width, height,
+      SOFTGL_FAULT(zoom_always_positive) ? std::fabs(c.state.pixel_mode.zoom_x) : c.state.pixel_mode.zoom_x,
+      SOFTGL_FAULT(zoom_always_positive) ? std::fabs(c.state.pixel_mode.zoom_y) : c.state.pixel_mode.zoom_y);
 }
 
 /// The client's image, in its memory or in the unpack buffer.
@@ -110,7 +113,8 @@ struct ClientImage {
   ClientImage(const Context& c, const void* pixels, int width, int height, GLenum f, GLenum type)
       : memory(static_cast<const unsigned char*>(pixels)), format(describe_pixel_format(f, type)),
         layout(layout_image(c.client.pixel_store.unpack, 2, width, height, format)),
-        swap(c.client.pixel_store.unpack.swap_bytes), lsb_first(c.client.pixel_store.unpack.lsb_first) {}
+        swap(c.client.pixel_store.unpack.swap_bytes && !SOFTGL_FAULT(swap_ignored)),
+        lsb_first(c.client.pixel_store.unpack.lsb_first && !SOFTGL_FAULT(lsb_first_ignored)) {}
 
   PixelSpan span(const Context& c, int height) const {
     return image_span(c.client.pixel_store.unpack, layout, height, 1, format);
@@ -284,6 +288,7 @@ void submit_depths_as_colors(Context& c, const Placement& p, const std::vector<f
 
 /// Copies what is in view of an image whose lower left pixel is x, y of the surface. The frame is empty.
 void copy_pixels(Context& c, const Placement& p, GLint x, GLint y, GLenum type) {
+  if (SOFTGL_FAULT(copied_row_too_high)) y += 1;
   const PixelTransfer transfer = pixel_transfer(c);
   const auto bounded = [](int64_t v) { return int(std::clamp<int64_t>(v, -(1 << 30), 1 << 30)); };
   const int count = p.width_in_view(), left = bounded(int64_t(x) + p.columns.first),
@@ -342,7 +347,7 @@ void DrawPixels(Context& c, GLsizei width, GLsizei height, GLenum format, GLenum
   if (const Refusal refusal = check_pixel_format(format, type)) return set_error(c, refusal);
   if (!ready_to_draw(c)) return;
   if (!has_buffer(*c.draw, format)) return set_error(c, GL_INVALID_OPERATION);
-  if (!c.state.raster_position.valid) return;
+  if (!c.state.raster_position.valid && !SOFTGL_FAULT(invalid_position_draws)) return;
   if (c.state.render_mode.mode != GL_RENDER) return feed_back_pixels(c, GL_DRAW_PIXEL_TOKEN);
   if (width == 0 || height == 0) return;
   const std::optional<ClientImage> found = client_image(c, pixels, width, height, format, type);
@@ -395,7 +400,9 @@ void Bitmap(Context& c, GLsizei width, GLsizei height, GLfloat xorig, GLfloat yo
     if (!found) return;
     const ClientImage& image = *found;
     // Positions that are whole numbers but for a rounding error stay what they are, as in OSMesa.
-    auto pixel = [](float v) { return std::floor(v + 0.0001f); };
+    auto pixel = [](float v) {
+      return SOFTGL_FAULT(bitmap_rounds) ? std::round(v) : std::floor(v + 0.0001f);
+    };
     const Placement p(c.draw->surface, pixel(position.window.x - xorig), pixel(position.window.y - yorig),
                       width, height, 1, 1);
     if (image.memory && p.visible()) {
@@ -407,6 +414,7 @@ void Bitmap(Context& c, GLsizei width, GLsizei height, GLfloat xorig, GLfloat yo
       submit_image(c, p, PixelElement::Bit, bit);
     }
   }
+  if (SOFTGL_FAULT(bitmap_does_not_move)) return;
   position.window.x += xmove;
   position.window.y += ymove;
 }

@@ -109,6 +109,7 @@ void RasterPos(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
     position.distance = s.fog.coordinate_source == GL_FOG_COORDINATE
                             ? s.current.slot[kFogCoordinate].x
                             : std::sqrt((eye.x * eye.x + eye.y * eye.y) + eye.z * eye.z);
+    if (SOFTGL_FAULT(raster_distance_forgotten)) position.distance = 0;
     take_current_attributes(s, position);
     shade_attributes(c, object, position);
     feed_back_raster_position(c);

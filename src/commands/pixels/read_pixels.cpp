@@ -14,6 +14,7 @@
 #include "context/context.h"
 #include "context/pixel_transfer.h"
 #include "frame/parallel.h"
+#include "shaders/common/seeded_faults.h"
 #include "surface/plane_texels.h"
 #include "surface/read_surface.h"
 #include "texture/pixel_formats.h"
@@ -54,7 +55,7 @@ bool has_float_type(const PixelFormat& f) {
 /// Red, green and blue are summed for luminance, where there is more than one of them (4.3.2).
 bool sums_luminance(const Context& c, const PixelFormat& f) {
   const TexelFormat* texels = c.read->texels;
-  return f.luminance &&
+  return f.luminance && !SOFTGL_FAULT(luminance_is_red) &&
          (!texels || texels->base == GL_RG || texels->base == GL_RGB || texels->base == GL_RGBA);
 }
 

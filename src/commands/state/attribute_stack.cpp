@@ -152,7 +152,7 @@ void restore_textures(Context& c, const std::vector<SavedTexture>& saved) {
       c.state.texture.unit[texture.unit].bound[texture.target] = 0;
       continue;
     }
-    texture.object->parameters = *texture.parameters;
+    if (!SOFTGL_FAULT(parameters_not_restored)) texture.object->parameters = *texture.parameters;
     if (name != 0) c.bound_texture[texture.unit][texture.target] = texture.object;
   }
   c.dirty |= kDirtyTextureObjects;

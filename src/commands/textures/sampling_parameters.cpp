@@ -6,6 +6,7 @@
 #include "base/unit_range.h"
 #include "context/color_clamping.h"
 #include "context/context.h"
+#include "shaders/common/seeded_faults.h"
 
 namespace softgl {
 
@@ -40,7 +41,10 @@ Refusal set_sampling_parameter(SamplingParameters& p, GLenum pname, const GLfloa
   case GL_TEXTURE_WRAP_T:
   case GL_TEXTURE_WRAP_R:
     good = wrap_allowed(token, rectangle);
-    if (good) p.wrap[pname == GL_TEXTURE_WRAP_S ? 0 : pname == GL_TEXTURE_WRAP_T ? 1 : 2] = token;
+    if (good)
+      p.wrap[pname == GL_TEXTURE_WRAP_S                                ? 0
+             : pname == GL_TEXTURE_WRAP_T || SOFTGL_FAULT(wrap_r_is_t) ? 1
+                                                                       : 2] = token;
     break;
   case GL_TEXTURE_MIN_FILTER:
     good = is_filter(token) || (!rectangle && is_mipmap_filter(token));

@@ -9,6 +9,7 @@
 #include "commands/textures/texture_images.h"
 #include "context/context.h"
 #include "context/pixel_transfer.h"
+#include "shaders/common/seeded_faults.h"
 #include "surface/plane_texels.h"
 #include "surface/read_surface.h"
 #include "surface/render_plane.h"
@@ -132,6 +133,7 @@ void copy_colors(Context& c, int x, int y, int width, int height, TextureImage& 
 void copy_rectangle(Context& c, int x, int y, int width, int height, TextureImage& image, int to_x, int to_y,
                     int to_z) {
   if (width == 0 || height == 0) return;
+  if (SOFTGL_FAULT(texture_copy_row_too_high)) y += 1;
   if (image.format->layout == TexelLayout::Depth)
     copy_depths(c, x, y, width, height, *image.format, image, to_x, to_y, to_z);
   else

@@ -4,6 +4,7 @@
 #include "commands/get_conversion.h"
 #include "context/color_clamping.h"
 #include "context/context.h"
+#include "shaders/common/seeded_faults.h"
 
 namespace softgl::gl {
 namespace {
@@ -97,7 +98,8 @@ float* environment_scale(TextureUnitState& unit, GLenum pname) {
 }
 
 void set_environment(Context& c, GLenum pname, const float* params) {
-  TextureUnitState& unit = active_unit(c);
+  TextureUnitState& unit =
+      SOFTGL_FAULT(second_environment_is_first) ? c.state.texture.unit[0] : active_unit(c);
   if (GLenum* member = environment_enum(unit, pname)) {
     GLenum value = to_enum(params[0]);
     if (pname == GL_TEXTURE_ENV_MODE && value == GL_REPLACE_EXT) value = GL_REPLACE;
@@ -223,8 +225,15 @@ void TexGen(Context& c, GLenum coord, GLenum pname, const GLfloat* params) {
     g->mode = mode;
     break;
   }
-  case GL_OBJECT_PLANE: g->object_plane = plane(); break;
-  case GL_EYE_PLANE: g->eye_plane = transform_plane(plane(), inverse(c.matrices.modelview.top())); break;
+  case GL_OBJECT_PLANE:
+    g->object_plane = plane();
+    if (SOFTGL_FAULT(object_plane_is_eye_plane)) g->eye_plane = plane();
+    break;
+  case GL_EYE_PLANE:
+    g->eye_plane = SOFTGL_FAULT(eye_plane_not_transformed)
+                       ? plane()
+                       : transform_plane(plane(), inverse(c.matrices.modelview.top()));
+    break;
   default: return set_error(c, GL_INVALID_ENUM, "pname");
   }
   c.dirty |= kDirtyTextureGeneration;

@@ -6,6 +6,7 @@
 #include "commands/textures/texture_images.h"
 #include "context/context.h"
 #include "context/pixel_transfer.h"
+#include "shaders/common/seeded_faults.h"
 #include "snapshot/render_targets.h"
 #include "texture/pixel_formats.h"
 
@@ -266,6 +267,7 @@ void TexSubImage1D(Context& c, GLenum target, GLint level, GLint xoffset, GLsize
 }
 void TexSubImage2D(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width,
                    GLsizei height, GLenum format, GLenum type, const void* pixels) {
+  if (SOFTGL_FAULT(part_at_origin)) xoffset = yoffset = 0;
   change_image(c, 2, target, level, xoffset, yoffset, 0, width, height, 1, format, type, pixels);
 }
 void TexSubImage3D(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset,

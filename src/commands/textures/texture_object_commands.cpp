@@ -4,6 +4,7 @@
 #include "commands/textures/texture_targets.h"
 #include "commands/vertices/vertex_stream.h"
 #include "context/context.h"
+#include "shaders/common/seeded_faults.h"
 #include "snapshot/render_targets.h"
 
 namespace softgl::gl {
@@ -25,7 +26,8 @@ void DeleteTextures(Context& c, GLsizei n, const GLuint* textures) {
     }
     const auto object = c.shared->textures.erase(textures[i]);
     for (int unit = 0; object && unit < kMaxTextureUnits; ++unit)
-      if (auto& bound = c.bound_texture[unit][object->target]; bound == object) {
+      if (auto& bound = c.bound_texture[unit][object->target];
+          bound == object && !SOFTGL_FAULT(deleted_stays_bound)) {
         bound = nullptr;
         c.state.texture.unit[unit].bound[object->target] = 0;
       }
