@@ -50,8 +50,13 @@ TEST_CASE("every conformance test shows something and is certain of it", "[suite
     CHECK(names.insert(t.name).second);
     CHECK(!t.section.empty());
     CHECK(t.sentence.ends_with("."));
-    const Expectation e = expected_picture(whole_script(t), kWindowWidth, kWindowHeight, {});
-    CHECK(e.covered > 100);
+    const Script script = whole_script(t);
+    const Expectation e = expected_picture(script, kWindowWidth, kWindowHeight, {});
+    // A test of queries alone has no picture.
+    const auto queries = std::count_if(script.calls.begin(), script.calls.end(),
+                                       [](const Call& c) { return facts_of(c.command).query; });
+    if (e.covered == 0 && queries >= 2) continue;
+    CHECK(e.covered > 30);
     CHECK(e.uncertain() < kWindowWidth * kWindowHeight / 4);
     // Not one color only: something besides the background, or lines and points that have witnesses.
     std::set<long> colors;

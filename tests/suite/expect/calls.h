@@ -40,12 +40,21 @@ private:
   void color(double r, double g, double b, double a = 1);
   LitVertex transform(const Vec4& object) const;
   ColorBounds lit_color(const spec::Vec3Interval& eye, const spec::Vec3Interval& normal, int face) const;
+  void to_window(LitVertex& vertex) const;
   void end();
   bool enable_texture(GLenum name, bool on);
   void generation(GLenum coordinate, GLenum name, const std::vector<double>& values);
   void generate_coordinates(const Vec4& object, const Vec4& eye, const Vec3& normal, LitVertex& vertex) const;
   bool play_texture_images(const Call& call);
   void draw_image(const PixelImage& image);
+  void draw_polygon(const std::vector<int>& corners, int provoking, bool edge_flags);
+  void draw_line(int from, int to);
+  void clip_plane(int plane, const std::vector<double>& equation);
+  bool play_arrays(const Call& call);
+  void set_array(ArrayState& array, int size, GLenum type, int stride, const Argument& memory);
+  void interleaved_arrays(const Call& call);
+  void array_element(int index);
+  void draw_elements(GLenum mode, const std::vector<int>& indices);
   void bitmap(const Call& call);
   void paint_elements(const std::vector<Interval>& elements, const Call& call, size_t first);
 
@@ -57,14 +66,17 @@ private:
   LitVertex raster_position_;
   bool raster_position_valid_ = true;
   GLenum expected_error_ = GL_NO_ERROR;
-  bool skips_next_ = false; // a call that raises an error does nothing
-  GLuint list_ = 0;         // that is compiled
+  bool skips_next_ = false;                              // a call that raises an error does nothing
+  std::vector<std::pair<LitVertex, bool>> raster_saved_; // as state_.saved
+  GLuint list_ = 0;                                      // that is compiled
   bool list_executes_ = false;
 };
 
 /// A number each argument from `first` on.
 std::vector<double> numbers_of(const Call& call, size_t first);
-/// Two to four numbers; z is 0 and w is 1 if they are not given.
+/// The numbers of a command like glVertex: those behind its pointer, or its arguments.
+std::vector<double> values_of(const Call& call);
+/// One to four numbers; y and z are 0 and w is 1 if they are not given.
 Vec4 vec4(const std::vector<double>& v);
 /// A signed integer of `bits` bits as a color or normal (table 2.9).
 double signed_unit(double integer, int bits);

@@ -1,4 +1,6 @@
 // What is switched on and off, and the stack of attributes (6.1.14).
+#include <tuple>
+
 #include "expect/calls.h"
 
 namespace softgl::suite {
@@ -7,6 +9,10 @@ void Machine::enable(GLenum name, bool on) {
   State& s = state_;
   if (name >= GL_LIGHT0 && name <= GL_LIGHT7) {
     s.lighting.enabled[name - GL_LIGHT0] = on;
+    return;
+  }
+  if (name >= GL_CLIP_PLANE0 && name < GL_CLIP_PLANE0 + kClipPlanes) {
+    s.transform.clip_enabled[name - GL_CLIP_PLANE0] = on;
     return;
   }
   switch (name) {
@@ -29,10 +35,16 @@ bool Machine::play_attributes(const Call& call) {
   switch (call.command) {
   case Command::Enable: enable(call.e(0), true); return true;
   case Command::Disable: enable(call.e(0), false); return true;
-  case Command::PushAttrib: state_.saved.push_back({GLbitfield(call.n(0)), state_}); return true;
+  case Command::PushAttrib:
+    state_.saved.push_back({GLbitfield(call.n(0)), state_});
+    raster_saved_.push_back({raster_position_, raster_position_valid_});
+    return true;
   case Command::PopAttrib:
     if (state_.saved.empty()) throw std::logic_error("glPopAttrib without glPushAttrib");
     restore(state_, state_.saved.back());
+    if (state_.saved.back().mask & GL_CURRENT_BIT)
+      std::tie(raster_position_, raster_position_valid_) = raster_saved_.back();
+    raster_saved_.pop_back();
     state_.saved.pop_back();
     track_color();
     return true;

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "expect/calls.h"
+#include "expect/clipping.h"
 
 namespace softgl::suite {
 namespace {
@@ -83,6 +84,9 @@ void Machine::draw_image(const PixelImage& image) {
 }
 
 void Machine::bitmap(const Call& call) {
+  for (double at : {raster_position_.window.x - call.n(2), raster_position_.window.y - call.n(3)})
+    if (std::abs(at - std::round(at)) < 1e-3 && at != std::round(at))
+      throw std::logic_error("a bitmap that a GL may round either way");
   const int x = int(std::floor(raster_position_.window.x - call.n(2)));
   const int y = int(std::floor(raster_position_.window.y - call.n(3)));
   const int width = int(call.n(0)), height = int(call.n(1));
@@ -94,15 +98,14 @@ void Machine::bitmap(const Call& call) {
 }
 
 bool Machine::play_pixels(const Call& call) {
-  const auto n = [&](size_t i) { return int(call.n(i)); };
-  switch (call.command) {
-  case Command::RasterPos3f: {
-    const Vec4 clip = state_.projection.back() * (state_.modelview.back() * vec4(numbers_of(call, 0)));
-    raster_position_valid_ =
-        std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w && std::abs(clip.z) <= clip.w; // 2.13
-    if (raster_position_valid_) raster_position_ = transform(vec4(numbers_of(call, 0)));
+  if (std::string(facts_of(call.command).name).starts_with("RasterPos")) {
+    raster_position_ = transform(vec4(values_of(call)));
+    raster_position_valid_ = is_inside(state_, raster_position_);
+    if (raster_position_valid_) to_window(raster_position_);
     return true;
   }
+  const auto n = [&](size_t i) { return int(call.n(i)); };
+  switch (call.command) {
   case Command::Bitmap:
     if (raster_position_valid_) bitmap(call);
     return true;

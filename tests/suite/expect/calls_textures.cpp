@@ -179,10 +179,6 @@ bool Machine::play_textures(const Call& call) {
           if (unit.bound[target] == GLuint(name)) unit.bound[target] = 0;
       }
     return true;
-  case Command::TexCoord1f: state_.current.texture_coordinate[0] = {call.n(0), 0, 0, 1}; return true;
-  case Command::TexCoord2f:
-  case Command::TexCoord3f:
-  case Command::TexCoord4f: state_.current.texture_coordinate[0] = vec4(numbers); return true;
   case Command::MultiTexCoord2f:
     state_.current.texture_coordinate[call.e(0) - GL_TEXTURE0] = {call.n(1), call.n(2), 0, 1};
     return true;

@@ -7,8 +7,8 @@
 namespace softgl::suite {
 
 Machine::Machine(Expectation& picture, const Precision& precision) : raster_(picture, precision) {
-  state_.viewport[2] = picture.width, state_.viewport[3] = picture.height; // 2.11.1
-  for (Interval& white : raster_position_.front.primary) white = 1;        // table 6.6
+  state_.viewport.box[2] = picture.width, state_.viewport.box[3] = picture.height; // 2.11.1
+  for (Interval& white : raster_position_.front.primary) white = 1;                // table 6.6
 }
 
 void Machine::play(const Call& call) {
@@ -17,6 +17,8 @@ void Machine::play(const Call& call) {
       paint_elements(packed_elements(state_.pack, {}, call.e(4), call.e(5), int(call.n(6))), call, 7);
     return;
   }
+  if (call.error != GL_NO_ERROR || facts_of(call.command).query) return; // changes nothing
+  if (play_arrays(call)) return;
   if (list_ && facts_of(call.command).in_lists) {
     state_.lists[list_].push_back({call, state_.unpack});
     if (!list_executes_) return;
@@ -42,6 +44,9 @@ bool Machine::play_lists(const Call& call) { // 5.4
     state_.lists[list_].clear();
     return true;
   case Command::EndList: list_ = 0; return true;
+  case Command::DeleteLists:
+    for (GLuint i = 0; i < GLuint(call.n(1)); i++) state_.lists.erase(GLuint(call.n(0)) + i);
+    return true;
   case Command::CallList: {
     const std::vector<ListedCall> calls = state_.lists[GLuint(call.n(0))];
     const PixelStore unpack = state_.unpack;
@@ -60,8 +65,12 @@ std::vector<double> numbers_of(const Call& call, size_t first) {
   return v;
 }
 
+std::vector<double> values_of(const Call& call) {
+  return call.arguments[0].numbers.empty() ? numbers_of(call, 0) : call.v(0);
+}
+
 Vec4 vec4(const std::vector<double>& v) {
-  return {v[0], v[1], v.size() > 2 ? v[2] : 0, v.size() > 3 ? v[3] : 1};
+  return {v[0], v.size() > 1 ? v[1] : 0, v.size() > 2 ? v[2] : 0, v.size() > 3 ? v[3] : 1};
 }
 
 double signed_unit(double integer, int bits) { return (2 * integer + 1) / (std::ldexp(1, bits) - 1); }

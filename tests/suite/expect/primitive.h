@@ -13,8 +13,10 @@ struct ColorBounds {
 };
 
 struct LitVertex {
-  Vec3 window;
-  double w = 1; // of clip coordinates
+  Vec4 eye4, clip;      // coordinates of the eye, of clipping
+  Vec3 window;          // behind clipping
+  double w = 1;         // of clip coordinates
+  bool boundary = true; // the edge to the next vertex of a polygon is drawn (2.6.2)
   Interval fog_distance;
   ColorBounds front, back;
   // Where fragments are lit (GL_WIN_phong_shading):
@@ -38,8 +40,9 @@ class Rasterizer {
 public:
   Rasterizer(Expectation& picture, const Precision& precision) : picture_(picture), precision_(precision) {}
   void clear(const State& state, GLbitfield mask);
-  void polygon(const State& state, const std::vector<LitVertex>& vertices, int provoking);
-  void line(const State& state, const LitVertex& a, const LitVertex& b, int provoking);
+  // What is drawn is clipped, and of one color if it is flat.
+  void polygon(const State& state, const std::vector<LitVertex>& vertices);
+  void line(const State& state, const LitVertex& a, const LitVertex& b);
   void point(const State& state, const LitVertex& vertex);
   /// A fragment of a bitmap or an image: the color and texture coordinates of the raster position.
   void pixel(const State& state, int x, int y, const LitVertex& at, Interval depth);
@@ -62,6 +65,7 @@ private:
   void fragment(const State& state, int x, int y, const Fragment& fragment);
   void apply_textures(const State& state, const Fragment& fragment, Interval color[4]) const;
   void process_color(const State& state, const Fragment& fragment, Interval color[4]) const;
+  void polygon_outline(const State& state, std::vector<LitVertex> vertices, bool back);
   void polygon_fragment(const State& state, const std::vector<LitVertex>& vertices,
                         const std::vector<const ColorBounds*>& colors, bool back, int x, int y,
                         double inside);

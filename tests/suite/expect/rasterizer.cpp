@@ -148,7 +148,7 @@ void Rasterizer::clear(const State& state, GLbitfield mask) {
   }
 }
 
-void Rasterizer::polygon(const State& state, const std::vector<LitVertex>& vertices, int provoking) {
+void Rasterizer::polygon(const State& state, const std::vector<LitVertex>& vertices) {
   double area = 0; // equation 2.6, twice
   for (size_t i = 0; i < vertices.size(); i++) {
     const Vec3 &a = vertices[i].window, &b = vertices[(i + 1) % vertices.size()].window;
@@ -159,11 +159,12 @@ void Rasterizer::polygon(const State& state, const std::vector<LitVertex>& verti
   const GLenum culled = state.polygon.cull ? state.polygon.cull_face : GL_NONE;
   if (culled == GL_FRONT_AND_BACK || culled == GLenum(back ? GL_BACK : GL_FRONT)) return;
 
-  std::vector<const ColorBounds*> colors;
-  for (const LitVertex& v : vertices) {
-    const LitVertex& from = state.lighting.shade_model == GL_FLAT ? vertices[size_t(provoking)] : v;
-    colors.push_back(back ? &from.back : &from.front);
+  if (state.polygon.mode[back] != GL_FILL) {
+    polygon_outline(state, vertices, back);
+    return;
   }
+  std::vector<const ColorBounds*> colors;
+  for (const LitVertex& v : vertices) colors.push_back(back ? &v.back : &v.front);
   double left = 1e9, right = -1e9, bottom = 1e9, top = -1e9;
   for (const LitVertex& v : vertices) {
     left = std::min(left, v.window.x), right = std::max(right, v.window.x);
@@ -181,6 +182,18 @@ void Rasterizer::polygon(const State& state, const std::vector<LitVertex>& verti
       }
       if (inside > -1.5 * slack()) polygon_fragment(state, vertices, colors, back, x, y, inside);
     }
+}
+
+void Rasterizer::polygon_outline(const State& state, std::vector<LitVertex> vertices, bool back) { // 3.5.4
+  for (LitVertex& v : vertices)
+    if (back) v.front = v.back;
+  for (size_t i = 0; i < vertices.size(); i++) {
+    if (!vertices[i].boundary) continue;
+    if (state.polygon.mode[back] == GL_POINT)
+      point(state, vertices[i]);
+    else
+      line(state, vertices[i], vertices[(i + 1) % vertices.size()]);
+  }
 }
 
 void Rasterizer::polygon_fragment(const State& state, const std::vector<LitVertex>& vertices,
@@ -235,21 +248,20 @@ void Rasterizer::polygon_fragment(const State& state, const std::vector<LitVerte
   fragment(state, x, y, f);
 }
 
-void Rasterizer::line(const State& state, const LitVertex& a, const LitVertex& b, int provoking) {
+void Rasterizer::line(const State& state, const LitVertex& a, const LitVertex& b) {
   const Vec3 &p = a.window, &q = b.window;
   const double length = std::hypot(q.x - p.x, q.y - p.y), half_width = state.width.line / 2;
   if (length < 2) throw std::logic_error("a line of less than two pixels");
-  const bool x_major = std::abs(q.x - p.x) >= std::abs(q.y - p.y),
-             flat = state.lighting.shade_model == GL_FLAT;
+  const bool x_major = std::abs(q.x - p.x) >= std::abs(q.y - p.y);
   refuse_varying(state, a.texture, b.texture);
   const auto texture = constant_texture(state, a.texture);
   const ColorBounds* ends[2] = {&a.front, &b.front};
-  if (flat) ends[0] = ends[1] = ends[provoking];
+  // A fragment's center may lie beyond the end (equation 3.5).
   const auto color_at = [&](double t) {
     ColorBounds color;
     for (int side = -1; side <= 1; side += 2) {
-      const double u = std::clamp(t + side * 1.5 / length, 0.0, 1.0), linear[2] = {1 - u, u},
-                   w[2] = {a.w, b.w};
+      const double u = std::clamp(t + side * 1.5 / length, -1 / length, 1 + 1 / length),
+                   linear[2] = {1 - u, u}, w[2] = {a.w, b.w};
       double perspective[2];
       divide_by_w(w, linear, perspective, 2);
       const ColorBounds here = hull_of(weighted(ends, linear, 2), weighted(ends, perspective, 2));

@@ -37,11 +37,13 @@ void restore(State& state, const SavedAttributes& saved) {
   }
   if (mask & GL_POINT_BIT) state.width.point = from.width.point;
   if (mask & GL_LINE_BIT) state.width.line = from.width.line;
-  if (mask & GL_VIEWPORT_BIT) std::copy(from.viewport, from.viewport + 4, state.viewport);
+  if (mask & GL_VIEWPORT_BIT) state.viewport = from.viewport;
   if (mask & GL_ENABLE_BIT) {
     state.lighting.lighting = from.lighting.lighting,
     state.lighting.color_material = from.lighting.color_material;
     std::copy(from.lighting.enabled, from.lighting.enabled + 8, state.lighting.enabled);
+    std::copy(from.transform.clip_enabled, from.transform.clip_enabled + kClipPlanes,
+              state.transform.clip_enabled);
     state.transform.normalize = from.transform.normalize;
     state.transform.rescale_normal = from.transform.rescale_normal;
     state.polygon.cull = from.polygon.cull, state.fog.on = from.fog.on, state.depth.test = from.depth.test;

@@ -21,6 +21,8 @@ struct CurrentState {
   Vec4 color{1, 1, 1, 1};
   Vec3 normal{0, 0, 1};
   Vec4 texture_coordinate[kTextureUnits];
+  bool edge = true;
+  bool color_known = true, normal_known = true, edge_known = true; // not behind an array (2.8)
 };
 struct LightingState {
   LightingState();
@@ -30,13 +32,16 @@ struct LightingState {
   spec::Material material[2];
   GLenum tracked_face = GL_FRONT_AND_BACK, tracked = GL_AMBIENT_AND_DIFFUSE, shade_model = GL_SMOOTH;
 };
+constexpr int kClipPlanes = 6;
 struct TransformState {
+  bool clip_enabled[kClipPlanes] = {};
+  Vec4 clip_plane[kClipPlanes]; // in eye coordinates
   bool normalize = false, rescale_normal = false;
   GLenum matrix_mode = GL_MODELVIEW;
 };
 struct PolygonState {
   bool cull = false;
-  GLenum cull_face = GL_BACK, front_face = GL_CCW;
+  GLenum cull_face = GL_BACK, front_face = GL_CCW, mode[2] = {GL_FILL, GL_FILL}; // of front and back
 };
 struct FogState {
   bool on = false;
@@ -63,6 +68,11 @@ struct WidthState { // of points and lines
   double point = 1, line = 1;
 };
 
+struct ViewportState {
+  int box[4] = {0, 0, 0, 0};
+  double near = 0, far = 1;
+};
+
 struct Attributes {
   CurrentState current;
   LightingState lighting;
@@ -74,12 +84,19 @@ struct Attributes {
   TextureState texture;
   PixelModeState pixel;
   WidthState width;
-  int viewport[4] = {0, 0, 0, 0};
+  ViewportState viewport;
 };
 
 struct SavedAttributes {
   GLbitfield mask;
   Attributes attributes;
+};
+
+struct ArrayState { // of the client (2.8)
+  bool on = false;
+  int size = 4, stride = 0; // stride in elements, not 0
+  GLenum type = GL_FLOAT;
+  std::vector<double> elements;
 };
 
 /// A call in a list, and how it unpacks images: by the state of when it was compiled (5.4).
@@ -89,6 +106,7 @@ struct ListedCall {
 };
 
 struct State : Attributes {
+  ArrayState vertex_array, normal_array, color_array, edge_flag_array, texture_array;
   std::vector<Matrix4> modelview{1}, projection{1};
   std::vector<Matrix4> texture_matrix[kTextureUnits] = {std::vector<Matrix4>(1), std::vector<Matrix4>(1),
                                                         std::vector<Matrix4>(1), std::vector<Matrix4>(1)};

@@ -14,14 +14,15 @@ using Resolver = std::function<AnyFunction(const char* name)>;
 struct GlTable {
 #define SUITE_COMMAND(name, kinds) decltype(&::gl##name) name = nullptr;
 #define SUITE_COMMAND_NOT_IN_LISTS SUITE_COMMAND
+#define SUITE_QUERY SUITE_COMMAND
 #include "script/commands.inc"
 #undef SUITE_COMMAND
 #undef SUITE_COMMAND_NOT_IN_LISTS
+#undef SUITE_QUERY
   // What the suite asks, beside what scripts hold.
   decltype(&::glGetString) GetString = nullptr;
   decltype(&::glGetError) GetError = nullptr;
   decltype(&::glGetIntegerv) GetIntegerv = nullptr;
-  decltype(&::glGetFloatv) GetFloatv = nullptr;
   decltype(&::glReadPixels) ReadPixels = nullptr;
   decltype(&::glGetTexImage) GetTexImage = nullptr;
   decltype(&::glGetTexLevelParameteriv) GetTexLevelParameteriv = nullptr;

@@ -71,6 +71,8 @@ void draw(const GlTable& gl, const Script& script, SharedPicture& picture) {
   std::memcpy(picture.color, pixels.data(), kBytes);
   if (error != GL_NO_ERROR)
     std::snprintf(picture.fault, sizeof picture.fault, "the calls raise the GL error 0x%04x", error);
+  else if (!player.fault().empty())
+    copy_text(picture.fault, sizeof picture.fault, player.fault().c_str());
   else if (read_error != GL_NO_ERROR)
     std::snprintf(picture.fault, sizeof picture.fault, "glReadPixels raises the GL error 0x%04x", read_error);
   picture.finished = kFinished;

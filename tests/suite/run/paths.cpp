@@ -109,6 +109,7 @@ std::optional<Script> stipples(const Script& body) {
   return with(s, body);
 }
 std::optional<Script> clip_plane(const Script& body) {
+  if (enables(body, GL_CLIP_PLANE0)) return {};
   Script s;
   s.ClipPlane(GL_CLIP_PLANE0, V{0, 0, -1, 100}), s.Enable(GL_CLIP_PLANE0); // in eye coordinates, far away
   return with(s, body);
@@ -138,7 +139,7 @@ std::optional<Script> hints(const Script& body) {
 // A list holds all calls but those that it cannot (5.4); a test that uses lists itself is left alone.
 std::optional<Script> in_list(const Script& body, GLenum mode) {
   for (const Call& call : body.calls)
-    if (!facts_of(call.command).in_lists) return {};
+    if (!facts_of(call.command).in_lists || call.error != GL_NO_ERROR) return {};
   Script s = prologue();
   s.NewList(900, mode), s.append(body), s.EndList();
   if (mode == GL_COMPILE) s.CallList(900);
@@ -199,12 +200,15 @@ bool add_arrays(Script& s, const std::vector<Call>& calls, GLenum mode, bool ind
 }
 
 std::optional<Script> as_arrays(const Script& body, bool indexed) {
-  if (calls(body, Command::NewList)) return {};
+  for (Command own :
+       {Command::NewList, Command::EnableClientState, Command::InterleavedArrays, Command::GetFloatv})
+    if (calls(body, own)) return {};
   Script s = prologue();
   std::vector<Call> inside;
   bool open = false, any = false;
   GLenum mode = 0;
   for (const Call& call : body.calls) {
+    if (call.error != GL_NO_ERROR) return {};
     if (call.command == Command::Begin)
       open = true, mode = call.e(0), inside.clear();
     else if (call.command == Command::End) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <deque>
 #include <map>
+#include <stdexcept>
 #include <utility>
 
 #include "expect/machine.h"
@@ -80,8 +81,10 @@ void judge_test(TestResult& result, const DrawnPicture* pictures, const std::str
                 SubjectFacts facts) {
   const Script script = whole_script(*result.test);
   const auto judge_choice = [&] {
-    judge_test(result, expected_picture(script, kWindowWidth, kWindowHeight, facts.precision), pictures,
-               fault, facts);
+    try {
+      judge_test(result, expected_picture(script, kWindowWidth, kWindowHeight, facts.precision), pictures,
+                 fault, facts);
+    } catch (const std::logic_error& e) { throw std::logic_error(result.test->name + ": " + e.what()); }
   };
   judge_choice();
   if (result.outcome == Outcome::Pass || !result.test->need.leaves_normals_open) return;

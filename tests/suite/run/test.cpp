@@ -4,12 +4,14 @@
 #include "lighting/chapter.h"
 #include "pixels/chapter.h"
 #include "texture/chapter.h"
+#include "vertices/chapter.h"
 
 namespace softgl::suite {
 
 const std::vector<Chapter>& chapters() {
   static const std::vector<Chapter> chapters = {
       {"lighting", lighting_tests},
+      {"vertices", vertices_tests},
       {"texture", texture_tests},
       {"pixels", pixels_tests},
   };

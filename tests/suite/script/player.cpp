@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <utility>
 
@@ -11,6 +14,9 @@ GLenum type_of_element(GLfloat) { return GL_FLOAT; }
 GLenum type_of_element(GLint) { return GL_INT; }
 GLenum type_of_element(GLuint) { return GL_UNSIGNED_INT; }
 GLenum type_of_element(GLubyte) { return GL_UNSIGNED_BYTE; }
+GLenum type_of_element(GLbyte) { return GL_BYTE; }
+GLenum type_of_element(GLshort) { return GL_SHORT; }
+GLenum type_of_element(GLushort) { return GL_UNSIGNED_SHORT; }
 
 std::vector<std::byte> doubles(const std::vector<double>& numbers) {
   std::vector<std::byte> bytes(sizeof(double) * numbers.size());
@@ -27,7 +33,7 @@ struct Converter {
       using Element = std::remove_cv_t<std::remove_pointer_t<T>>;
       auto bytes = std::make_unique<std::vector<std::byte>>();
       if constexpr (std::is_void_v<Element>)
-        *bytes = bytes_of(a.memory_type, a.numbers);
+        *bytes = a.memory_type == GL_DOUBLE ? doubles(a.numbers) : bytes_of(a.memory_type, a.numbers);
       else if constexpr (std::is_same_v<Element, GLdouble>)
         *bytes = doubles(a.numbers);
       else
@@ -65,7 +71,9 @@ const char* Player::missing(const Script& script) const {
     there = gl_.name != nullptr; \
     break;
 #define SUITE_COMMAND_NOT_IN_LISTS SUITE_COMMAND
+#define SUITE_QUERY SUITE_COMMAND
 #include "script/commands.inc"
+#undef SUITE_QUERY
     default: there = true; // what is painted
     }
     if (!there) return facts_of(call.command).name;
@@ -82,12 +90,58 @@ void Player::play(const Script& script) {
   case Command::name: \
     converter.invoke(gl_.name, call); \
     break;
+#define SUITE_QUERY(name, kinds) \
+  case Command::name: \
+    break;
 #include "script/commands.inc"
 #undef SUITE_COMMAND
 #undef SUITE_COMMAND_NOT_IN_LISTS
+#undef SUITE_QUERY
     default: paint(call); break;
     }
+    if (call.command == Command::GetFloatv) check_floats(call);
+    if (call.command == Command::IsEnabled) check_enabled(call);
+    check_error(call);
   }
+}
+
+void Player::check_error(const Call& call) {
+  if (call.error == GL_NO_ERROR) {
+    if (call.command == Command::Begin) inside_ = true;
+    if (call.command == Command::End) inside_ = false;
+  } else if (error_ == GL_NO_ERROR) { // 2.5: a flag that is set stays
+    error_ = call.error, erroneous_ = facts_of(call.command).name;
+  }
+  if (inside_ || error_ == GL_NO_ERROR) return;
+  const GLenum got = gl_.GetError();
+  if (got != error_ && fault_.empty()) {
+    char text[120];
+    std::snprintf(text, sizeof text, "gl%s raises the GL error 0x%04x and should raise 0x%04x", erroneous_,
+                  got, error_);
+    fault_ = text;
+  }
+  error_ = GL_NO_ERROR;
+}
+
+void Player::check_floats(const Call& call) {
+  const std::vector<double>& wanted = call.v(1);
+  std::vector<GLfloat> got(std::max<size_t>(wanted.size(), 16), -98765.0f); // of a GL that answers nothing
+  gl_.GetFloatv(call.e(0), got.data());
+  for (size_t i = 0; i < wanted.size(); i++) {
+    if (std::abs(double(got[i]) - wanted[i]) <= 5e-5 * std::max(std::abs(wanted[i]), 0.02)) continue;
+    char text[120];
+    std::snprintf(text, sizeof text, "glGetFloatv(0x%04x)[%zu] is wrong: %.9g, should be %.9g", call.e(0), i,
+                  double(got[i]), wanted[i]);
+    if (fault_.empty()) fault_ = text;
+  }
+}
+
+void Player::check_enabled(const Call& call) {
+  const bool wanted = call.n(1) != 0, got = gl_.IsEnabled(call.e(0)) != GL_FALSE;
+  if (got == wanted || !fault_.empty()) return;
+  char text[120];
+  std::snprintf(text, sizeof text, "glIsEnabled(0x%04x) is wrong: %d", call.e(0), got);
+  fault_ = text;
 }
 
 } // namespace softgl::suite

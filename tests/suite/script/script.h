@@ -13,22 +13,25 @@
 
 namespace softgl::suite {
 
-enum class Command : uint8_t {
+enum class Command : uint16_t {
 #define SUITE_COMMAND(name, kinds) name,
 #define SUITE_COMMAND_NOT_IN_LISTS SUITE_COMMAND
 #define SUITE_PAINT SUITE_COMMAND
+#define SUITE_QUERY SUITE_COMMAND
 #include "script/commands.inc"
 #undef SUITE_COMMAND
 #undef SUITE_COMMAND_NOT_IN_LISTS
 #undef SUITE_PAINT
+#undef SUITE_QUERY
   Count
 };
 
-/// What is known of a command: its name without "gl", the letters of commands.inc, and whether lists hold it.
+/// What is known of a command: its name without "gl", the letters of commands.inc, whether lists hold it, and
+/// whether it is a query.
 struct CommandFacts {
   const char* name;
   const char* kinds;
-  bool in_lists;
+  bool in_lists, query;
 };
 const CommandFacts& facts_of(Command command);
 
@@ -58,6 +61,7 @@ struct Argument {
 struct Call {
   Command command;
   std::vector<Argument> arguments;
+  GLenum error = GL_NO_ERROR; // that it must raise; it changes nothing else then
   double n(size_t i) const { return arguments[i].number; }
   GLenum e(size_t i) const { return GLenum(arguments[i].number); }
   const std::vector<double>& v(size_t i) const { return arguments[i].numbers; }
@@ -71,11 +75,15 @@ struct Script {
   template <class... A> void name(A... a) { calls.push_back({Command::name, {Argument(a)...}}); }
 #define SUITE_COMMAND_NOT_IN_LISTS SUITE_COMMAND
 #define SUITE_PAINT SUITE_COMMAND
+#define SUITE_QUERY SUITE_COMMAND
 #include "script/commands.inc"
 #undef SUITE_COMMAND
 #undef SUITE_COMMAND_NOT_IN_LISTS
 #undef SUITE_PAINT
+#undef SUITE_QUERY
 
+  /// The last call is wrong: it must raise the error and do nothing.
+  void raises(GLenum error) { calls.back().error = error; }
   void append(const Script& other) { calls.insert(calls.end(), other.calls.begin(), other.calls.end()); }
 };
 
@@ -90,13 +98,22 @@ public:
   /// The first command that the GL does not have, or null; nothing is played then.
   const char* missing(const Script& script) const;
   void play(const Script& script);
+  /// The first error or query that came out otherwise than the script says; empty if there is none.
+  const std::string& fault() const { return fault_; }
 
 private:
   void paint(const Call& call);
   void paint(double x, double y, double size, double red, double green, double blue);
   void paint_elements(const Call& call, size_t first, const std::vector<std::byte>& bytes, bool swapped);
+  void check_error(const Call& call);
+  void check_floats(const Call& call);
+  void check_enabled(const Call& call);
 
   const GlTable& gl_;
+  bool inside_ = false;        // between Begin and End, where no error can be asked for
+  GLenum error_ = GL_NO_ERROR; // that is still to come, and whose it is
+  const char* erroneous_ = "";
+  std::string fault_;
   std::vector<std::unique_ptr<std::vector<std::byte>>> memory_;
 };
 

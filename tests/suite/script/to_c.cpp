@@ -49,6 +49,16 @@ std::string mask_bits(GLbitfield bits) {
   return bits ? std::to_string(bits) : text;
 }
 
+const char* error_name(GLenum error) {
+  switch (error) {
+  case GL_INVALID_ENUM: return "GL_INVALID_ENUM";
+  case GL_INVALID_VALUE: return "GL_INVALID_VALUE";
+  case GL_STACK_OVERFLOW: return "GL_STACK_OVERFLOW";
+  case GL_STACK_UNDERFLOW: return "GL_STACK_UNDERFLOW";
+  default: return "GL_INVALID_OPERATION";
+  }
+}
+
 std::string list(const std::vector<double>& numbers, const char* type, bool real) {
   std::string text = "(const " + std::string(type) + "[]){";
   for (size_t i = 0; i < numbers.size(); i++)
@@ -59,15 +69,21 @@ std::string list(const std::vector<double>& numbers, const char* type, bool real
 
 std::string vector_argument(const Call& call, const Argument& a) {
   const std::string name = facts_of(call.command).name;
-  if (call.command == Command::ClipPlane) return list(a.numbers, "GLdouble", true);
   if (name.ends_with("Textures") && call.arguments.size() == 2) return list(a.numbers, "GLuint", false);
-  if (name.ends_with("iv")) return list(a.numbers, "GLint", false);
+  if (call.command == Command::ClipPlane || name.ends_with("d") || name.ends_with("dv"))
+    return list(a.numbers, "GLdouble", true);
+  static const std::pair<const char*, const char*> types[] = {
+      {"ubv", "GLubyte"}, {"usv", "GLushort"}, {"uiv", "GLuint"},         {"bv", "GLbyte"},
+      {"sv", "GLshort"},  {"iv", "GLint"},     {"EdgeFlagv", "GLboolean"}};
+  for (const auto& [suffix, type] : types)
+    if (name.ends_with(suffix)) return list(a.numbers, type, false);
   return list(a.numbers, "GLfloat", true);
 }
 
 std::string memory_argument(const Argument& a) {
   switch (a.memory_type) {
   case GL_FLOAT: return list(a.numbers, "GLfloat", true);
+  case GL_DOUBLE: return list(a.numbers, "GLdouble", true);
   case GL_SHORT: return list(a.numbers, "GLshort", false);
   case GL_BYTE: return list(a.numbers, "GLbyte", false);
   case GL_INT: return list(a.numbers, "GLint", false);
@@ -109,12 +125,14 @@ std::string c_argument(const Call& call, size_t i) {
 
 const CommandFacts& facts_of(Command command) {
   static const CommandFacts facts[] = {
-#define SUITE_COMMAND(name, kinds) {#name, kinds, true},
-#define SUITE_COMMAND_NOT_IN_LISTS(name, kinds) {#name, kinds, false},
+#define SUITE_COMMAND(name, kinds) {#name, kinds, true, false},
+#define SUITE_COMMAND_NOT_IN_LISTS(name, kinds) {#name, kinds, false, false},
+#define SUITE_QUERY(name, kinds) {#name, kinds, false, true},
 #define SUITE_PAINT SUITE_COMMAND_NOT_IN_LISTS
 #include "script/commands.inc"
 #undef SUITE_COMMAND
 #undef SUITE_COMMAND_NOT_IN_LISTS
+#undef SUITE_QUERY
 #undef SUITE_PAINT
   };
   return facts[size_t(command)];
@@ -127,9 +145,13 @@ std::string to_c(const Script& script, const char* indent) {
       text += paint_to_c(call, indent);
       continue;
     }
-    text += indent + std::string("gl") + facts_of(call.command).name + "(";
+    const CommandFacts& facts = facts_of(call.command);
+    text += indent + std::string(facts.query ? "expect" : "gl") + facts.name + "(";
     for (size_t i = 0; i < call.arguments.size(); i++) text += (i ? ", " : "") + c_argument(call, i);
+    if (call.command == Command::GetFloatv) text += ", " + std::to_string(call.v(1).size());
     text += ");\n";
+    if (call.error != GL_NO_ERROR)
+      text += indent + std::string("expectError(") + error_name(call.error) + ");\n";
   }
   return text;
 }
