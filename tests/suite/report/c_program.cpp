@@ -1,6 +1,6 @@
 #include "report/c_program.h"
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -61,12 +61,13 @@ namespace {
 class Trial {
 public:
   Trial(const RunOptions& options, const SubjectFacts& facts) : options_(options), facts_(facts) {}
-  bool over() const { return scripts_ >= kMinimizerScripts || Clock::now() > until_; }
+  bool over() const { return scripts_ >= kMinimizerScripts; }
 
   /// The index of the first script that fails, or -1. Scripts behind it do not count.
   int first_failure(const std::vector<Script>& scripts, Verdict* verdict) {
     scripts_ += int(scripts.size());
     const ChildResult child = run_in_child(options_.subject, scripts, options_.seconds);
+    if (!child.fault.empty()) scripts_ += kMinimizerScripts / 10; // it may have hung: not often
     for (size_t i = 0; i < scripts.size(); i++) {
       if (!child.pictures[i].fault.empty()) continue;
       try {
@@ -81,11 +82,9 @@ public:
   }
 
 private:
-  using Clock = std::chrono::steady_clock;
   const RunOptions& options_;
   const SubjectFacts& facts_;
   int scripts_ = 0;
-  Clock::time_point until_ = Clock::now() + std::chrono::seconds(kMinimizerSeconds);
 };
 
 std::vector<Unit> without(const std::vector<Unit>& units, size_t first, size_t length) {
@@ -105,6 +104,7 @@ Minimized minimized(const Script& script, const RunOptions& options, const Subje
   std::vector<Unit> units = units_of(script);
   // The window that is cleared, and the projection, stay: without them another thing would fail.
   for (size_t i = 0; i < prologue().calls.size(); i++) units[i].fixed = true;
+  size_t together = 1; // more where little can go, and none of them is drawn in vain
   for (size_t length = units.size() / 2; length > 0 && !trial.over();) {
     bool shorter = false;
     for (size_t first = 0; first < units.size() && !trial.over();) {
@@ -112,7 +112,7 @@ Minimized minimized(const Script& script, const RunOptions& options, const Subje
       std::vector<size_t> starts;
       std::vector<Script> scripts;
       size_t next = first;
-      for (; next < units.size() && scripts.size() < 8; next += length) {
+      for (; next < units.size() && scripts.size() < together; next += length) {
         candidates.push_back(without(units, next, length));
         if (candidates.back().size() == units.size()) {
           candidates.pop_back();
@@ -122,6 +122,7 @@ Minimized minimized(const Script& script, const RunOptions& options, const Subje
       }
       const int found = scripts.empty() ? -1 : trial.first_failure(scripts, &result.verdict);
       first = found < 0 ? next : starts[size_t(found)];
+      together = found >= 0 ? 1 : std::min<size_t>(2 * together, 8);
       if (found >= 0) units = std::move(candidates[size_t(found)]), shorter = true;
     }
     // At the end single calls are tried until none can go.

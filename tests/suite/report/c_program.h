@@ -7,8 +7,8 @@
 
 namespace softgl::suite {
 
-/// What a failure may cost: pictures that are drawn, and seconds.
-constexpr int kMinimizerScripts = 600, kMinimizerSeconds = 30;
+/// What a failure may cost: pictures that are drawn.
+constexpr int kMinimizerScripts = 600;
 
 struct Minimized {
   Script script;

@@ -139,7 +139,7 @@ std::string program_of(const TestResult& t, const RunOptions& options, const Sub
       const Minimized m = minimized(script, options, facts);
       if (!m.fails_again) return program(script, level.verdict, " * Drawn once more it did not fail.\n");
       return program(m.script, m.verdict,
-                     m.is_minimal ? "" : " * Not all calls may be needed: there was no time to try.\n");
+                     m.is_minimal ? "" : " * Not all calls may be needed: too many were tried already.\n");
     }
   }
   return "";
