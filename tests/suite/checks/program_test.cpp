@@ -1,6 +1,7 @@
 // The program softgl-conformance as its users start it: exit statuses and files.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -62,10 +63,16 @@ TEST_CASE("a report has a page, JSON, and a program of C for the failure", "[sui
   const std::string program = kFolder + "/" + name + ".c";
   CHECK(read(program).find("glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS") ==
         std::string::npos); // 0 is the default: cut away
-  REQUIRE(status_of("cc -std=c99 -Wall -Werror -I" SOFTGL_TEST_SOURCE_DIR "/include " + program + " -o " +
-                    kFolder + "/failure " + SOFTGL_TEST_LIBRARY + " -Wl,-rpath," +
-                    std::filesystem::path(SOFTGL_TEST_LIBRARY).parent_path().string()) == 0);
-  CHECK(status_of(kFolder + "/failure") == 1); // the failure shows without the suite
+  // As the comment in it says.
+  CHECK_THAT(read(program),
+             Catch::Contains("cc " + name + ".c -o " + name + " " SOFTGL_TEST_LIBRARY " -Wl,-rpath,"));
+  const std::string folder = std::filesystem::path(SOFTGL_TEST_LIBRARY).parent_path().string();
+  REQUIRE(status_of("cd " + kFolder + " && cc -std=c99 -Wall -Werror -I" SOFTGL_TEST_SOURCE_DIR "/include " +
+                    name + ".c -o failure " SOFTGL_TEST_LIBRARY " -Wl,-rpath," + folder) == 0);
+  CHECK(status_of(kFolder + "/failure") == 1);                  // the failure shows without the suite
+  CHECK_THAT(read(program), !Catch::Contains("Not all calls")); // the budget sufficed
+  const std::string text = read(program);
+  CHECK(std::count(text.begin(), text.end(), '\n') < 85);
 }
 
 } // namespace softgl::suite

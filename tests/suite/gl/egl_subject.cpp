@@ -36,14 +36,18 @@ struct EglSubject final : Subject {
     open_display();
     if (!find<unsigned (*)(unsigned)>("eglBindAPI")(kOpenGlApi))
       throw std::runtime_error("EGL does not offer OpenGL");
-    const int32_t wanted[] = {kSurfaceType, kPbufferBit, kRenderableType, kOpenGlBit, kRedSize,   1,
-                              kGreenSize,   1,           kBlueSize,       1,          kAlphaSize, 1,
-                              kDepthSize,   1,           kStencilSize,    1,          kNone};
-    int32_t count = 0;
+    // Depth, alpha and stencil if there are any; a window without them is tested, too.
     const auto choose =
         find<unsigned (*)(void*, const int32_t*, void**, int32_t, int32_t*)>("eglChooseConfig");
-    if (!choose(display, wanted, &config, 1, &count) || count < 1)
-      throw std::runtime_error("EGL has no configuration");
+    for (const int32_t more : {1, 0}) {
+      const int32_t wanted[] = {kSurfaceType, kPbufferBit, kRenderableType, kOpenGlBit, kRedSize,   1,
+                                kGreenSize,   1,           kBlueSize,       1,          kAlphaSize, more,
+                                kDepthSize,   more,        kStencilSize,    more,       kNone};
+      int32_t count = 0;
+      if (choose(display, wanted, &config, 1, &count) && count > 0) break;
+      config = nullptr;
+    }
+    if (!config) throw std::runtime_error("EGL has no configuration");
     const int32_t size[] = {kWidth, kWindowWidth, kHeight, kWindowHeight, kNone};
     surface = find<void* (*)(void*, void*, const int32_t*)>("eglCreatePbufferSurface")(display, config, size);
     if (!surface) throw std::runtime_error("eglCreatePbufferSurface gave none");

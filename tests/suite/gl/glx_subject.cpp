@@ -42,9 +42,13 @@ struct GlxSubject final : Subject {
     get_proc_address = reinterpret_cast<decltype(get_proc_address)>(symbol(library, "glXGetProcAddressARB"));
     display = find<void* (*)(const char*)>(x11, "XOpenDisplay")(nullptr);
     if (!display) throw std::runtime_error("there is no X display");
-    int wanted[] = {kGlxRgba, kGlxRedSize,   1, kGlxGreenSize,   1, kGlxBlueSize,
-                    1,        kGlxDepthSize, 1, kGlxStencilSize, 1, 0};
-    visual = find<VisualInfo* (*)(void*, int, int*)>(library, "glXChooseVisual")(display, 0, wanted);
+    const auto choose = find<VisualInfo* (*)(void*, int, int*)>(library, "glXChooseVisual");
+    for (int more : {1, 0}) { // depth and stencil if there are any
+      int wanted[] = {kGlxRgba, kGlxRedSize,   1,    kGlxGreenSize,   1,    kGlxBlueSize,
+                      1,        kGlxDepthSize, more, kGlxStencilSize, more, 0};
+      visual = choose(display, 0, wanted);
+      if (visual) break;
+    }
     if (!visual) throw std::runtime_error("GLX has no visual");
     const unsigned long root =
         find<unsigned long (*)(void*, int)>(x11, "XRootWindow")(display, visual->screen);

@@ -152,7 +152,7 @@ std::vector<Test> lighting_phong_tests() {
               diffuse_scene(s, {0.3, 0.2, 0.6, 1}), s.Materialfv(GL_FRONT, GL_DIFFUSE, V{1, 1, 1, 0.5});
               s.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA), s.Enable(GL_BLEND), dome(s, kFlat);
             }),
-      phong("each_primitive", "Primitives have the shade model of their time.",
+      phong("each_primitive", "Primitives may be lit at fragments, smooth or flat in turn.",
             [](Script& s) {
               diffuse_scene(s, {0, 0, 0.5, 1}), sheet(s, -1, -1, -0.4, 1), s.ShadeModel(GL_SMOOTH);
               sheet(s, -0.3, -1, 0.3, 1), s.ShadeModel(GL_FLAT), s.Normal3f(0.6, 0, 0.8),

@@ -1,5 +1,6 @@
 #include "report/c_program.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -54,49 +55,101 @@ Script without_empty_primitives(const Script& script) {
 
 } // namespace
 
-Script minimized(const Script& script, const RunOptions& options, const SubjectFacts& facts,
-                 Verdict* verdict) {
-  int runs = 0;
-  const auto fails = [&](const std::vector<Unit>& units) {
-    if (++runs > 120) return false;
-    const Script s = joined(units);
-    try {
-      const Expectation expected = expected_picture(s, kWindowWidth, kWindowHeight, facts.precision);
-      const ChildResult child = run_in_child(options.subject, {s}, options.seconds);
-      if (!child.fault.empty() || !child.pictures[0].fault.empty()) return false;
-      const Verdict v = judge(expected, child.pictures[0].color, facts.precision);
-      if (v.pass) return false;
-      *verdict = v;
-      return true;
-    } catch (const std::logic_error&) { // the machine cannot play what is left
-      return false;
+namespace {
+
+// Draws shorter scripts, some at a time, and finds the first that still fails.
+class Trial {
+public:
+  Trial(const RunOptions& options, const SubjectFacts& facts) : options_(options), facts_(facts) {}
+  bool over() const { return scripts_ >= kMinimizerScripts; }
+
+  /// The index of the first script that fails, or -1. Scripts behind it do not count.
+  int first_failure(const std::vector<Script>& scripts, Verdict* verdict) {
+    scripts_ += int(scripts.size());
+    const ChildResult child = run_in_child(options_.subject, scripts, options_.seconds);
+    if (!child.fault.empty()) scripts_ += kMinimizerScripts / 10; // it may have hung: not often
+    for (size_t i = 0; i < scripts.size(); i++) {
+      if (!child.pictures[i].fault.empty()) continue;
+      try {
+        const Verdict v = judge(expected_picture(scripts[i], kWindowWidth, kWindowHeight, facts_.precision),
+                                child.pictures[i].color, facts_.precision);
+        if (v.pass || v.wrong_pixels == 0) continue;
+        *verdict = v;
+        return int(i);
+      } catch (const std::logic_error&) {} // the machine cannot play what is left
     }
-  };
+    return -1;
+  }
+
+private:
+  const RunOptions& options_;
+  const SubjectFacts& facts_;
+  int scripts_ = 0;
+};
+
+std::vector<Unit> without(const std::vector<Unit>& units, size_t first, size_t length) {
+  std::vector<Unit> fewer;
+  for (size_t i = 0; i < units.size(); i++)
+    if (i < first || i >= first + length || units[i].fixed) fewer.push_back(units[i]);
+  return fewer;
+}
+
+} // namespace
+
+Minimized minimized(const Script& script, const RunOptions& options, const SubjectFacts& facts) {
+  Minimized result{script, {}, false, false};
+  Trial trial(options, facts);
+  if (trial.first_failure({script}, &result.verdict) < 0) return result;
+  result.fails_again = true;
   std::vector<Unit> units = units_of(script);
   // The window that is cleared, and the projection, stay: without them another thing would fail.
   for (size_t i = 0; i < prologue().calls.size(); i++) units[i].fixed = true;
-  if (!fails(units)) return script;
-  for (size_t length = units.size() / 2; length > 0; length /= 2)
-    for (size_t first = 0; first < units.size();) {
-      std::vector<Unit> fewer;
-      for (size_t i = 0; i < units.size(); i++)
-        if (i < first || i >= first + length || units[i].fixed) fewer.push_back(units[i]);
-      if (fewer.size() < units.size() && fails(fewer))
-        units = std::move(fewer);
-      else
-        first += length;
+  size_t together = 1; // more where little can go, and none of them is drawn in vain
+  for (size_t length = units.size() / 2; length > 0 && !trial.over();) {
+    bool shorter = false;
+    for (size_t first = 0; first < units.size() && !trial.over();) {
+      std::vector<std::vector<Unit>> candidates;
+      std::vector<size_t> starts;
+      std::vector<Script> scripts;
+      size_t next = first;
+      for (; next < units.size() && scripts.size() < together; next += length) {
+        candidates.push_back(without(units, next, length));
+        if (candidates.back().size() == units.size()) {
+          candidates.pop_back();
+          continue;
+        }
+        starts.push_back(next), scripts.push_back(joined(candidates.back()));
+      }
+      const int found = scripts.empty() ? -1 : trial.first_failure(scripts, &result.verdict);
+      first = found < 0 ? next : starts[size_t(found)];
+      together = found >= 0 ? 1 : std::min<size_t>(2 * together, 8);
+      if (found >= 0) units = std::move(candidates[size_t(found)]), shorter = true;
     }
-  runs = 0;
-  fails(units); // the verdict of what is left
-  return without_empty_primitives(joined(units));
+    // At the end single calls are tried until none can go.
+    if (length > 1 || !shorter) length /= 2;
+  }
+  result.is_minimal = !trial.over();
+  result.script = without_empty_primitives(joined(units));
+  return result;
 }
 
-std::string c_program(const Test& test, const Script& script, const Verdict& v) {
-  const int low = int(std::floor(v.low - 0.52)), high = int(std::ceil(v.high + 0.52));
+std::string c_program(const Test& test, const Script& script, const Verdict& v, const std::string& name,
+                      const SubjectName& subject, const std::string& note) {
+  const int low = std::max(int(std::floor(v.low - 0.52)), 0),
+            high = std::min(int(std::ceil(v.high + 0.52)), 255);
+  const size_t slash = subject.library.rfind('/');
+  const std::string library =
+      slash == std::string::npos
+          ? "-l:" + subject.library
+          : subject.library + " -Wl,-rpath," + (slash == 0 ? "/" : subject.library.substr(0, slash));
+  const std::string build = "cc " + name + ".c -o " + name + " " +
+                            (subject.binding == Binding::OSMesa ? library : "-DUSE_EGL -lEGL -lGL");
   const std::string x = std::to_string(v.x), y = std::to_string(v.y), width = std::to_string(kWindowWidth);
-  return "/* " + test.name + "\n * OpenGL 1.5, " + test.section + ": " + test.sentence + "\n *\n" +
-         " *     cc failure.c -lOSMesa && ./a.out\n *     cc -DUSE_EGL failure.c -lEGL -lGL && ./a.out\n "
-         "*/\n" +
+  return "/* " + test.name + "\n * OpenGL 1.5, " + test.section + ": " + test.sentence + "\n" + note +
+         " *\n *     " + build + " && ./" + name + "\n *\n" +
+         " * It ends with 1 if the pixel is wrong, 0 if it is right, 2 without a context. Any library of "
+         "OSMesa's ABI\n"
+         " * can be linked with it, and with -DUSE_EGL any EGL (-lEGL -lGL). */\n" +
          R"(#include <stdio.h>
 #ifdef USE_EGL
 #include <EGL/egl.h>
@@ -141,8 +194,7 @@ int main(void) {
          y + " * SIZE + " + x + ") + " + std::to_string(v.component) + R"(];
   printf("pixel )" +
          x + "," + y + ": " + std::vector<const char*>{"red", "green", "blue", "alpha"}[size_t(v.component)] +
-         " is %d, expected " + std::to_string(std::max(low, 0)) + " to " +
-         std::to_string(std::min(high, 255)) +
+         " is %d, expected " + std::to_string(low) + " to " + std::to_string(high) +
          R"(\n", got);
   return got < )" +
          std::to_string(low) + " || got > " + std::to_string(high) + ";\n}\n";

@@ -7,13 +7,22 @@
 
 namespace softgl::suite {
 
-/// Cuts the script down to the calls that the failure needs: the picture still differs from what is expected.
-/// The script comes back whole if the failure does not show again.
-Script minimized(const Script& script, const RunOptions& options, const SubjectFacts& facts,
-                 Verdict* verdict);
+/// What a failure may cost: pictures that are drawn.
+constexpr int kMinimizerScripts = 600;
 
-/// A program that draws the script, reads the pixel of the verdict, and says what it is and what it should
-/// be. It is built with -lOSMesa, or with -DUSE_EGL -lEGL -lGL.
-std::string c_program(const Test& test, const Script& script, const Verdict& verdict);
+struct Minimized {
+  Script script;
+  Verdict verdict;
+  bool fails_again = false; // else the script is whole, and there is no verdict
+  bool is_minimal =
+      false; // without any one of its calls it does not fail; false if the budget was over before
+};
+/// Cuts the script down to the calls that the failure needs: the picture still differs from what is expected.
+Minimized minimized(const Script& script, const RunOptions& options, const SubjectFacts& facts);
+
+/// A program that draws the script, reads the pixel of the verdict, says what it is and what it should be,
+/// and ends with 1 if it is wrong. `name` is its file without ".c"; `note`: lines of a comment.
+std::string c_program(const Test& test, const Script& script, const Verdict& verdict, const std::string& name,
+                      const SubjectName& subject, const std::string& note);
 
 } // namespace softgl::suite

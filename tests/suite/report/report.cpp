@@ -126,13 +126,20 @@ std::string program_of(const TestResult& t, const RunOptions& options, const Sub
     if (level.pass || level.color.empty() || level.verdict.wrong_pixels == 0) continue;
     Script body;
     t.test->body(body);
-    Verdict verdict = level.verdict;
     for (const PathLevel& path : path_levels()) {
       if (level.level != path.name) continue;
       const Script script = *path.make(body);
+      const auto program = [&](const Script& shown, const Verdict& verdict, const std::string& note) {
+        return c_program(*t.test, shown, verdict, t.test->name, options.subject, note);
+      };
       // The machine does not know all state of the other paths.
-      return c_program(*t.test, level.level == "plain" ? minimized(script, options, facts, &verdict) : script,
-                       verdict);
+      if (level.level != "plain")
+        return program(script, level.verdict,
+                       " * Path: " + level.level + ". The whole test, with all its calls.\n");
+      const Minimized m = minimized(script, options, facts);
+      if (!m.fails_again) return program(script, level.verdict, " * Drawn once more it did not fail.\n");
+      return program(m.script, m.verdict,
+                     m.is_minimal ? "" : " * Not all calls may be needed: too many were tried already.\n");
     }
   }
   return "";

@@ -50,6 +50,14 @@ void ask(const GlTable& gl, Shared& shared) {
   const GLenum names[] = {GL_RED_BITS,   GL_GREEN_BITS,   GL_BLUE_BITS,    GL_ALPHA_BITS,
                           GL_DEPTH_BITS, GL_STENCIL_BITS, GL_SUBPIXEL_BITS};
   for (size_t i = 0; i < std::size(names); i++) gl.GetIntegerv(names[i], &shared.numbers[i]);
+  // Without bits of colors every color would be within half a step.
+  if (shared.numbers[0] < 1 || shared.numbers[1] < 1 || shared.numbers[2] < 1)
+    throw std::runtime_error("the window has no red, green and blue");
+  GLint viewport[4] = {}; // that of the whole window at first (2.11.1)
+  gl.GetIntegerv(GL_VIEWPORT, viewport);
+  if (viewport[2] < kWindowWidth || viewport[3] < kWindowHeight)
+    throw std::runtime_error("the window has only " + std::to_string(viewport[2]) + " x " +
+                             std::to_string(viewport[3]) + " pixels");
 }
 
 void draw(const GlTable& gl, const Script& script, SharedPicture& picture) {

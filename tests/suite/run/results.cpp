@@ -49,6 +49,15 @@ bool is_supported(const Need& need, const SubjectFacts& facts) {
          (" " + facts.extensions + " ").find(" " + extension + " ") != std::string::npos;
 }
 
+std::string missing_buffer(const Script& body, const SubjectFacts& facts) {
+  for (const Call& call : body.calls) {
+    if (call.command != Command::Enable) continue;
+    if (call.e(0) == GL_DEPTH_TEST && facts.depth_bits == 0) return "a depth buffer";
+    if (call.e(0) == GL_STENCIL_TEST && facts.stencil_bits == 0) return "a stencil buffer";
+  }
+  return "";
+}
+
 uint64_t hash_of(const std::vector<uint8_t>& bytes) { // FNV-1a
   uint64_t hash = 0xcbf29ce484222325u;
   for (uint8_t byte : bytes) hash = (hash ^ byte) * 0x100000001b3u;

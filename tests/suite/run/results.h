@@ -60,6 +60,8 @@ std::vector<const Test*> chosen_tests(const RunOptions& options);
 /// Asks the GL what it is, in a child. Throws std::runtime_error with the reason if there is no context.
 SubjectFacts probe(const RunOptions& options);
 bool is_supported(const Need& need, const SubjectFacts& facts);
+/// What the body of a test uses and the window lacks: "a depth buffer", "a stencil buffer"; else nothing.
+std::string missing_buffer(const Script& body, const SubjectFacts& facts);
 /// "OpenGL 1.2 or GL_EXT_rescale_normal".
 std::string text_of(const Need& need);
 /// `done` is called in the parent after each test, in their order.

@@ -30,13 +30,14 @@ struct Prepared {
 Prepared prepare(const Test& test, size_t index, const RunOptions& options, const SubjectFacts& facts) {
   Prepared p;
   p.result.test = &test;
-  if (!is_supported(test.need, facts)) {
-    p.result.outcome = Outcome::NotSupported;
-    p.result.text = "needs " + text_of(test.need);
-    return p;
-  }
   Script body;
   test.body(body);
+  std::string needed = missing_buffer(body, facts);
+  if (!is_supported(test.need, facts)) needed = text_of(test.need);
+  if (!needed.empty()) {
+    p.result.outcome = Outcome::NotSupported, p.result.text = "needs " + needed;
+    return p;
+  }
   const std::vector<PathLevel>& levels = path_levels();
   const size_t other = 1 + (index * 7 + options.seed) % (levels.size() - 1);
   for (size_t i = 0; i < levels.size(); i++) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 namespace softgl::suite {
 namespace {
@@ -20,6 +21,23 @@ double distance(const Interval* color, const uint8_t* pixel, const Precision& pr
 }
 
 constexpr double kRounding = 0.02; // of the comparison itself
+
+// Whether a component of so many bits, read as a byte, may have this value. Bits may be repeated, or scaled.
+bool can_be(uint8_t value, int bits) {
+  if (bits >= 8 || bits == 0) return true;
+  const int most = (1 << bits) - 1, step = (value * most + 127) / 255;
+  return std::abs(step * 255 / most - value) <= 1;
+}
+
+// A GL that says that its colors have few bits gets wide intervals: its picture must show it.
+std::string too_many_values(const std::vector<uint8_t>& color, const Precision& precision) {
+  for (size_t i = 0; i < color.size(); i++)
+    if (!can_be(color[i], precision.bits[i % 4]))
+      return std::string((const char*[]){"red", "green", "blue", "alpha"}[i % 4]) + " is " +
+             std::to_string(color[i]) + ", which " + std::to_string(precision.bits[i % 4]) +
+             " bits cannot hold";
+  return "";
+}
 
 } // namespace
 
@@ -63,8 +81,9 @@ Verdict judge(const Expectation& expected, const std::vector<uint8_t>& color, co
       verdict.got = color[size_t(4 * pixel)];
     }
   }
-  verdict.pass = verdict.wrong_pixels == 0;
-  if (!verdict.pass) {
+  const std::string lie = too_many_values(color, precision);
+  verdict.pass = verdict.wrong_pixels == 0 && lie.empty(), verdict.text = lie;
+  if (verdict.wrong_pixels) {
     char text[200];
     std::snprintf(text, sizeof text, "%d pixels are wrong; at %d,%d %s is %d and should be %.1f to %.1f",
                   verdict.wrong_pixels, verdict.x, verdict.y,

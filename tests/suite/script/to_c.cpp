@@ -1,3 +1,4 @@
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -23,9 +24,11 @@ const char* const kModes[] = {"GL_POINTS",     "GL_LINES",          "GL_LINE_LOO
                               "GL_QUAD_STRIP", "GL_POLYGON"};
 
 std::string number(double value, bool single) {
+  // The shortest text that gives the same number.
   char text[40];
-  std::snprintf(text, sizeof text, single ? "%.9g" : "%.17g", value);
-  std::string s = text;
+  const auto end = single ? std::to_chars(text, text + sizeof text, float(value)).ptr
+                          : std::to_chars(text, text + sizeof text, value).ptr;
+  const std::string s(text, end);
   const bool whole = s.find_first_of(".en") == std::string::npos;
   if (single) return whole ? s + ".0f" : s + "f";
   return whole ? s + ".0" : s;
