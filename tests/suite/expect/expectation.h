@@ -2,6 +2,7 @@
 // give.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,12 @@ struct Precision {
   int subpixel_bits = 4;
   /// GL_WIN_phong_shading does not say whether interpolated normals are normalized.
   bool unit_normals = true;
-  /// Half a step of a component's fixed-point number: what one rounding may change.
-  double half_step(int component) const { return 0.5 / ((1 << std::min(bits[component], 8)) - 1); }
+  /// Half a step of a component's fixed-point number: what one rounding may change. More than 8 bits are
+  /// rounded once more when they are read as bytes.
+  double half_step(int component) const {
+    const double stored = 0.5 / (std::ldexp(1, bits[component]) - 1), byte = 0.5 / 255;
+    return bits[component] == 0 ? byte : bits[component] > 8 ? stored + byte : stored;
+  }
 };
 
 struct Answer {
