@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
@@ -21,6 +22,9 @@ public:
     if (name == "NewList") compiling_ = true;
     if (name == "EndList") compiling_ = false;
     if (name.starts_with("CallList")) return !compiling_;
+    // A list copies the whole of an image, of any size.
+    const auto is_huge = [](const Argument& a) { return a.whole == 20000; };
+    if (compiling_ && std::count_if(arguments.begin(), arguments.end(), is_huge) > 1) return false;
     // Any index may lie in a buffer, and arrays may lie in the program's memory, which has room for 256.
     if (name.find("DrawElements") != name.npos || name.find("DrawRangeElements") != name.npos) {
       const size_t type = name.starts_with("Multi") ? 2 : name.find("Range") != name.npos ? 4 : 2;
