@@ -112,15 +112,21 @@ struct Parts {
     texts.push_back(text);
   }
 
-  std::vector<std::string> write_parts(const std::string& name) const {
+  static void write_materials() {
     write("parts.mtl", "newmtl red\nKd .9 .2 .1\nnewmtl green\nKd .1 .7 .2\nKs .6 .6 .6\nNs 20\n"
                        "newmtl blue\nKd .2 .3 .9\nnewmtl glass\nKd 1 1 1\nd .5\n");
+  }
+  std::vector<std::string> write_parts(const std::string& name) const {
+    write_materials();
     std::vector<std::string> paths;
     for (size_t i = 0; i < texts.size(); ++i)
       paths.push_back(write(name + std::to_string(i) + ".obj", texts[i]));
     return paths;
   }
-  std::string write_whole(const std::string& name) const { return write(name + ".obj", whole); }
+  std::string write_whole(const std::string& name) const {
+    write_materials();
+    return write(name + ".obj", whole);
+  }
 };
 
 const char* color_of(size_t i) { return std::vector<const char*>{"red", "green", "blue"}[i % 3]; }
