@@ -34,7 +34,7 @@ TEST_CASE("farm: a Slurm array draws 500 pictures although a node dies", "[farm]
   // Names of sockets are short.
   std::string folder = "/tmp/softgl-farm-XXXXXX";
   REQUIRE(::mkdtemp(folder.data()));
-  const ShellRun run = run_shell("timeout -k 20 400 python3 '" + kTests + "slurm_cluster.py' '" + kSoftgl +
+  const ShellRun run = run_shell("timeout -k 20 560 python3 '" + kTests + "slurm_cluster.py' '" + kSoftgl +
                                  "' '" + kFarm + "slurm.sh' " + folder + " 2>&1");
   INFO(run.output);
   fs::remove_all(folder);

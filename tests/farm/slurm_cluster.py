@@ -228,7 +228,7 @@ def draw_on_cluster(cluster, softgl, script):
     if not said.strip().isdigit():
         raise SystemExit(f"sbatch: {said}")
     # The first shard that has drawn something loses its node.
-    end = time.monotonic() + 30
+    end = time.monotonic() + 120
     node = None
     while not node:
         if time.monotonic() > end:
@@ -243,10 +243,10 @@ def draw_on_cluster(cluster, softgl, script):
     job = cluster.kill_node(node)
     with open(log, encoding="utf8") as lines:
         before = len(lines.readlines())
-    end = time.monotonic() + 150
+    end = time.monotonic() + 300
     while cluster.ask("squeue", "-h", "-o", "%T").strip():
         if time.monotonic() > end:
-            raise SystemExit("not finished after 150 s: " + cluster.ask("squeue"))
+            raise SystemExit("not finished after 300 s: " + cluster.ask("squeue"))
         time.sleep(0.2)
     shown = dict(word.split("=", 1) for word in cluster.ask("scontrol", "-o", "show", "job", job).split() if "=" in word)
     print(f"{node} died with task {task} after {before} pictures; restarts {shown.get('Restarts')}, "
