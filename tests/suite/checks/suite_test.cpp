@@ -69,9 +69,10 @@ TEST_CASE("every conformance test shows something and is certain of it", "[suite
     if (t.open.empty() && t.section != "2.14.7, table 2.12") {
       int wide = 0;
       for (const auto& answers : e.pixels)
-        wide += std::any_of(answers[0].color, answers[0].color + 4,
-                            [](const Interval& c) { return c.high - c.low > 1.0 / 6; });
-      CHECK(wide < kWindowWidth * kWindowHeight / 25);
+        for (const Interval& c : answers[0].color) wide += c.high - c.low > 1.0 / 6;
+      // At the border of two texels all four components of a pixel may be either's.
+      const int components = suite_of(t) == "texture" ? 4 : 1;
+      CHECK(wide < components * kWindowWidth * kWindowHeight / 25);
     }
   }
   CHECK(names.size() >= 150);
