@@ -111,6 +111,34 @@ TEST_CASE("A context goes on in another thread where it was left", "[abi][contex
   });
 }
 
+TEST_CASE("A context may leave its thread between glBegin and glEnd, with any number of vertices",
+          "[abi][contexts]") {
+  const Gl& gl = softgl_library();
+  const auto drawn = [&](int leave_at) {
+    Window window(gl, 40, 30);
+    REQUIRE(window.make_current());
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+    gl.Begin(GL_TRIANGLE_FAN);
+    for (int i = 0; i <= 5; ++i) {
+      if (i == leave_at) {
+        release(gl);
+        REQUIRE(window.make_current());
+      }
+      if (i == 5) break;
+      gl.Color3f(float(i) / 4, 1 - float(i) / 4, 0.5f);
+      gl.Vertex2f(i == 2 || i == 3 ? 0.9f : -0.9f, i == 3 || i == 4 ? 0.9f : -0.9f);
+    }
+    gl.End();
+    CHECK(gl.GetError() == GL_NO_ERROR);
+    gl.Finish();
+    release(gl);
+    return window.pixels;
+  };
+  const Bytes whole = drawn(-1);
+  CHECK(whole != Bytes(whole.size(), 0));
+  for (int leave_at = 0; leave_at <= 5; ++leave_at) CHECK((drawn(leave_at) == whole));
+}
+
 TEST_CASE("A context may lose its window to one of another size", "[abi][contexts]") {
   same_bytes([](const Gl& gl) {
     Window window(gl, 40, 30);

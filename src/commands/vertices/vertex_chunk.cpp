@@ -1,5 +1,6 @@
 #include "commands/vertices/vertex_chunk.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "base/assert.h"
@@ -136,8 +137,7 @@ VerticesAside::~VerticesAside() {
     VertexBuilder& b = context_.builder;
     const size_t bytes = vertices_.size() * sizeof(float);
     open_chunk(context_, bytes + kSmallestChunk);
-    std::memcpy(b.base, vertices_.data(), bytes);
-    b.out = b.base + vertices_.size();
+    b.out = std::copy(vertices_.begin(), vertices_.end(), b.base); // none, perhaps
     b.limit = room_end(b);
   });
 }

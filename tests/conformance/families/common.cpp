@@ -306,7 +306,8 @@ std::vector<Float4> random_positions(Stage& s, GLenum mode, int count, Spread sp
 }
 
 // Whether it is seen that OSMesa cuts a primitive in two (reference/DEVIATIONS.md): strips of quadrilaterals
-// are ordered anew, a stipple begins anew, and a polygon gets an edge.
+// are ordered anew, a stipple begins anew, a polygon gets an edge, and a fan of which three vertices are left
+// has the color of its first one.
 static bool cut_is_seen(const Gl& gl, GLenum mode) {
   GLint list = 0;
   gl.GetIntegerv(GL_LIST_INDEX, &list);
@@ -319,6 +320,11 @@ static bool cut_is_seen(const Gl& gl, GLenum mode) {
     GLint modes[2];
     gl.GetIntegerv(GL_POLYGON_MODE, modes);
     return modes[0] != GL_FILL || modes[1] != GL_FILL;
+  }
+  case GL_TRIANGLE_FAN: {
+    GLint convention = GL_LAST_VERTEX_CONVENTION;
+    gl.GetIntegerv(GL_PROVOKING_VERTEX, &convention);
+    return convention == GL_FIRST_VERTEX_CONVENTION;
   }
   default: return false;
   }
