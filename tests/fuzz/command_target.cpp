@@ -19,12 +19,12 @@ public:
 
   bool allows(std::string_view name, const Arguments& arguments) {
     // A list that calls two lists that call it is played 2^64 times.
-    if (name == "NewList") compiling_ = true;
+    if (name == "NewList") compiling_ = compiles_ = true;
     if (name == "EndList") compiling_ = false;
     if (name.starts_with("CallList")) return !compiling_;
-    // A list copies the whole of an image, of any size.
-    const auto is_huge = [](const Argument& a) { return a.whole == 20000; };
-    if (compiling_ && std::count_if(arguments.begin(), arguments.end(), is_huge) > 1) return false;
+    // A list copies the whole of an image, of any size; and glEndList may have failed.
+    const auto is_huge = [](const Argument& a) { return a.whole == 5000 || a.whole == 20000; };
+    if (compiles_ && std::count_if(arguments.begin(), arguments.end(), is_huge) > 1) return false;
     // Any index may lie in a buffer, and arrays may lie in the program's memory, which has room for 256.
     if (name.find("DrawElements") != name.npos || name.find("DrawRangeElements") != name.npos) {
       const size_t type = name.starts_with("Multi") ? 2 : name.find("Range") != name.npos ? 4 : 2;
@@ -41,7 +41,7 @@ private:
   }
 
   const Gl& gl_;
-  bool compiling_ = false;
+  bool compiling_ = false, compiles_ = false; // since the last glNewList; since any
 };
 
 } // namespace
