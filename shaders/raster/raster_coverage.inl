@@ -69,14 +69,14 @@ template <int Edges> struct EdgeSteps {
   IntV column[Edges][kWidth < 8 ? 2 : 1];
   IntV row[Edges];
 };
-template <int Edges> SOFTGL_INLINE void edge_steps(const TileEdges& t, EdgeSteps<Edges>& s) {
+template <int Edges> SOFTGL_INLINE void edge_steps(const RasterPrimitive& p, EdgeSteps<Edges>& s) {
   alignas(64) static const int32_t column[16] = {0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7};
   alignas(64) static const int32_t row[16] = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1};
   for (int i = 0; i < Edges; ++i) {
-    s.column[i][0] = multiply(splat(-t.a[i]), load(column));
-    if constexpr (kWidth < 8) s.column[i][1] = multiply(splat(-t.a[i]), load(column + 4));
-    if constexpr (kWidth == 16) s.column[i][0] += multiply(splat(t.b[i]), load(row));
-    s.row[i] = splat(t.b[i] * (kWidth == 16 ? 2 : 1));
+    s.column[i][0] = multiply(splat(-p.a[i]), load(column));
+    if constexpr (kWidth < 8) s.column[i][1] = multiply(splat(-p.a[i]), load(column + 4));
+    if constexpr (kWidth == 16) s.column[i][0] += multiply(splat(p.b[i]), load(row));
+    s.row[i] = splat(p.b[i] * (kWidth == 16 ? 2 : 1));
   }
 }
 

@@ -34,7 +34,7 @@ static void direct_primitive(const RasterDraw& draw, const TileTarget& tile, con
   TileEdges edges;
   if (!clip_to_tile<Edges>(draw, p, tile.x, tile.y, edges)) return;
   EdgeSteps<Edges> steps;
-  if (!edges.inside) edge_steps<Edges>(edges, steps);
+  if (!edges.inside) edge_steps<Edges>(p, steps);
   const FragmentKey& key = draw.program->key;
   const Merger merger{*draw.program};
   constexpr bool kTests = Tests != DirectTests::None;

@@ -68,10 +68,10 @@ static void run_samples(const RasterDraw& draw, const TileTarget& tile, Fragment
 namespace { // so that no member is visible outside
 
 /// Which samples of a tile's pixels a primitive covers: where coverage is the pixel's, all of a covered one.
-struct SampleCoverage {
+template <int Edges> struct SampleCoverage {
   TileEdges edges[kSamples];
-  EdgeSteps<4> steps[kSamples];
-  TileEdges widest; // outside of these no sample is covered
+  EdgeSteps<Edges> steps; // the same for all samples
+  TileEdges widest;       // outside of these no sample is covered
   bool seen[kSamples];
   bool any = false; // sample is seen
   bool per_sample;
@@ -81,17 +81,18 @@ struct SampleCoverage {
   SOFTGL_MEMBER SampleCoverage(const RasterDraw& draw, const RasterPrimitive& p, const TileTarget& tile)
       : per_sample(draw.raster->per_sample), round(p.round), center_x(p.c[0] - 256 * tile.x),
         center_y(p.c[1] - 256 * tile.y), radius2(p.c[2]) {
+    edge_steps<Edges>(p, steps);
     for (int s = 0; s < (per_sample ? kSamples : 1); ++s) {
-      int64_t c[4];
-      for (int i = 0; i < 4; ++i)
+      int64_t c[Edges];
+      for (int i = 0; i < Edges; ++i)
         c[i] = round        ? 0
                : per_sample ? (p.c[i] - int64_t(p.a[i]) * kSampleX[s] + int64_t(p.b[i]) * kSampleY[s]) >> 8
                             : p.c[i];
-      seen[s] = clip_to_tile<4>(draw, p, c, tile.x, tile.y, edges[s]);
+      seen[s] = clip_to_tile<Edges>(draw, p, c, tile.x, tile.y, edges[s]);
       if (!seen[s]) continue;
-      if (!edges[s].inside) edge_steps<4>(edges[s], steps[s]);
       if (any)
-        for (int i = 0; i < 4; ++i) widest.c[i] = widest.c[i] > edges[s].c[i] ? widest.c[i] : edges[s].c[i];
+        for (int i = 0; i < Edges; ++i)
+          widest.c[i] = widest.c[i] > edges[s].c[i] ? widest.c[i] : edges[s].c[i];
       else
         widest = edges[s];
       any = true;
@@ -99,8 +100,8 @@ struct SampleCoverage {
   }
   /// Most blocks around a line.
   SOFTGL_MEMBER bool misses_block(int x, int y) const {
-    int32_t e[4];
-    return !any || place_block<4>(widest, x, y, e) == BlockPlace::Outside;
+    int32_t e[Edges];
+    return !any || place_block<Edges>(widest, x, y, e) == BlockPlace::Outside;
   }
   /// Of the block at (x, y) of the tile.
   SOFTGL_MEMBER void of_block(int x, int y, uint64_t covered[kSamples]) const {
@@ -110,7 +111,8 @@ struct SampleCoverage {
       else if (!seen[s])
         covered[s] = 0;
       else
-        covered[s] = edges[s].inside ? box_mask(edges[s], x, y) : block_coverage<4>(edges[s], steps[s], x, y);
+        covered[s] =
+            edges[s].inside ? box_mask(edges[s], x, y) : block_coverage<Edges>(edges[s], steps, x, y);
       if (round) covered[s] &= in_circle(x, y, s);
     }
   }
@@ -127,10 +129,10 @@ struct SampleCoverage {
 
 } // namespace
 
-template <bool Depth> static void multisampled_primitive(const RasterDraw& draw, const TileTarget& tile,
-                                                         const RasterPrimitive& p, FragmentBlock& block,
-                                                         SampleBatch& batch) {
-  const SampleCoverage coverage(draw, p, tile);
+template <bool Depth, int Edges>
+static void multisampled_primitive(const RasterDraw& draw, const TileTarget& tile, const RasterPrimitive& p,
+                                   FragmentBlock& block, SampleBatch& batch) {
+  const SampleCoverage<Edges> coverage(draw, p, tile);
   const RasterConstants& r = *draw.raster;
   const uint64_t* stipple = p.edges == 3 ? r.stipple : nullptr; // triangles only: not lines and points
   const float scale = depth_scale(draw.program->key);
@@ -167,12 +169,14 @@ template <bool Depth> static void multisampled_primitive(const RasterDraw& draw,
               const FloatV z = at(p.plane[kPlaneZ], px + dx, py + dy) + p.depth_offset;
               return floats ? depth_float(z) : depth_bits(z, scale);
             };
-            const float center = r.per_sample ? 0.5f : 0.0f;
-            const IntV z_center = depth(center, center);
-            store(block.depth + at_lane, z_center); // for stages that change it
+            IntV z{};
+            if (!r.per_sample || draw.program->writes_depth) { // for stages that change it
+              const float center = r.per_sample ? 0.5f : 0.0f;
+              z = depth(center, center);
+              store(block.depth + at_lane, z);
+            }
             for (int s = 0; s < kSamples; ++s) {
-              const IntV z =
-                  r.per_sample ? depth(float(kSampleX[s]) / 256, float(kSampleY[s]) / 256) : z_center;
+              if (r.per_sample) z = depth(float(kSampleX[s]) / 256, float(kSampleY[s]) / 256);
               store(batch.depth[s] + at_lane, z);
               if (!draw.early_depth) continue;
               const IntV stored = load(tile.depth_stencil + s * kTilePixels + pixel + i * kWidth) & 0xffffff;
@@ -198,7 +202,10 @@ template <bool Depth> static void multisampled_primitives(const TileTarget& tile
   SampleBatch batch;
   for (int32_t i = 0; i < count; ++i) {
     prefetch(primitive, i, count);
-    multisampled_primitive<Depth>(draw, tile, *primitive[i], block, batch);
+    if (primitive[i]->edges == 3)
+      multisampled_primitive<Depth, 3>(draw, tile, *primitive[i], block, batch);
+    else
+      multisampled_primitive<Depth, 4>(draw, tile, *primitive[i], block, batch);
   }
   run_samples(draw, tile, block, batch);
 }

@@ -136,16 +136,16 @@ SOFTGL_INLINE uint64_t quads_of(uint64_t live) {
   return (live | live >> 1) & 0x0055005500550055u;
 }
 
-template <bool Depth> static void packed_primitive(const RasterDraw& draw, const TileTarget& tile,
-                                                   const RasterPrimitive& p, FragmentBlock& block,
-                                                   PackedBatch& batch) {
+template <bool Depth, int Edges> static void packed_primitive(const RasterDraw& draw, const TileTarget& tile,
+                                                              const RasterPrimitive& p, FragmentBlock& block,
+                                                              PackedBatch& batch) {
   TileEdges edges;
-  if (!clip_to_tile<4>(draw, p, tile.x, tile.y, edges)) return;
-  EdgeSteps<4> steps;
-  if (!edges.inside) edge_steps<4>(edges, steps);
+  if (!clip_to_tile<Edges>(draw, p, tile.x, tile.y, edges)) return;
+  EdgeSteps<Edges> steps;
+  edge_steps<Edges>(p, steps);
   for (int by = edges.y0 & ~7; by < edges.y1; by += 8)
     for (int bx = edges.x0 & ~7; bx < edges.x1; bx += 8) {
-      uint64_t live = edges.inside ? box_mask(edges, bx, by) : block_coverage<4>(edges, steps, bx, by);
+      uint64_t live = edges.inside ? box_mask(edges, bx, by) : block_coverage<Edges>(edges, steps, bx, by);
       if (!live) continue;
       alignas(64) uint32_t depth[64];
       if constexpr (Depth) live = test_block(draw, tile, p, bx, by, live, depth);

@@ -108,18 +108,18 @@ alignas(64) static constexpr int32_t kStripRow[kStripLanes] = {0, 0, 0, 0, 0, 0,
                                                                1, 1, 1, 1, 1, 1, 1, 1};
 
 /// A primitive whose fragments go through the stages of its program, by strips.
-template <bool Depth> static void strips_primitive(const RasterDraw& draw, const TileTarget& tile,
-                                                   const RasterPrimitive& p, FragmentBlock& block,
-                                                   StripBatch& batch) {
+template <bool Depth, int Edges> static void strips_primitive(const RasterDraw& draw, const TileTarget& tile,
+                                                              const RasterPrimitive& p, FragmentBlock& block,
+                                                              StripBatch& batch) {
   TileEdges edges;
-  if (!clip_to_tile<4>(draw, p, tile.x, tile.y, edges)) return;
+  if (!clip_to_tile<Edges>(draw, p, tile.x, tile.y, edges)) return;
   const uint64_t* stipple =
-      p.edges == 3 ? draw.raster->stipple : nullptr; // triangles only: not lines and points
-  EdgeSteps<4> steps;
-  if (!edges.inside) edge_steps<4>(edges, steps);
+      Edges == 3 ? draw.raster->stipple : nullptr; // triangles only: not lines and points
+  EdgeSteps<Edges> steps;
+  edge_steps<Edges>(p, steps);
   for (int by = edges.y0 & ~7; by < edges.y1; by += 8) {
     for (int bx = edges.x0 & ~7; bx < edges.x1; bx += 8) {
-      uint64_t live = edges.inside ? box_mask(edges, bx, by) : block_coverage<4>(edges, steps, bx, by);
+      uint64_t live = edges.inside ? box_mask(edges, bx, by) : block_coverage<Edges>(edges, steps, bx, by);
       if (stipple) live &= stipple[(by >> 1 & 12) | (bx >> 3 & 3)]; // tiles begin at multiples of 32
       if (!live) continue;
       alignas(64) uint32_t depth[64];
@@ -161,11 +161,17 @@ template <bool Depth> static void staged_primitives(const TileTarget& tile, cons
     const int32_t width = p.x1 - p.x0, height = p.y1 - p.y0;
     if (width > box || height > box || (p.edges == 0 && width * height >= kStripsPixels)) {
       run_packed(draw, tile, block, packed);
-      strips_primitive<Depth>(draw, tile, p, block, strips);
+      if (p.edges == 3)
+        strips_primitive<Depth, 3>(draw, tile, p, block, strips);
+      else
+        strips_primitive<Depth, 4>(draw, tile, p, block, strips);
       continue;
     }
     run_strips(draw, tile, block, strips);
-    packed_primitive<Depth>(draw, tile, p, block, packed);
+    if (p.edges == 3)
+      packed_primitive<Depth, 3>(draw, tile, p, block, packed);
+    else
+      packed_primitive<Depth, 4>(draw, tile, p, block, packed);
   }
   run_strips(draw, tile, block, strips);
   run_packed(draw, tile, block, packed);

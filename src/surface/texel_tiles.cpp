@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <type_traits>
 
 #include "surface/plane_texels.h"
 #include "texture/texture_object.h"
@@ -9,15 +10,22 @@
 namespace softgl {
 namespace {
 
-constexpr int kRun = 8; // pixels of a block's row
+using WholeRun = std::integral_constant<int, 8>; // pixels of a block's row
+constexpr int kRun = WholeRun::value;
 
-/// Calls visit(x, y, first of up to 8 neighbors in the tile, how many) for all pixels of the tile.
+/// Calls visit(x, y, first of up to 8 neighbors in the tile, how many) for all pixels of the tile. Of a whole
+/// run the compiler knows the length: depths are stored twice as fast.
 template <class Visit> void for_each_run(const RenderPlane& p, uint32_t tile, Visit&& visit) {
   const int x0 = int(tile) % p.tiles_x * kTileSize, y0 = int(tile) / p.tiles_x * kTileSize;
   const int columns = std::min(kTileSize, p.width - x0), rows = std::min(kTileSize, p.height - y0);
   for (int y = 0; y < rows; ++y)
-    for (int x = 0; x < columns; x += kRun)
-      visit(x0 + x, y0 + y, size_t(pixel_in_tile(x, y)), std::min(kRun, columns - x));
+    for (int x = 0; x < columns; x += kRun) {
+      const auto at = size_t(pixel_in_tile(x, y));
+      if (columns - x >= kRun)
+        visit(x0 + x, y0 + y, at, WholeRun{});
+      else
+        visit(x0 + x, y0 + y, at, columns - x);
+    }
 }
 
 /// Depths of 32 bits are drawn to with 24.
@@ -35,7 +43,7 @@ void load_tile(RenderPlane& p, const TextureImage& image, int z, uint32_t tile) 
   const size_t texel_bytes = size_t(image.format->bytes());
   const uint32_t waiting = words.waits ? words.word & 0xff000000u : 0;
   const bool floats = p.format.has_floats();
-  for_each_run(p, tile, [&](int x, int y, size_t at, int count) {
+  for_each_run(p, tile, [&](int x, int y, size_t at, auto count) {
     const unsigned char* texels = image.at(x, y, z);
     if (p.format.is_color()) {
       texels_to_pixels(*image.format, p.format.color, texels, count, pixels + at * size_t(p.pixel_bytes()));
@@ -73,7 +81,7 @@ void store_tile(RenderPlane& p, TextureImage& image, int z, uint32_t tile) {
   const size_t texel_bytes = size_t(image.format->bytes());
   const bool depth_alone = !p.format.has_floats() && image.stencils.empty();
   const int depth_bits = image.format->bits[0];
-  for_each_run(p, tile, [&](int x, int y, size_t at, int count) {
+  for_each_run(p, tile, [&](int x, int y, size_t at, auto count) {
     unsigned char* texels = image.at(x, y, z);
     const unsigned char* from =
         words.waits ? reinterpret_cast<const unsigned char*>(same) : pixels + at * size_t(p.pixel_bytes());

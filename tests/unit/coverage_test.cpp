@@ -39,7 +39,7 @@ TEST_CASE("blocks inside a triangle are known to be whole, unless that is off", 
     if (!any) continue;
     CHECK_FALSE(tested.inside);
     EdgeSteps<3> steps;
-    edge_steps<3>(edges, steps);
+    edge_steps<3>(p, steps);
     for (int y = 0; y < kTileSize; y += 8)
       for (int dx = 0; dx < kTileSize; dx += 8) {
         CHECK(place_block<3>(tested, dx, y, e) != BlockPlace::Inside);
