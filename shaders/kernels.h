@@ -56,7 +56,7 @@ struct RasterKernels {
   FragmentStage color_sum, color_sum_clamped, fog_linear, fog_exp, fog_exp2;
   FragmentStage clamp_color, clamp_depth;
   FragmentStage alpha_test_8, alpha_test_float; // `unit` is the comparison
-  FragmentStage image[4];                       // by PixelElement; in front of all others
+  FragmentStage image[5];                       // by PixelElement; in front of all others
   FragmentStage point_coverage, line_coverage, polygon_coverage;
 };
 

@@ -59,5 +59,12 @@ static void stage_image_bit(FragmentBlock& block, const FragmentConstants& const
   for (int i = 0; i < block.lanes; ++i) block.live[i] &= element[number[i]] ? ~uint32_t(0) : 0;
 }
 
+static void stage_image_stencil(FragmentBlock& block, const FragmentConstants& constants, int) {
+  const auto* element = static_cast<const uint8_t*>(constants.image->element);
+  alignas(64) int32_t number[kLanes];
+  find_elements(block, *constants.image, number);
+  for (int i = 0; i < block.lanes; ++i) block.depth[i] = element[number[i]];
+}
+
 } // namespace SOFTGL_ISA
 } // namespace softgl

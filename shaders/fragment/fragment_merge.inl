@@ -74,6 +74,7 @@ struct Merger {
   /// Stencil and depth test with their writes to `place`; gives the lanes that live on.
   SOFTGL_MEMBER IntV depth_stencil(IntV live, IntV z, uint32_t* place) const {
     if (!tests) return live;
+    if (program.writes_stencil) return store_stencils(live, z, place);
     if (floats) return float_depth_stencil(live, z, place);
     const Compare depth_function = Compare(key.depth_function);
     IntV words = load(place);
@@ -88,6 +89,15 @@ struct Merger {
     }
     if (key.depth_write) words = choose(live & 0xffffff, z, words);
     store(place, words);
+    return live;
+  }
+
+  SOFTGL_MEMBER IntV store_stencils(IntV live, IntV stencil, uint32_t* place) const {
+    const int32_t mask = program.constants->stencil_write_mask;
+    if (floats)
+      store(place + kTilePixels, choose(live & mask, stencil, load(place + kTilePixels)));
+    else
+      store(place, choose(live & (mask << 24), stencil << 24, load(place)));
     return live;
   }
 

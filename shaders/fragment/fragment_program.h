@@ -26,9 +26,10 @@ struct FragmentProgram {
   uint8_t lod_units; // units whose stages read differences of coordinates across a 2x2 quad, to find a level
                      // or a filter
   bool writes_depth; // a stage sets the depth, which cannot be tested before
-  bool bounds_depth; // fragments where the stored depth is out of bounds die (GL_EXT_depth_bounds_test)
-  bool reads_quads;  // a stage looks at the other pixels of its 2x2 quad: blocks must have whole ones
-  Coverage coverage; // of antialiased primitives; else None
+  bool writes_stencil; // instead of a depth a fragment has a stencil value, which is stored without any test
+  bool bounds_depth;   // fragments where the stored depth is out of bounds die (GL_EXT_depth_bounds_test)
+  bool reads_quads;    // a stage looks at the other pixels of its 2x2 quad: blocks must have whole ones
+  Coverage coverage;   // of antialiased primitives; else None
 
   void add(FragmentStage stage, int32_t unit = 0) { step[step_count++] = {stage, unit}; }
 };

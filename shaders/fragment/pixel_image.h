@@ -13,7 +13,8 @@ enum class PixelElement : uint8_t {
   Floats, // PixelFloats
   Bytes,  // r g b a, a word
   Depth,  // in the depth buffer's integers
-  Bit     // a byte: 0 kills the fragment
+  Bit,    // a byte: 0 kills the fragment
+  Stencil // a byte
 };
 
 struct PixelImage {

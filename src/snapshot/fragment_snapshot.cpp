@@ -259,14 +259,12 @@ FragmentProgram& make_image_program(Context& context, Arena& arena, const PixelI
 } // namespace
 
 const FragmentProgram* make_stencil_program(Context& context, Arena& arena, const PixelImage& image,
-                                            uint8_t value, uint32_t write_mask) {
+                                            uint32_t write_mask) {
   auto& k = *arena.make<FragmentConstants>();
   FragmentProgram& program = make_image_program(context, arena, image, k);
-  FragmentKey& key = program.key;
-  key.stencil = 1;
-  key.stencil_fail = key.stencil_depth_fail = key.stencil_pass = uint64_t(StencilOperation::Replace);
-  k.stencil_reference = value;
-  k.stencil_value_mask = 0xff;
+  program.writes_depth = program.writes_stencil = true;
+  program.key.stencil = 1;
+  program.key.stencil_pass = uint64_t(StencilOperation::Replace);
   k.stencil_write_mask = static_cast<uint8_t>(write_mask);
   return &program;
 }

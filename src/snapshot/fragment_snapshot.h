@@ -27,10 +27,9 @@ const FragmentProgram* make_back_program(const Context& context, const FragmentP
 /// antialiased.
 const SmoothPrograms* make_smooth_programs(const Context& context, const FragmentProgram& program,
                                            Arena& arena);
-/// Sets the stencil values of an image's bits to `value`, under the mask, whatever the tests are
-/// (GL 1.5, 3.6.4, 4.3.3).
+/// Stores an image's stencil values under the mask, whatever the tests are (GL 1.5, 3.6.4, 4.3.3).
 const FragmentProgram* make_stencil_program(Context& context, Arena& arena, const PixelImage& image,
-                                            uint8_t value, uint32_t write_mask);
+                                            uint32_t write_mask);
 /// Stores an image's colors, or depths, whatever the tests and masks are.
 const FragmentProgram* make_copy_program(Context& context, Arena& arena, const PixelImage& image);
 

@@ -91,10 +91,10 @@ void submit_pixels(Context& c, const PixelImage& image, const WindowBox& box) {
                    make_raster_constants(c, c.frame.arena()), box, active_counter(c));
 }
 
-void submit_stencil(Context& c, const PixelImage& image, uint8_t value, const WindowBox& box,
-                    uint32_t write_mask, unsigned samples) {
+void submit_stencils(Context& c, const PixelImage& image, const WindowBox& box, uint32_t write_mask,
+                     unsigned samples) {
   // These are no fragments (4.3.1), so no query counts them.
-  append_rectangle(c, make_stencil_program(c, c.frame.arena(), image, value, write_mask),
+  append_rectangle(c, make_stencil_program(c, c.frame.arena(), image, write_mask),
                    make_constants_of_copy(c, samples), box, nullptr);
 }
 

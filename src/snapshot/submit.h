@@ -20,9 +20,9 @@ bool first_provokes(const Context& context);
 /// gives them. The image lies in the frame's arena. May flush the frame as submit() does.
 void submit_pixels(Context& context, const PixelImage& image, const WindowBox& box);
 constexpr unsigned kAllSamples = (1u << kSamples) - 1;
-/// Sets stencil values: those of the bits that are set, under the mask. `samples`: bit s is set for sample s.
-void submit_stencil(Context& context, const PixelImage& image, uint8_t value, const WindowBox& box,
-                    uint32_t write_mask, unsigned samples = kAllSamples);
+/// Stores stencil values under the mask. `samples`: bit s is set for sample s.
+void submit_stencils(Context& context, const PixelImage& image, const WindowBox& box, uint32_t write_mask,
+                     unsigned samples = kAllSamples);
 /// Stores colors, or depths, whatever the tests and masks are but for the scissor test.
 void submit_copy(Context& context, const PixelImage& image, const WindowBox& box,
                  unsigned samples = kAllSamples);

@@ -192,9 +192,13 @@ void depths_to_floats(DepthFormat format, const uint32_t* word, int count, float
   }
 }
 
-uint32_t float_to_depth(DepthFormat format, float depth) {
-  if (format == DepthFormat::Z32F) return std::bit_cast<uint32_t>(depth);
-  return uint32_t(std::lrint(depth * float(largest_depth(format))));
+void floats_to_depths(DepthFormat format, const float* depth, size_t count, uint32_t* word) {
+  if (format == DepthFormat::Z32F) {
+    std::memcpy(word, depth, count * sizeof *word);
+    return;
+  }
+  const auto largest = float(largest_depth(format));
+  for (size_t i = 0; i < count; ++i) word[i] = uint32_t(int32_t(std::lrintf(depth[i] * largest)));
 }
 
 void spread_colors(const TexelFormat* texels, uint8_t (*rgba)[4], size_t count) {

@@ -29,8 +29,8 @@ void color_row_to_linear_floats(const Surface& surface, const void* row, int cou
 float depth_to_float(DepthFormat format, uint32_t word);
 /// Of the words of a row.
 void depths_to_floats(DepthFormat format, const uint32_t* word, int count, float* depth);
-/// The word of a depth of [0, 1]: the nearest integer, or the float itself.
-uint32_t float_to_depth(DepthFormat format, float depth);
+/// The words of depths of [0, 1]: the nearest integers, or the floats themselves.
+void floats_to_depths(DepthFormat format, const float* depth, size_t count, uint32_t* word);
 
 /// Colors that were read as a texture with the same texels gives them: luminance and intensity in all
 /// components that they stand for. `texels`: RenderTarget::texels; null changes nothing.

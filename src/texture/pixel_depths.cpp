@@ -147,6 +147,20 @@ DepthStencilPixel unpack_depth_stencil(const PixelFormat& f, const void* pixel, 
   return v;
 }
 
+void unpack_depths_and_stencils(const PixelFormat& f, const void* row, int count, bool swap, float* depth,
+                                uint8_t* stencil) {
+  auto p = static_cast<const unsigned char*>(row);
+  if (f.channel != PixelChannel::Float) {
+    read_row<uint32_t>(p, count, swap, depth, [](uint32_t v) { return unorm_to_float(v >> 8, 24); });
+    read_row<uint32_t>(p, count, swap, stencil, [](uint32_t v) { return uint8_t(v); });
+    return;
+  }
+  for (int i = 0; i < count; ++i) {
+    const DepthStencilPixel v = unpack_depth_stencil(f, p + 8 * i, swap);
+    depth[i] = v.depth, stencil[i] = uint8_t(v.stencil);
+  }
+}
+
 void pack_depth_stencil(const PixelFormat& f, const DepthStencilPixel& v, bool swap, void* pixel) {
   auto p = static_cast<unsigned char*>(pixel);
   const uint32_t stencil = v.stencil & 255;

@@ -93,6 +93,9 @@ struct DepthStencilPixel {
   uint32_t stencil = 0;
 };
 DepthStencilPixel unpack_depth_stencil(const PixelFormat& format, const void* pixel, bool swap_bytes);
+/// A row of them: the depths as floats.
+void unpack_depths_and_stencils(const PixelFormat& format, const void* row, int count, bool swap_bytes,
+                                float* depth, uint8_t* stencil);
 /// As OSMesa 22.3.6 does, cuts a float that becomes an integer.
 void pack_depth_stencil(const PixelFormat& format, const DepthStencilPixel& value, bool swap_bytes,
                         void* pixel);

@@ -57,14 +57,15 @@ void PixelTransfer::clamped_color(float (*rgba)[4], int count) const {
 bool PixelTransfer::changes_depth() const { return mode.depth_scale != 1.0f || mode.depth_bias != 0.0f; }
 
 float PixelTransfer::depth(float value) const {
-  const float bias = SOFTGL_FAULT(depth_bias_ignored) ? 0.0f : mode.depth_bias;
-  return unit_range(changes_depth() ? value * mode.depth_scale + bias : value);
+  depths(&value, 1);
+  return value;
 }
 
-void PixelTransfer::depths(float* value, int count) const {
+void PixelTransfer::depths(float* value, size_t count) const {
+  const float bias = SOFTGL_FAULT(depth_bias_ignored) ? 0.0f : mode.depth_bias;
   if (changes_depth())
-    for (int i = 0; i < count; ++i) value[i] = value[i] * mode.depth_scale + mode.depth_bias;
-  for (int i = 0; i < count; ++i) value[i] = unit_range(value[i]);
+    for (size_t i = 0; i < count; ++i) value[i] = value[i] * mode.depth_scale + bias;
+  for (size_t i = 0; i < count; ++i) value[i] = unit_range(value[i]);
 }
 
 uint32_t PixelTransfer::index(uint32_t v) const {

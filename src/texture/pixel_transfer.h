@@ -2,6 +2,7 @@
 // memory.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "base/gl_types.h"
@@ -27,7 +28,7 @@ struct PixelTransfer {
   bool changes_depth() const;
   /// Scale, bias, clamp to [0,1]; also where nothing changes.
   float depth(float value) const;
-  void depths(float* value, int count) const;
+  void depths(float* value, size_t count) const;
 
   /// Shift and offset.
   uint32_t index(uint32_t value) const;

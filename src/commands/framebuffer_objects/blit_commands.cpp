@@ -216,15 +216,10 @@ void blit_depths(Context& c, const Blit& blit, const BlitSamples& samples) {
 
 void blit_stencils(Context& c, const Blit& blit, const BlitSamples& samples) {
   const uint32_t* words = read_words(c, blit, samples.from, copy_stencil_row);
-  bool used[256] = {};
-  for (size_t i = 0; i < blit.source_pixels(); ++i) used[words[i]] = true;
-  for (uint32_t v = 0; v < 256; ++v) {
-    if (!used[v]) continue;
-    auto* bit = c.frame.arena().allocate_array<uint8_t>(blit.source_pixels());
-    for (size_t i = 0; i < blit.source_pixels(); ++i) bit[i] = words[i] == v;
-    submit_stencil(c, blit.image(PixelElement::Bit, bit, c.frame.arena()), uint8_t(v), blit.box(), 0xff,
-                   samples.to);
-  }
+  auto* stencil = c.frame.arena().allocate_array<uint8_t>(blit.source_pixels());
+  std::transform(words, words + blit.source_pixels(), stencil, [](uint32_t v) { return uint8_t(v); });
+  submit_stencils(c, blit.image(PixelElement::Stencil, stencil, c.frame.arena()), blit.box(), 0xff,
+                  samples.to);
 }
 
 } // namespace

@@ -138,11 +138,11 @@ std::optional<ClientImage> client_image(Context& c, const void* pixels, int widt
   return image;
 }
 
-/// Depths after the pixel transfer, as the surface stores them.
-void store_depths(const Surface& surface, const PixelTransfer& transfer, const float* depth, size_t count,
+/// Depths, which become those after the pixel transfer, as the surface stores them.
+void store_depths(const Surface& surface, const PixelTransfer& transfer, float* depth, size_t count,
                   uint32_t* stored) {
-  for (size_t i = 0; i < count; ++i)
-    stored[i] = float_to_depth(surface.depth_format, transfer.depth(depth[i]));
+  transfer.depths(depth, count);
+  floats_to_depths(surface.depth_format, depth, count, stored);
 }
 
 /// Calls fill(row, elements of the row) for the rows in view of an image of T and returns the image.
@@ -161,34 +161,10 @@ void submit_image(Context& c, const Placement& p, PixelElement kind, const void*
   submit_pixels(c, p.image(kind, element, c.frame.arena()), p.box());
 }
 
-/// The elements for which test(value) holds are 1.
-template <class Test> const uint8_t* bits_where(Context& c, const std::vector<uint8_t>& value, Test test) {
-  auto* bit = c.frame.arena().allocate_array<uint8_t>(value.size());
-  for (size_t i = 0; i < value.size(); ++i) bit[i] = test(value[i]);
-  return bit;
-}
-
-/// One rectangle for every value that there is; or, where that is more, one of zeros and one for each bit: so
-/// stencil values need nothing of their own behind here.
-void submit_stencils(Context& c, const Placement& p, const std::vector<uint8_t>& value) {
-  const uint32_t mask = c.state.stencil.front.write_mask & 0xff;
-  if (mask == 0) return;
-  const auto submit = [&](const uint8_t* bit, int stencil, uint32_t write_mask) {
-    submit_stencil(c, p.image(PixelElement::Bit, bit, c.frame.arena()), uint8_t(stencil), p.box(),
-                   write_mask);
-  };
-  bool used[256] = {};
-  for (uint8_t v : value) used[v] = true;
-  constexpr int kBits = 8;
-  if (std::count(used, used + 256, true) <= 1 + kBits) {
-    for (int v = 0; v < 256; ++v)
-      if (used[v]) submit(bits_where(c, value, [=](uint8_t each) { return each == v; }), v, mask);
-    return;
-  }
-  submit(bits_where(c, value, [](uint8_t) { return true; }), 0, mask);
-  for (int b = 0; b < kBits; ++b)
-    if (mask >> b & 1)
-      submit(bits_where(c, value, [=](uint8_t each) { return (each >> b & 1) != 0; }), 0xff, 1U << b);
+/// Stencil values after the pixel transfer; `value` lies in the frame's arena.
+void submit_stencils(Context& c, const Placement& p, const uint8_t* value) {
+  if (const uint32_t mask = c.state.stencil.front.write_mask & 0xff)
+    softgl::submit_stencils(c, p.image(PixelElement::Stencil, value, c.frame.arena()), p.box(), mask);
 }
 
 void draw_colors(Context& c, const Placement& p, const ClientImage& image) {
@@ -229,18 +205,15 @@ void draw_depths(Context& c, const Placement& p, const ClientImage& image) {
 void draw_stencils(Context& c, const Placement& p, const ClientImage& image) {
   const PixelTransfer transfer = pixel_transfer(c);
   const StencilTransfer stencil(transfer);
-  const size_t count = size_t(p.width_in_view());
-  std::vector<uint8_t> value(p.elements());
-  std::vector<uint32_t> index(count);
-  for (int r = 0; r < p.height_in_view(); ++r) {
-    image.indexes(p.columns.first, p.rows.first + r, p.width_in_view(), index.data());
-    for (size_t i = 0; i < count; ++i) value[size_t(r) * count + i] = stencil(index[i]);
-  }
-  submit_stencils(c, p, value);
+  std::vector<uint32_t> index(size_t(p.width_in_view()));
+  submit_stencils(c, p, fill_rows<uint8_t>(c, p, [&](int row, uint8_t* element) {
+                    image.indexes(p.columns.first, row, p.width_in_view(), index.data());
+                    std::transform(index.begin(), index.end(), element, stencil);
+                  }));
 }
 
 /// GL_DEPTH_STENCIL: both go to their buffers whatever the tests are, under the masks (4.3.1).
-void submit_depths_and_stencils(Context& c, const Placement& p, const std::vector<float>& depth,
+void submit_depths_and_stencils(Context& c, const Placement& p, std::vector<float> depth,
                                 const std::vector<uint8_t>& stencil) {
   const PixelTransfer transfer = pixel_transfer(c);
   if (c.state.depth.mask) {
@@ -248,8 +221,8 @@ void submit_depths_and_stencils(Context& c, const Placement& p, const std::vecto
     store_depths(c.draw->surface, transfer, depth.data(), depth.size(), element);
     submit_copy(c, p.image(PixelElement::Depth, element, c.frame.arena()), p.box());
   }
-  std::vector<uint8_t> value(stencil.size());
-  std::transform(stencil.begin(), stencil.end(), value.begin(), StencilTransfer(transfer));
+  auto* value = c.frame.arena().allocate_array<uint8_t>(stencil.size());
+  std::transform(stencil.begin(), stencil.end(), value, StencilTransfer(transfer));
   submit_stencils(c, p, value);
 }
 
@@ -258,13 +231,10 @@ void draw_depths_and_stencils(Context& c, const Placement& p, const ClientImage&
   std::vector<uint8_t> stencil(p.elements());
   const size_t count = size_t(p.width_in_view());
   for (int r = 0; r < p.height_in_view(); ++r)
-    for (size_t i = 0; i < count; ++i) {
-      const DepthStencilPixel v = unpack_depth_stencil(
-          image.format, image.at(p.columns.first + int(i), p.rows.first + r), image.swap);
-      depth[size_t(r) * count + i] = v.depth;
-      stencil[size_t(r) * count + i] = uint8_t(v.stencil);
-    }
-  submit_depths_and_stencils(c, p, depth, stencil);
+    unpack_depths_and_stencils(image.format, image.at(p.columns.first, p.rows.first + r), p.width_in_view(),
+                               image.swap, depth.data() + size_t(r) * count,
+                               stencil.data() + size_t(r) * count);
+  submit_depths_and_stencils(c, p, std::move(depth), stencil);
 }
 
 bool becomes_color(GLenum type) {
@@ -300,12 +270,12 @@ void copy_pixels(Context& c, const Placement& p, GLint x, GLint y, GLenum type) 
     read_stencil(c.read->surface, left, bottom, count, p.height_in_view(), stencil.data());
     if (becomes_color(type))
       return submit_depths_as_colors(c, p, depth, stencil, type == GL_DEPTH_STENCIL_TO_BGRA_NV);
-    return submit_depths_and_stencils(c, p, depth, stencil);
+    return submit_depths_and_stencils(c, p, std::move(depth), stencil);
   }
   if (type == GL_STENCIL) {
-    std::vector<uint8_t> value(p.elements());
-    read_stencil(c.read->surface, left, bottom, count, p.height_in_view(), value.data());
-    std::transform(value.begin(), value.end(), value.begin(), StencilTransfer(transfer));
+    auto* value = c.frame.arena().allocate_array<uint8_t>(p.elements());
+    read_stencil(c.read->surface, left, bottom, count, p.height_in_view(), value);
+    std::transform(value, value + p.elements(), value, StencilTransfer(transfer));
     return submit_stencils(c, p, value);
   }
   if (type == GL_DEPTH) {
