@@ -14,7 +14,6 @@
 
 #include "command/camera_file.h"
 #include "command/model_loader.h"
-#include "command/options.h"
 #include "common/compressed_text.h"
 #include "common/program_error.h"
 #include "image/picture_decoder.h"
@@ -23,6 +22,7 @@
 #include "mesh/mesh_builder.h"
 #include "mesh/model_frame.h"
 #include "mesh/normal_generator.h"
+#include "options/command_line.h"
 
 using namespace softgl::cli;
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "clients/client_runs.h" // has_program()
-#include "command/options.h"
+#include "options/command_line.h"
 
 namespace softgl::test {
 

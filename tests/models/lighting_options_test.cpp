@@ -1,7 +1,7 @@
 // What the program is told about light and reflectances.
 #include <catch2/catch.hpp>
 
-#include "command/option_values.h"
+#include "options/option_values.h"
 
 #include "models/program_runner.h"
 

@@ -1,7 +1,7 @@
 // `softgl batch`: many jobs, each in one of several processes.
 #pragma once
 
-#include "command/options.h"
+#include "options/command_line.h"
 
 namespace softgl::cli {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "command/options.h"
 #include "jobs/job_report.h"
+#include "options/command_line.h"
 
 namespace softgl::cli {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "command/options.h"
 #include "figure/subject.h"
+#include "options/program_options.h"
 
 namespace softgl::cli {
 

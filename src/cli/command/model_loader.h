@@ -4,6 +4,7 @@
 #include "command/report.h"
 #include "obj/material_library.h"
 #include "obj/obj_reader.h"
+#include "options/run_limits.h"
 
 namespace softgl::cli {
 
@@ -12,13 +13,6 @@ struct LoadedModel {
   MaterialLibrary library;
   ModelReport report;           // without bounds and area
   GrowingArray<uint32_t> edges; // of the faces before they were cut, where asked for: see face_edges()
-};
-
-// For models of unknown origin.
-struct LoadLimits {
-  bool strict_materials = false; // what the material file says, even where exporters mean something else
-  bool any_path = false;         // a model may name files outside of its folder
-  uint64_t triangles = 0;        // 0: any number
 };
 
 // Remarks about the model's own text stay in `remarks`, so that later steps can add theirs; those about

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "command/options.h"
+#include "options/program_options.h"
 
 namespace softgl::cli {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "command/options.h"
+#include "options/program_options.h"
 
 namespace softgl::cli {
 

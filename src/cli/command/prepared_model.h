@@ -2,8 +2,8 @@
 #pragma once
 
 #include "command/model_loader.h"
-#include "command/options.h"
 #include "command/report.h"
+#include "options/program_options.h"
 
 namespace softgl::cli {
 

@@ -10,9 +10,9 @@
 #include <thread>
 
 #include "command/batch.h"
+#include "command/compare.h"
 #include "command/figure.h"
 #include "command/model_loader.h"
-#include "command/options.h"
 #include "command/picture_run.h"
 #include "command/prepared_model.h"
 #include "command/sandbox_paths.h"
@@ -22,6 +22,7 @@
 #include "common/program_error.h"
 #include "common/time_limit.h"
 #include "mesh/face_triangulation.h"
+#include "options/command_line.h"
 
 namespace softgl::cli {
 namespace {

@@ -1,8 +1,8 @@
 // Which files a run needs, for --sandbox.
 #pragma once
 
-#include "command/options.h"
 #include "common/sandbox.h"
+#include "options/program_options.h"
 
 namespace softgl::cli {
 

@@ -5,9 +5,9 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "command/options.h"
 #include "manual/completions.h"
 #include "manual/man_page.h"
+#include "options/command_line.h"
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "command/options.h"
 #include "mpi/part_deal.h"
+#include "options/program_options.h"
 
 namespace softgl::cli {
 

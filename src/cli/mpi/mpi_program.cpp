@@ -21,6 +21,7 @@
 #include "mpi/parts_reader.h"
 #include "mpi/ranks.h"
 #include "mpi/split_reader.h"
+#include "options/command_line.h"
 #include "scene/placed_camera.h"
 
 namespace softgl::cli {

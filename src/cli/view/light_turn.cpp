@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "command/option_values.h"
 #include "common/trigonometry.h"
+#include "options/option_values.h"
 #include "view/number_text.h"
 
 namespace softgl::cli {

@@ -2,8 +2,8 @@
 
 #include <sstream>
 
-#include "command/option_values.h"
 #include "common/program_error.h"
+#include "options/option_values.h"
 
 namespace softgl::cli {
 namespace {

@@ -1,7 +1,7 @@
 // The window's state and the command line say the same.
 #pragma once
 
-#include "command/options.h"
+#include "options/command_line.h"
 #include "view/view_state.h"
 
 namespace softgl::cli {

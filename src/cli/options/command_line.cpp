@@ -1,24 +1,25 @@
-#include "command/options.h"
+#include "options/command_line.h"
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "command/batch_options.h"
-#include "command/compare_options.h"
-#include "command/figure_options.h"
-#include "command/help_page.h"
-#include "command/look_options.h"
-#include "command/many_options.h"
-#include "command/option_kinds.h"
-#include "command/option_values.h"
-#include "command/settings.h"
 #include "common/program_error.h"
 #include "image/float_formats.h"
-#include "scene/lighting_setup.h"
+#include "options/batch_options.h"
+#include "options/compare_options.h"
+#include "options/figure_options.h"
+#include "options/help_page.h"
+#include "options/light_options.h"
+#include "options/limit_options.h"
+#include "options/look_options.h"
+#include "options/many_options.h"
+#include "options/option_kinds.h"
+#include "options/option_values.h"
+#include "options/taken_settings.h"
+#include "options/view_options.h"
 
 #ifndef SOFTGL_VERSION
 #define SOFTGL_VERSION "unknown"
@@ -60,19 +61,19 @@ public:
     start_group(app_, "Picture");
     add_files();
     start_group(app_, "View");
-    add_view();
+    view_.add_to(app_);
     add_camera_place(app_, options_);
     start_group(app_, "Light");
-    add_shading();
-    add_lights();
-    add_reflectances();
+    light_.add_shading(app_, options_);
+    add_lights(app_, options_);
+    add_reflectances(app_, options_);
     start_group(app_, "Look");
     add_colors();
     add_look(app_, options_);
     start_group(app_, "Many pictures");
     add_many(app_, options_);
     start_group(app_, "Models of unknown origin");
-    add_limits(app_);
+    add_limits(app_, options_.limits);
     add_number(app_, "--max-size", "N", "refuse pictures wider or higher", options_.limits.picture_side, 1,
                16384);
     start_group(app_, "Run");
@@ -92,7 +93,7 @@ public:
   ParsedOptions parse(int argc, const char* const* argv) {
     try {
       app_.parse(argc, argv);
-      take_settings();
+      take_settings(app_, config_);
     } catch (const CLI::Success&) { throw; } catch (const CLI::Error& mistake) {
       refuse(one_line(mistake.what()));
     }
@@ -110,12 +111,12 @@ public:
       refuse(complete_batch(options_));
       return {options_, 0, given()};
     }
-    if (*view_) options_.command = ProgramOptions::kView;
+    if (*window_) options_.command = ProgramOptions::kView;
     std::string mistake = *figure_ ? complete_figure() : std::string();
     if (mistake.empty()) mistake = complete_output();
     if (mistake.empty()) mistake = complete_rendering();
     refuse(mistake);
-    complete_view();
+    view_.complete(options_);
     refuse(complete_look(options_));
     return {options_, 0, given()};
   }
@@ -150,84 +151,6 @@ private:
         [this](const std::string& text) { parse_size(text, options_.render.width, options_.render.height); });
   }
 
-  void add_view() {
-    CameraOptions& camera = camera_;
-    camera.up = UpAxis::kAuto;
-    add_parsed(app_, "--view", "LIST",
-               "iso, front, back, left, right, top or bottom; several with commas [iso]",
-               [this](const std::string& text) { views_ = parse_views(text); })
-        ->check(offers(view_names()));
-    add_number(app_, "--az", "DEG", "degrees to the right of the named view, else of the front [35]",
-               azimuth_, -1e6, 1e6);
-    add_number(app_, "--el", "DEG", "degrees above the named view, else above the horizon [25]", elevation_,
-               -1e6, 1e6);
-    add_number(app_, "--roll", "DEG", "degrees the camera is turned clockwise [0]", camera.roll, -1e6, 1e6);
-    add_number(app_, "--zoom", "FACTOR", "magnification after fitting [1]", camera.zoom, 1e-3, 1e3);
-    add_number(app_, "--fov,--camera-view-angle", "DEG", "vertical field of view in degrees [30]",
-               camera.field_of_view, 1, 150);
-    app_.add_flag("--ortho", camera.orthographic, "parallel projection");
-    add_parsed(app_, "--up", "AXIS",
-               "axis that points up: +Y, +Z, -X ..., or auto: by the model's shape [auto]",
-               [this](const std::string& text) { camera_.up = parse_up_axis(text); })
-        ->check(offers({"auto", "+X", "-X", "+Y", "-Y", "+Z", "-Z"}));
-  }
-
-  void add_shading() {
-    add_word(app_, "--shading", "HOW", "flat, gouraud (lit per vertex) or phong (lit per pixel) [gouraud]",
-             shading_, {"flat", "gouraud", "phong"});
-    add_word(app_, "--specular", "VECTOR",
-             "vector of highlights: half (n.h)^ns or reflection (v.r)^ns [half]", specular_,
-             {"half", "reflection"});
-    add_parsed(app_, "--terms", "LIST",
-               "terms of the light that are drawn: ambient,diffuse,specular,emission [all]",
-               [this](const std::string& text) { options_.render.lighting.terms = parse_terms(text); })
-        ->check(offers({"ambient", "diffuse", "specular", "emission", "all"}));
-    app_.add_option_function<double>(
-            "--crease",
-            [this](double angle) {
-              options_.normals.crease_angle = angle;
-              options_.normals.ignore_groups = true;
-            },
-            "smooth generated normals up to this angle, whatever the groups [40]")
-        ->check(range(0, 180))
-        ->type_name("DEG");
-  }
-
-  void add_lights() {
-    app_.add_option_function<std::vector<std::string>>(
-            "--light", checked([this](const std::vector<std::string>& texts) {
-              for (const std::string& text : texts)
-                options_.render.lighting.lights.push_back(parse_light(text));
-            }),
-            "key, headlight, three-point, x,y,z (direction as seen), +Y or model:x,y,z (in the model's "
-            "axes), "
-            "at:x,y,z (place); then /color:COLOR, and for a place /spot:x,y,z/cutoff:DEG/exponent:N/"
-            "attenuation:C,L,Q; may be repeated [key]")
-        ->check(offers({"key", "headlight", "three-point"}))
-        ->allow_extra_args(false)
-        ->type_name("LIGHT");
-    add_parsed(app_, "--ambient-light", "K",
-               "light that comes from everywhere: a number, r,g,b or a color [0.2]",
-               [this](const std::string& text) {
-                 const auto rgb = parse_reflectance(text);
-                 std::copy(rgb.begin(), rgb.end(), options_.render.lighting.ambient);
-               });
-  }
-
-  void add_reflectances() {
-    MaterialOptions& materials = options_.materials;
-    const auto add_reflectance = [this](const char* name, const char* description,
-                                        MaterialOptions::Reflectance& reflectance) {
-      add_parsed(app_, name, "K", description,
-                 [&reflectance](const std::string& text) { reflectance = parse_reflectance(text); });
-    };
-    add_reflectance("--ka", "ambient reflectance of all materials", materials.ambient);
-    add_reflectance("--kd", "diffuse reflectance of all materials", materials.diffuse);
-    add_reflectance("--ks", "specular reflectance of all materials", materials.specular);
-    add_number(app_, "--ns", "N", "specular exponent of all materials, 0 to 128", materials.shininess, 0,
-               128);
-  }
-
   void add_colors() {
     add_parsed(
         app_, "--bg,--bg-color", "COLOR",
@@ -255,30 +178,6 @@ private:
     app.add_flag("-v,--verbose", options_.verbose, verbose);
   }
 
-  // For models of unknown origin.
-  void add_limits(CLI::App& app) {
-    RunLimits& limits = options_.limits;
-    app.add_flag("--strict-mtl", limits.load.strict_materials,
-                 "black stays black under a picture (Kd 0 0 0 with map_Kd)");
-    app.add_flag("--allow-any-path", limits.load.any_path, "the model may name files outside of its folder");
-    add_mebibytes(app, "--max-input", "refuse larger models [standard input: 256]", limits.input_bytes);
-    add_number(app, "--max-triangles", "N", "refuse models of more triangles", limits.load.triangles, 1,
-               1e12);
-    add_mebibytes(app, "--max-memory", "end where more memory is needed", limits.memory_bytes);
-    app.add_flag(
-        "--sandbox", limits.sandbox,
-        "allow the program no other files than the model's folder and the picture's, no network and no "
-        "other programs");
-    add_number(app, "--timeout", "S", "end after so many seconds", limits.seconds, 0.01, 1e6);
-  }
-
-  static void add_mebibytes(CLI::App& app, const char* name, const char* description, uint64_t& bytes) {
-    app.add_option_function<uint64_t>(
-           name, [&bytes](uint64_t mebibytes) { bytes = mebibytes << 20; }, description)
-        ->check(range(1, 1e7))
-        ->type_name("MIB");
-  }
-
   void add_info() {
     info_ = app_.add_subcommand("info", "describe a model instead of drawing it");
     info_
@@ -288,7 +187,7 @@ private:
         ->type_name("MODEL");
     info_->add_flag("--json", options_.json, "as JSON");
     add_run(*info_, "more about what is left out");
-    add_limits(*info_);
+    add_limits(*info_, options_.limits);
     add_number(*info_, "--threads", "N", "threads [as many as the machine has]", options_.threads, 1, 1024);
     add_stats(*info_, "print times to standard error: json", stats_);
     add_footer(*info_,
@@ -310,65 +209,22 @@ private:
       if (!command->get_fallthrough()) add(*command, "Options");
   }
 
-  // The command line comes first, then the environment, then the file.
-  void take_settings() {
-    const std::vector<CLI::App*> active = app_.get_subcommands();
-    CLI::App& command = active.empty() ? app_ : *active.front();
-    const CLI::Option* own = command.get_option_no_throw("--config");
-    const bool named = (own && own->count() > 0) || app_.count("--config") > 0;
-    const char* variable = std::getenv("SOFTGL_OPT_CONFIG");
-    const std::string file = named ? config_ : variable ? variable : default_settings_file();
-    if (file.empty() && !has_environment_settings()) return;
-    const CommandRow program = describe(app_);
-    const std::string word = active.empty() ? "" : command.get_name();
-    const auto take = [&](const std::vector<Setting>& settings) {
-      for (const Setting& setting : settings) {
-        CLI::Option* option = command.get_option_no_throw(setting.option);
-        take_setting(setting, option ? *option : *app_.get_option(setting.option));
-      }
-    };
-    take(environment_settings(program, word));
-    if (!file.empty()) take(file_settings(file, program, word));
-  }
-
-  static void take_setting(const Setting& setting, CLI::Option& option) {
-    if (option.count() > 0) return;
-    try {
-      const bool flag = option.get_expected_min() == 0;
-      const bool many = option.get_expected_max() > 1;
-      for (const std::string& value : setting.values)
-        if (flag && &value == &setting.values.back())
-          option.add_result(option.get_flag_value(option.get_name(), value));
-        else if (!flag && (many || &value == &setting.values.back()))
-          option.add_result(value);
-      option.run_callback();
-    } catch (const CLI::Error& mistake) {
-      std::string sentence = one_line(mistake.what());
-      if (sentence.find(setting.option) == std::string::npos) sentence = setting.option + ": " + sentence;
-      throw ProgramError(kUsageError, setting.where + ": " + sentence);
-    }
-  }
-
-  static std::string one_line(std::string sentence) {
-    std::replace(sentence.begin(), sentence.end(), '\n', ' ');
-    return sentence;
-  }
-
   // The window's program reads the same command line.
   void add_window() {
-    view_ = app_.add_subcommand("view",
-                                "show models in a window and read them again when their files change; takes "
-                                "the options of a picture, --size being that of the window [800x600], and "
-                                "-o the file that key s saves to");
-    view_->add_option("model", options_.models, "OBJ, PLY or STL files and folders of them")
+    window_ = app_.add_subcommand(
+        "view", "show models in a window and read them again when their files change; takes "
+                "the options of a picture, --size being that of the window [800x600], and "
+                "-o the file that key s saves to");
+    window_->add_option("model", options_.models, "OBJ, PLY or STL files and folders of them")
         ->type_name("MODEL");
-    view_->add_option("--script", options_.script, "play events from this file, then end")->type_name("FILE");
+    window_->add_option("--script", options_.script, "play events from this file, then end")
+        ->type_name("FILE");
     add_footer(
-        *view_,
+        *window_,
         {"softgl view lantern.obj", "softgl view parts/ --up +Z --shading phong --edges sharp",
          "softgl view bust.obj --size 1200x900 --light 1,1,1 -o bust.png"},
         "Exit codes: 0 closed, 2 wrong usage, 3 the first model cannot be read, 4 there is no screen.");
-    view_->fallthrough();
+    window_->fallthrough();
   }
 
   std::vector<GivenOption> given() const {
@@ -396,8 +252,8 @@ private:
         !options_.place.output.empty())
       return "a figure has no lines, no ground, no --srgb and no place of the camera";
     if (!app_.count("--size")) render.width = render.height = kFigurePart;
-    if (camera_.up == UpAxis::kAuto && options_.models.empty()) camera_.up = UpAxis::kPlusY;
-    if (views_.size() > 1 || options_.turntable || options_.sheet_columns ||
+    if (view_.camera.up == UpAxis::kAuto && options_.models.empty()) view_.camera.up = UpAxis::kPlusY;
+    if (view_.views.size() > 1 || options_.turntable || options_.sheet_columns ||
         options_.passes != std::vector{Pass::kColor})
       return "a figure is one picture";
     return {};
@@ -409,7 +265,7 @@ private:
                                      : PngEffort::kDefault;
     if (*figure_) return complete_figure_output(options_);
     if (options_.models.empty()) return "no model given";
-    if (options_.output.empty() && *view_) options_.output = "view.png";
+    if (options_.output.empty() && *window_) options_.output = "view.png";
     if (options_.output.empty()) return "no output file given; -o PICTURE.png names one";
     std::string& format = options_.format;
     if (format.empty()) format = image_format_of(options_.output);
@@ -423,16 +279,9 @@ private:
 
   std::string complete_rendering() {
     RenderOptions& render = options_.render;
-    LightingOptions& lighting = render.lighting;
     if (*figure_ && (render.width > 2048 || render.height > 2048))
       return "a figure's parts are at most 2048 pixels wide and high";
-    lighting.shading = shading_ == "flat" && !*figure_ ? Shading::kFlat
-                       : shading_ == "phong"           ? Shading::kPhong
-                                                       : Shading::kGouraud;
-    // The lecture is about Phong's equation.
-    lighting.reflection_vector = specular_ == "reflection" || (*figure_ && !app_.count("--specular"));
-    if (gl_lights_of(lighting) > kMostLights)
-      return "--light: GL has 8 lights, and the key light takes two of them, three-point three";
+    if (std::string mistake = light_.complete(options_, figure_->parsed()); !mistake.empty()) return mistake;
     const int most = options_.limits.picture_side;
     if (most && std::max(render.width, render.height) > most)
       return "--size asks for more pixels a side than --max-size " + std::to_string(most) + " allows";
@@ -443,32 +292,13 @@ private:
     return {};
   }
 
-  // The angles of a named view are where --az and --el count from; without one they count from the front.
-  void complete_view() {
-    camera_.width = options_.render.width;
-    camera_.height = options_.render.height;
-    if (views_.empty()) views_.emplace_back(azimuth_ || elevation_ ? "" : "iso");
-    for (const std::string& name : views_) {
-      CameraOptions camera = camera_;
-      double from_azimuth = 0, from_elevation = 0;
-      if (named_view(name, from_azimuth, from_elevation)) {
-        camera.azimuth = from_azimuth;
-        camera.elevation = from_elevation;
-      }
-      if (azimuth_) camera.azimuth = from_azimuth + *azimuth_;
-      if (elevation_) camera.elevation = from_elevation + *elevation_;
-      options_.views.push_back({name.empty() ? "view" : name, camera});
-    }
-  }
-
   CLI::App app_;
-  CLI::App *info_ = nullptr, *figure_ = nullptr, *compare_ = nullptr, *view_ = nullptr, *batch_ = nullptr;
+  CLI::App *info_ = nullptr, *figure_ = nullptr, *compare_ = nullptr, *window_ = nullptr, *batch_ = nullptr;
   ProgramOptions options_;
   std::string config_;
-  std::string png_ = "default", shading_ = "gouraud", specular_ = "half", stats_;
-  CameraOptions camera_;
-  std::vector<std::string> views_;
-  std::optional<double> azimuth_, elevation_;
+  std::string png_ = "default", stats_;
+  ViewWords view_;
+  LightingWords light_;
   int samples_ = 1;
 };
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "command/command_table.h"
+#include "options/command_table.h"
 
 namespace softgl::cli {
 

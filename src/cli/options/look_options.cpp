@@ -1,7 +1,7 @@
-#include "command/look_options.h"
+#include "options/look_options.h"
 
-#include "command/option_kinds.h"
-#include "command/option_values.h"
+#include "options/option_kinds.h"
+#include "options/option_values.h"
 
 namespace softgl::cli {
 

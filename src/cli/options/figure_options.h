@@ -3,7 +3,7 @@
 
 #include <CLI/App.hpp>
 
-#include "command/options.h"
+#include "options/program_options.h"
 
 namespace softgl::cli {
 

@@ -1,4 +1,4 @@
-#include "command/help_page.h"
+#include "options/help_page.h"
 
 #include <sstream>
 

@@ -1,12 +1,12 @@
-#include "command/figure_options.h"
+#include "options/figure_options.h"
 
 #include <algorithm>
 #include <filesystem>
 
-#include "command/option_kinds.h"
 #include "figure/figure_list.h"
 #include "image/float_formats.h"
 #include "image/image_writer.h"
+#include "options/option_kinds.h"
 
 namespace softgl::cli {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <CLI/App.hpp>
 
-#include "command/compare.h"
+#include "options/program_options.h"
 
 namespace softgl::cli {
 

@@ -1,9 +1,9 @@
-#include "command/many_options.h"
+#include "options/many_options.h"
 
-#include "command/option_kinds.h"
-#include "command/option_values.h"
 #include "image/float_formats.h"
 #include "image/gif_encoder.h"
+#include "options/option_kinds.h"
+#include "options/option_values.h"
 
 namespace softgl::cli {
 

@@ -1,7 +1,7 @@
-#include "command/compare_options.h"
+#include "options/compare_options.h"
 
-#include "command/option_kinds.h"
-#include "command/option_values.h"
+#include "options/option_kinds.h"
+#include "options/option_values.h"
 
 namespace softgl::cli {
 namespace {

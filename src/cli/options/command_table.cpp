@@ -1,4 +1,4 @@
-#include "command/command_table.h"
+#include "options/command_table.h"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>

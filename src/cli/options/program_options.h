@@ -1,4 +1,4 @@
-// The command line.
+// What the command line says.
 #pragma once
 
 #include <array>
@@ -6,13 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "command/command_table.h"
-#include "command/compare.h"
-#include "command/model_loader.h"
 #include "figure/language.h"
 #include "image/image_writer.h"
 #include "jobs/shard.h"
 #include "mesh/normal_generator.h"
+#include "options/run_limits.h"
 #include "scene/camera.h"
 #include "scene/renderer.h"
 
@@ -26,16 +24,6 @@ struct MaterialOptions {
   std::optional<float> shininess;
 };
 
-// What the run may use, for models of unknown origin. 0: no limit.
-struct RunLimits {
-  LoadLimits load;
-  uint64_t input_bytes = 0; // but for pipes, see SourceText
-  uint64_t memory_bytes = 0;
-  int picture_side = 0;
-  double seconds = 0;
-  bool sandbox = false;
-};
-
 struct NamedView {
   std::string name;
   CameraOptions camera;
@@ -44,6 +32,23 @@ struct NamedView {
 struct CameraPlaceOptions {
   std::optional<std::array<double, 3>> eye, target, view_up;
   std::string file, output; // JSON
+};
+
+// `softgl compare`.
+struct CompareOptions {
+  std::string first, second;
+  std::string difference; // picture, or folder of pictures; empty: none
+  std::string sheet;      // both and their difference side by side; a folder for folders
+  std::string mask;
+  std::string junit;
+  std::array<float, 4> tolerance = {0, 0, 0, 0};
+  bool ignore_edges = false;
+  double most_pixels = 0;                 // that may differ
+  bool most_pixels_is_percentage = false; // of those compared
+  std::optional<double> least_similarity; // decides instead of differing pixels
+  bool json = false, quiet = false;
+  bool stats = false; // times to standard error
+  unsigned threads = 1;
 };
 
 struct FigureOptions {
@@ -87,28 +92,5 @@ struct ProgramOptions {
   std::string script; // of kView
   BatchOptions batch;
 };
-
-// An option as the command line has it, by its first long name; a flag has no values.
-struct GivenOption {
-  std::string name;
-  std::vector<std::string> values;
-};
-
-// What main() is to do: options, or an end with that exit code (help, version, or a mistake already
-// reported).
-struct ParsedOptions {
-  std::optional<ProgramOptions> options;
-  int exit_code = 0;
-  std::vector<GivenOption> given = {}; // with `options`, those of a picture, without the models
-};
-
-ParsedOptions parse_options(int argc, const char* const* argv);
-
-// The options of one picture, for which there is a command line without the program's name. Of an option that
-// comes twice the last counts, but for --light. Throws ProgramError (kUsageError).
-ProgramOptions parse_picture(const std::vector<std::string>& words);
-
-// What parse_options() takes.
-CommandRow describe_command_line();
 
 } // namespace softgl::cli

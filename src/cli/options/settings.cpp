@@ -1,4 +1,4 @@
-#include "command/settings.h"
+#include "options/settings.h"
 
 #include <algorithm>
 #include <cstdlib>

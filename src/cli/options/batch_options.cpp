@@ -1,6 +1,6 @@
-#include "command/batch_options.h"
+#include "options/batch_options.h"
 
-#include "command/option_kinds.h"
+#include "options/option_kinds.h"
 
 namespace softgl::cli {
 namespace {
