@@ -15,8 +15,6 @@ namespace softgl {
 
 namespace {
 
-constexpr int kRow = 256; // texels converted at a time
-
 int stored_bits(const TexelFormat& f, int k) {
   return f.bits[k] ? f.bits[k] : f.layout == TexelLayout::Rgba8 ? 8 : 0;
 }
@@ -57,7 +55,7 @@ void store_rgba8(const TexelFormat& to, uint8_t (*texel)[4], const PixelFormat& 
                  int count, bool swap, const PixelTransfer& transfer) {
   const bool transfers = transfer.changes_color();
   if (transfers || (!to.array && from.format == GL_RGBA && from.channel == PixelChannel::Float)) {
-    float v[kRow][4];
+    float v[kTexelRow][4];
     unpack_pixels(from, pixels, count, swap, v);
     if (transfers) transfer.clamped_color(v, count);
     for (int k = 0; k < 4; ++k) {
@@ -84,14 +82,14 @@ void store_rgba16(const TexelFormat& to, uint16_t (*texel)[4], const PixelFormat
   if (to.array && !transfers && !floats) {
     unpack_pixels(from, pixels, count, swap, texel);
   } else if (bytes && !transfers) {
-    uint8_t v[kRow][4];
+    uint8_t v[kTexelRow][4];
     unpack_pixels(from, pixels, count, swap, v);
     for (int k = 0; k < 4; ++k)
       convert_component(k, v, count, texel, [bits = to.bits[k]](uint8_t x) {
         return uint16_t(bits ? convert_unorm(x, 8, bits) : 0);
       });
   } else {
-    float v[kRow][4];
+    float v[kTexelRow][4];
     unpack_pixels(from, pixels, count, swap, v);
     if (transfers) transfer.clamped_color(v, count);
     for (int k = 0; k < 4; ++k) {
@@ -122,10 +120,10 @@ int32_t signed_away_from_zero(float x, int bits) {
 template <class T> void store_signed(const TexelFormat& to, int16_t (*texel)[4], const PixelFormat& from,
                                      const void* pixels, int count, bool swap,
                                      const PixelTransfer& transfer) {
-  T v[kRow][4];
+  T v[kTexelRow][4];
   const bool transfers = transfer.changes_color();
   if (transfers || (packs_colors(from, false) && from.channel != PixelChannel::UnsignedByte)) {
-    float f[kRow][4];
+    float f[kTexelRow][4];
     unpack_pixels(from, pixels, count, swap, f);
     if (transfers) transfer.color(f, count);
     for (int i = 0; i < count; ++i)
@@ -155,7 +153,7 @@ void store_depth(const TexelFormat& to, uint32_t* texel, const PixelFormat& from
   const bool plain = !transfer.changes_depth();
   auto p = static_cast<const unsigned char*>(pixels);
   if (to.floats) {
-    float d[kRow];
+    float d[kTexelRow];
     unpack_depth(from, pixels, count, swap, d);
     transfer.depths(d, count);
     std::memcpy(texel, d, size_t(count) * 4);
@@ -179,7 +177,7 @@ void store_depth(const TexelFormat& to, uint32_t* texel, const PixelFormat& from
     }
     return;
   }
-  float d[kRow];
+  float d[kTexelRow];
   unpack_depth(from, pixels, count, swap, d);
   transfer.depths(d, count);
   // OSMesa truncates here.
@@ -256,8 +254,8 @@ void store_texels(const TexelFormat& to, void* texels, const PixelFormat& from, 
                   bool swap_bytes, const PixelTransfer& transfer) {
   auto p = static_cast<const unsigned char*>(pixels);
   auto t = static_cast<unsigned char*>(texels);
-  for (int done = 0; done < count; done += kRow) {
-    const int n = std::min(kRow, count - done);
+  for (int done = 0; done < count; done += kTexelRow) {
+    const int n = std::min(kTexelRow, count - done);
     const unsigned char* source = p + size_t(done) * from.bytes;
     unsigned char* target = t + size_t(done) * size_t(to.bytes());
     switch (to.layout) {
@@ -329,10 +327,10 @@ void store_color_indexes(const TexelFormat& to, void* texels, const PixelFormat&
   const PixelFormat color = describe_pixel_format(GL_RGBA, GL_UNSIGNED_BYTE); // for wider texels, too
   auto p = static_cast<const unsigned char*>(pixels);
   auto t = static_cast<unsigned char*>(texels);
-  for (int done = 0; done < count; done += kRow) {
-    const int n = std::min(kRow, count - done);
-    uint32_t index[kRow];
-    uint8_t rgba[kRow][4];
+  for (int done = 0; done < count; done += kTexelRow) {
+    const int n = std::min(kTexelRow, count - done);
+    uint32_t index[kTexelRow];
+    uint8_t rgba[kTexelRow][4];
     unpack_indexes(from, p + size_t(done) * from.bytes,
                    from.channel == PixelChannel::Bitmap ? bit_offset + done : 0, n, swap_bytes, lsb_first,
                    index);
@@ -342,140 +340,6 @@ void store_color_indexes(const TexelFormat& to, void* texels, const PixelFormat&
       for (int k = 0; k < 4; ++k) rgba[i][k] = uint8_t(float_to_unorm(value[k], 8));
     }
     store_texels(to, t + size_t(done) * size_t(to.bytes()), color, rgba, n, false, PixelTransfer::none());
-  }
-}
-
-namespace {
-
-bool wide_packed(const PixelFormat& f) { return f.channel == PixelChannel::Packed && f.bits[0] > 8; }
-bool wide_or_signed(const PixelFormat& f) {
-  if (f.channel == PixelChannel::Packed) return f.bits[0] > 8;
-  return f.channel != PixelChannel::UnsignedByte;
-}
-
-/// OSMesa clamps luminance for unsigned types, and does so in floats.
-bool clamps_luminance(const PixelFormat& to) {
-  return to.luminance && to.channel != PixelChannel::Float && to.channel != PixelChannel::Half &&
-         to.channel != PixelChannel::Byte && to.channel != PixelChannel::Short &&
-         to.channel != PixelChannel::Int;
-}
-
-void load_color(const TexelFormat& from, const unsigned char* texels, const PixelFormat& to, void* pixels,
-                int count, bool swap) {
-  const bool narrow = from.layout == TexelLayout::Rgba8;
-  auto stored = [&](int i, int k) -> uint32_t { // the stored integer
-    if (narrow) {
-      const uint8_t v = texels[i * 4 + k];
-      return from.bits[k] ? v >> (8 - from.bits[k]) : v != 0;
-    }
-    uint16_t v;
-    std::memcpy(&v, texels + i * 8 + k * 2, 2);
-    return v;
-  };
-  const bool exact_bytes = from.array && from.base == GL_RGBA;
-  // A byte stays the same on its way through a float.
-  const bool clamps =
-      clamps_luminance(to) && !(narrow && from.array && to.channel == PixelChannel::UnsignedByte);
-  const bool floats = clamps || (from.array ? (narrow ? wide_packed(to) && !exact_bytes : wide_packed(to))
-                                            : wide_or_signed(to));
-  if (floats) {
-    float v[kRow][4];
-    for (int k = 0; k < 4; ++k)
-      for (int i = 0; i < count; ++i)
-        v[i][k] = from.bits[k] ? unorm_to_float(stored(i, k), from.bits[k]) : float(stored(i, k));
-    gather_row<float>(from.base, v, count, 1.0f);
-    pack_pixels(to, v, count, swap, pixels);
-  } else if (!narrow && from.array) {
-    uint16_t v[kRow][4];
-    std::memcpy(v, texels, size_t(count) * 8);
-    if (from.bits[3] == 0)
-      for (int i = 0; i < count; ++i) v[i][3] = 65535;
-    gather_row<uint16_t>(from.base, v, count, 65535);
-    pack_pixels(to, v, count, swap, pixels);
-  } else {
-    uint8_t v[kRow][4];
-    if (narrow)
-      std::memcpy(v, texels, size_t(count) * 4);
-    else
-      for (int i = 0; i < count; ++i)
-        for (int k = 0; k < 4; ++k)
-          v[i][k] = uint8_t(from.bits[k] ? convert_unorm(stored(i, k), from.bits[k], 8) : 255 * stored(i, k));
-    gather_row<uint8_t>(from.base, v, count, 255);
-    pack_pixels(to, v, count, swap, pixels);
-  }
-}
-
-void load_floats(const TexelFormat& from, const unsigned char* texels, const PixelFormat& to, void* pixels,
-                 int count, bool swap) {
-  float v[kRow][4];
-  std::memcpy(v, texels, size_t(count) * sizeof v[0]);
-  gather_row<float>(from.base, v, count, 1);
-  pack_pixels(to, v, count, swap, pixels);
-}
-
-template <class T> void load_signed(const TexelFormat& from, const unsigned char* texels,
-                                    const PixelFormat& to, void* pixels, int count, bool swap) {
-  constexpr T kMost = std::numeric_limits<T>::max();
-  T v[kRow][4];
-  for (int i = 0; i < count; ++i) {
-    int16_t texel[4];
-    std::memcpy(texel, texels + i * 8, sizeof texel);
-    for (int k = 0; k < 4; ++k) v[i][k] = T(texel[k]);
-    if (from.bits[3] == 0) v[i][3] = kMost;
-  }
-  gather_row<T>(from.base, v, count, kMost);
-  // OSMesa: shorts are made of floats, other integers of integers.
-  if (!clamps_luminance(to) && to.channel != PixelChannel::UnsignedShort)
-    return pack_pixels(to, v, count, swap, pixels);
-  float floats[kRow][4];
-  for (int i = 0; i < count; ++i)
-    for (int k = 0; k < 4; ++k) floats[i][k] = float(v[i][k]) * (1.0f / float(kMost));
-  pack_pixels(to, floats, count, swap, pixels);
-}
-
-} // namespace
-
-void load_texels(const TexelFormat& from, const void* texels, const PixelFormat& to, void* pixels, int count,
-                 bool swap_bytes) {
-  auto t = static_cast<const unsigned char*>(texels);
-  auto p = static_cast<unsigned char*>(pixels);
-  for (int done = 0; done < count; done += kRow) {
-    const int n = std::min(kRow, count - done);
-    const unsigned char* source = t + size_t(done) * size_t(from.bytes());
-    unsigned char* target = p + size_t(done) * to.bytes;
-    switch (from.layout) {
-    case TexelLayout::Depth: break;
-    case TexelLayout::Float: load_floats(from, source, to, target, n, swap_bytes); continue;
-    case TexelLayout::Signed16:
-      if (std::max(from.bits[0], from.bits[3]) == 8)
-        load_signed<int8_t>(from, source, to, target, n, swap_bytes);
-      else
-        load_signed<int16_t>(from, source, to, target, n, swap_bytes);
-      continue;
-    default: load_color(from, source, to, target, n, swap_bytes); continue;
-    }
-    const int bits = from.bits[0];
-    if (!swap_bytes && !from.floats &&
-        ((bits == 32 && to.channel == PixelChannel::UnsignedInt) ||
-         (bits == 16 && to.channel == PixelChannel::UnsignedShort))) {
-      // The stored integers themselves.
-      if (bits == 32)
-        std::memcpy(target, source, size_t(n) * 4);
-      else
-        for (int i = 0; i < n; ++i) std::memcpy(target + 2 * i, source + 4 * i, 2);
-      continue;
-    }
-    uint32_t v[kRow];
-    float d[kRow];
-    std::memcpy(v, source, size_t(n) * 4);
-    const double scale = 1.0 / double((uint64_t(1) << bits) - 1);
-    if (from.floats)
-      std::memcpy(d, v, size_t(n) * 4);
-    else if (bits == 16)
-      for (int i = 0; i < n; ++i) d[i] = float(int32_t(v[i])) * (1.0f / 65535.0f);
-    else
-      for (int i = 0; i < n; ++i) d[i] = float(double(v[i]) * scale);
-    pack_depth(to, d, n, swap_bytes, target);
   }
 }
 

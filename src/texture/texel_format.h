@@ -11,6 +11,8 @@
 
 namespace softgl {
 
+constexpr int kTexelRow = 256; // texels converted at a time
+
 /// Rgba8: four bytes r g b a; components of fewer bits fill a byte by repeating their bits, as OSMesa's 8-bit
 /// sampling does, so the upper bits are the stored value. Rgba16: four uint16_t, each the stored integer
 /// itself. Signed16: the same, int16_t. Depth: uint32_t, the stored integer itself, or the bits of a float
