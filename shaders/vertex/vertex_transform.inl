@@ -68,7 +68,9 @@ static inline void clip_masks(VertexBlock& b, const VertexProgram& p, int n) {
   SOFTGL_FOR_LANES(i, n) {
     mask[i] = ((~mask_of(x[i] <= w[i]) & kClipRight) | (~mask_of(x[i] + w[i] >= 0.0f) & kClipLeft) |
                (~mask_of(y[i] <= w[i]) & kClipTop) | (~mask_of(y[i] + w[i] >= 0.0f) & kClipBottom) |
-               (~mask_of(z[i] + w[i] >= 0.0f) & kClipNear) | (~mask_of(z[i] <= w[i]) & kClipFar)) &
+               (SOFTGL_FAULT(near_plane_at_eye) ? ~mask_of(w[i] >= 0.0f) & kClipNear
+                                                : ~mask_of(z[i] + w[i] >= 0.0f) & kClipNear) |
+               (~mask_of(z[i] <= w[i]) & kClipFar)) &
               clipped;
   }
   if (p.depths_from_zero && !p.depth_clamp)

@@ -7,6 +7,7 @@
 
 #include "base/gl_types.h"
 #include "base/normalized.h"
+#include "shaders/common/seeded_faults.h"
 
 namespace softgl {
 
@@ -29,7 +30,7 @@ template <class T> Matrix16 matrix_of(const T* m) {
 }
 template <class T> Matrix16 transposed(const T* m) {
   Matrix16 r;
-  for (int i = 0; i < 16; ++i) r.m[i] = GLfloat(m[i % 4 * 4 + i / 4]);
+  for (int i = 0; i < 16; ++i) r.m[i] = GLfloat(m[SOFTGL_FAULT(transpose_ignored) ? i : i % 4 * 4 + i / 4]);
   return r;
 }
 

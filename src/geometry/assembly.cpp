@@ -9,6 +9,7 @@
 #include "geometry/line_stipple.h"
 #include "geometry/polygon_stage.h"
 #include "geometry/vertex_fetch.h"
+#include "shaders/common/seeded_faults.h"
 #include "shaders/raster/raster_constants.h"
 
 namespace softgl {
@@ -41,14 +42,14 @@ template <class Elements, class Emit> int for_each_triangle(GLenum mode, bool fr
     return n;
   case GL_TRIANGLE_STRIP:
     for (int i = 0; i < n; ++i) {
-      const uint32_t k = step + uint32_t(i), odd = k & 1;
+      const uint32_t k = step + uint32_t(i), odd = SOFTGL_FAULT(strip_not_turned) ? 0 : k & 1;
       emit(i, e[k + odd], e[k + 1 - odd], e[k + 2]);
     }
     return n;
   case GL_TRIANGLE_FAN:
     for (int i = 0; i < n; ++i) {
       const uint32_t k = step + uint32_t(i);
-      emit(i, e[0], e[k + 1], e[k + 2]);
+      emit(i, e[SOFTGL_FAULT(fan_is_strip) ? k : 0], e[k + 1], e[k + 2]);
     }
     return n;
   case GL_POLYGON:
@@ -67,8 +68,8 @@ template <class Elements, class Emit> int for_each_triangle(GLenum mode, bool fr
     return 2 * n;
   default: // GL_QUAD_STRIP
     for (int i = 0; i < n; ++i) {
-      const uint32_t k = 2 * (step + uint32_t(i));
-      const uint32_t first = e[k], second = e[k + 1], third = e[k + 2], fourth = e[k + 3];
+      const uint32_t k = 2 * (step + uint32_t(i)), crossed = SOFTGL_FAULT(quad_strip_crossed);
+      const uint32_t first = e[k], second = e[k + 1], third = e[k + 2 + crossed], fourth = e[k + 3 - crossed];
       if (right_first) emit(2 * i, first, second, fourth);
       emit(2 * i + right_first, third, first, fourth);
       if (!right_first) emit(2 * i + 1, first, second, fourth);
@@ -100,7 +101,8 @@ public:
             PrimitiveSink& sink)
       : draw_(draw), vertices_(vertices), range_(range), arena_(arena), sink_(sink),
         slots_(draw.layout.slots),
-        first_provokes_(draw.first_provokes && range.mode != GL_QUADS && range.mode != GL_QUAD_STRIP) {}
+        first_provokes_((draw.first_provokes || (SOFTGL_FAULT(first_vertex_provokes) && draw.raster->flat)) &&
+                        range.mode != GL_QUADS && range.mode != GL_QUAD_STRIP) {}
 
   template <class Elements> void run(const Elements& e, uint32_t first_step, uint32_t step_count) {
     switch (range_.mode) {
@@ -133,6 +135,8 @@ private:
       }
       auto for_each = [&](auto emit) {
         if (first_provokes_) return for_each_triangle_of_first(range_.mode, e, step, part, emit);
+        if (SOFTGL_FAULT(polygon_color_of_last) && range_.mode == GL_POLYGON)
+          return for_each_triangle(GL_TRIANGLE_FAN, from_1_to_3, right_first, e, step, part, emit);
         return for_each_triangle(range_.mode, from_1_to_3, right_first, e, step, part, emit);
       };
       // One pass for the corners and for what clips them: of lists of indices GCC makes vectors that are
@@ -189,7 +193,7 @@ private:
                                                                      uint32_t edges, Emit emit) {
     const uint32_t v[3] = {v0, v1, v2}, m0 = mask(v0), m1 = mask(v1), m2 = mask(v2);
     if ((m0 | m1 | m2) == 0) return emit(shaded(v0), shaded(v1), shaded(v2), edges, -1);
-    if (m0 & m1 & m2) return;
+    if ((m0 & m1 & m2) || SOFTGL_FAULT(cut_polygon_vanishes)) return;
     const Slot* polygon[Clipper::kMaxPolygon];
     const int n = Clipper(draw_, vertices_, arena_).triangle(v, m0 | m1 | m2, polygon, edges);
     for (int k = 2; k < n; ++k) {
@@ -233,14 +237,17 @@ private:
 
   /// Bit k: an edge that begins at vertex k is marked as one of the polygon (GL 1.5, 2.6.2).
   uint32_t flagged(uint32_t v0, uint32_t v1, uint32_t v2) const {
-    if (range_.mode != GL_TRIANGLES && range_.mode != GL_QUADS && range_.mode != GL_POLYGON) return 7;
+    if (SOFTGL_FAULT(edge_flags_ignored)) return 7;
+    if (range_.mode != GL_TRIANGLES && range_.mode != GL_QUADS && range_.mode != GL_POLYGON &&
+        !SOFTGL_FAULT(strips_have_edge_flags))
+      return 7;
     const VertexSource& source = *draw_.call.source;
     if (!(source.present >> kEdgeFlag & 1)) return draw_.call.constant[kEdgeFlag].x != 0 ? 7 : 0;
     uint32_t flags = 0;
     const uint32_t v[3] = {v0, v1, v2};
     for (int k = 0; k < 3; ++k) {
       float flag[4];
-      fetch_vertex(source.stream[kEdgeFlag], v[k], flag);
+      fetch_vertex(source.stream[kEdgeFlag], v[SOFTGL_FAULT(edge_flag_of_end) ? (k + 1) % 3 : k], flag);
       flags |= uint32_t(flag[0] != 0) << k;
     }
     return flags;
@@ -250,7 +257,7 @@ private:
     AssembledPoints batch;
     for (const uint32_t end = step + steps; step < end; ++step) {
       const uint32_t v = e[step];
-      if (mask(v)) continue;
+      if (mask(v) && !SOFTGL_FAULT(points_not_clipped)) continue;
       batch.corner[batch.count++] = shaded(v);
       if (batch.count == kAssemblyBatch) {
         sink_.points(draw_, batch);
@@ -279,7 +286,8 @@ private:
     end[0] = shaded(v[0]);
     end[1] = shaded(v[1]);
     if ((m0 | m1) != 0 && !Clipper(draw_, vertices_, arena_).line(v, end)) return false;
-    if (first_provokes_) end[1] = with_colors(end[1], shaded(v[0]));
+    if (first_provokes_ || (SOFTGL_FAULT(line_color_of_first) && draw_.raster->flat))
+      end[1] = with_colors(end[1], shaded(v[0]));
     return true;
   }
 
@@ -312,6 +320,7 @@ private:
     for (const uint32_t end_step = step + steps; at < end_step; ++at) {
       uint32_t element[2];
       line_elements(at, element);
+      if (SOFTGL_FAULT(loop_not_closed) && element[1] == 0) continue;
       const uint32_t v[2] = {e[element[0]], e[element[1]]};
       const Slot* end[2];
       if (stippled && separate) stipple.reset();

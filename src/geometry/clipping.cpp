@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "geometry/vertex_fetch.h"
+#include "shaders/common/seeded_faults.h"
 #include "shaders/raster/raster_constants.h"
 
 namespace softgl {
@@ -53,7 +54,7 @@ void Clipper::interpolate(Vertex& out, float t, const Vertex& from, const Vertex
   for (int s = 1; s < slots_; ++s)
     for (int i = 0; i < 4; ++i) {
       const float a = from.shaded[s].v[i], b = to.shaded[s].v[i];
-      out.made[s].v[i] = a + t * (b - a);
+      out.made[s].v[i] = SOFTGL_FAULT(cut_color_of_corner) ? a : a + t * (b - a);
     }
 }
 
@@ -102,7 +103,10 @@ int Clipper::triangle(const uint32_t v[3], uint32_t mask, const Slot* polygon[kM
       if (crosses) {
         if (count == kMaxPolygon || made == 3 + 2 * kMaxPlanes) return 0;
         Vertex* fresh = &pool[made++];
-        left |= (d < 0 ? uint32_t(plane >= 6) : edges >> (i - 1) & 1) << count;
+        left |= (d < 0 ? uint32_t(plane >= 6 && !SOFTGL_FAULT(cut_edge_not_drawn))
+                 : SOFTGL_FAULT(cut_edge_always_drawn) ? 1u
+                                                       : edges >> (i - 1) & 1)
+                << count;
         out[count++] = fresh;
         const Vertex &outside = d < 0 ? *vertex : *previous, &inside = d < 0 ? *previous : *vertex;
         const float d_out = d < 0 ? d : d_previous, d_in = d < 0 ? d_previous : d;
@@ -122,7 +126,7 @@ int Clipper::triangle(const uint32_t v[3], uint32_t mask, const Slot* polygon[kM
   }
   if (n < 3) return 0;
   for (int i = 0; i < n; ++i) polygon[i] = keep(*in[i]);
-  if (flat_ && in[0] != &pool[2]) {
+  if (flat_ && in[0] != &pool[2] && !SOFTGL_FAULT(cut_forgets_flat_color)) {
     Slot* provoking = arena_.allocate_array<Slot>(size_t(slots_));
     std::memcpy(provoking, polygon[0], sizeof(Slot) * size_t(slots_));
     copy_flat_colors(draw_.layout, provoking, pool[2].shaded);

@@ -7,6 +7,7 @@
 
 #include "base/unit_range.h"
 #include "draw/draw_record.h"
+#include "shaders/common/seeded_faults.h"
 #include "shaders/raster/raster_constants.h"
 
 namespace softgl {
@@ -88,7 +89,7 @@ void PolygonStage::triangle(const PolygonTriangle& t) {
     break;
   case PolygonMode::Point:
     for (int i = 0; i < 3; ++i) {
-      if (counting_ || !(t.boundary >> i & 1)) continue;
+      if (counting_ || !(SOFTGL_FAULT(corners_without_flags) || t.boundary >> i & 1)) continue;
       begin(Pending::Points, points_.count);
       points_.back |= uint64_t(back_) << points_.count;
       points_.corner[points_.count++] = corner[i];

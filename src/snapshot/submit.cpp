@@ -3,6 +3,7 @@
 
 #include "base/assert.h"
 #include "context/context.h"
+#include "shaders/common/seeded_faults.h"
 #include "snapshot/check_call.h"
 #include "snapshot/derived_state.h"
 #include "snapshot/diagonal.h"
@@ -58,6 +59,7 @@ void append_rectangle(Context& c, const FragmentProgram* program, const RasterCo
                       const WindowBox& box, uint64_t* samples) {
   Arena& arena = c.frame.arena();
   const RasterPosition& p = c.state.raster_position;
+  if (SOFTGL_FAULT(image_takes_current_color)) c.state.raster_position.color = c.state.current.slot[kColor];
   const int8_t no_source[5][2] = {};
   const ShadedLayout layout = make_layout(c, program->key, no_source, false);
   auto* slot = arena.allocate_array<ShadedVertices::Slot>(layout.slots);

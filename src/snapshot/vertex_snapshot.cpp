@@ -99,11 +99,12 @@ const ClipPlaneConstants* make_clip_planes(Context& c, Arena& arena) {
   const float* m = &inverse(c.matrices.projection.top())[0][0];
   k->count = 0;
   for (int i = 0; i < kMaxClipPlanes; ++i) {
-    if (!(enabled >> i & 1)) continue;
-    const Vec4 p = c.state.transform.clip_plane[i];
+    if (!(enabled >> i & 1) || (SOFTGL_FAULT(last_plane_forgotten) && i == 5)) continue;
+    const Vec4 p = c.state.transform.clip_plane[i] * (SOFTGL_FAULT(plane_keeps_other_side) ? -1.0f : 1.0f);
     float* out = k->plane[k->count];
     for (int j = 0; j < 4; ++j)
       out[j] = ((p.x * m[4 * j] + p.y * m[4 * j + 1]) + p.z * m[4 * j + 2]) + p.w * m[4 * j + 3];
+    if (SOFTGL_FAULT(plane_in_clip_coordinates)) std::memcpy(out, &p, sizeof p);
     k->index[k->count++] = uint8_t(i);
   }
   return k;

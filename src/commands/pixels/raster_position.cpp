@@ -41,9 +41,11 @@ bool in_view(const State& s, const Vec4& clip, const ClipPlaneConstants* planes)
 
 Vec4 window_position(const State& s, const Vec4& clip) {
   const ViewportTransform t = viewport_transform(s);
-  const float inverse = clip.w == 0 ? 1.0f : 1.0f / clip.w;
+  const float inverse = clip.w == 0 || SOFTGL_FAULT(raster_not_divided) ? 1.0f : 1.0f / clip.w;
   Vec4 window;
   for (int i = 0; i < 3; ++i) window[i] = clip[i] * inverse * t.scale[i] + t.offset[i];
+  if (SOFTGL_FAULT(raster_ignores_viewport)) window.x -= float(s.viewport.x), window.y -= float(s.viewport.y);
+  if (SOFTGL_FAULT(raster_ignores_depth_range)) window.z = clip.z * inverse * 0.5f + 0.5f;
   window.w = clip.w;
   return window;
 }
@@ -95,11 +97,13 @@ void RasterPos(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
   if (!draw_target_complete(c)) return set_error(c, GL_INVALID_FRAMEBUFFER_OPERATION);
   const State& s = c.state;
   RasterPosition& position = c.state.raster_position;
-  const Vec4 object(x, y, z, w), eye = transformed(c.matrices.modelview.top(), object);
+  const Vec4 object(x, y, z, w),
+      eye = SOFTGL_FAULT(raster_position_in_eye) ? object : transformed(c.matrices.modelview.top(), object);
   const Vec4 clip = transformed(c.matrices.projection.top(), eye);
   const Arena::Mark mark = c.frame.arena().mark();
   const ClipPlaneConstants* planes = make_clip_planes(c, c.frame.arena());
-  position.valid = in_view(s, clip, planes);
+  position.valid = in_view(s, clip, SOFTGL_FAULT(raster_planes_ignored) ? nullptr : planes) ||
+                   SOFTGL_FAULT(raster_always_valid);
   if (position.valid) {
     position.window = window_position(s, clip);
     if (s.transform.depth_clamp) {
@@ -122,9 +126,13 @@ namespace {
 void set_window_position(Context& c, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
   const State& s = c.state;
   RasterPosition& position = c.state.raster_position;
-  position.window = Vec4(
-      x, y,
-      unit_range(z) * float(s.viewport.far_depth - s.viewport.near_depth) + float(s.viewport.near_depth), w);
+  if (SOFTGL_FAULT(window_position_in_viewport)) x += float(s.viewport.x), y += float(s.viewport.y);
+  position.window = Vec4(x, y,
+                         SOFTGL_FAULT(window_depth_not_mapped)
+                             ? unit_range(z)
+                             : unit_range(z) * float(s.viewport.far_depth - s.viewport.near_depth) +
+                                   float(s.viewport.near_depth),
+                         w);
   position.distance = s.fog.coordinate_source == GL_FOG_COORDINATE ? s.current.slot[kFogCoordinate].x : 0.0f;
   take_current_attributes(s, position);
   if (clamps_vertex_colors(c)) {

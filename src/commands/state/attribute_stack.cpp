@@ -169,7 +169,8 @@ bool has_buffer(const std::shared_ptr<FramebufferObject>& bound, GLenum name) {
 namespace gl {
 
 void PushAttrib(Context& c, GLbitfield mask) {
-  if (c.attribute_stack.server.size() >= kMaxAttributeStackDepth) return set_error(c, GL_STACK_OVERFLOW);
+  if (c.attribute_stack.server.size() >= kMaxAttributeStackDepth && !SOFTGL_FAULT(attribute_overflow_ignored))
+    return set_error(c, GL_STACK_OVERFLOW);
   track_color_material(c);
   SavedAttributes saved;
   saved.mask = mask;
@@ -195,7 +196,11 @@ void PopAttrib(Context& c) {
   const std::byte* from = saved.groups.data();
   for (const Group& group : groups_of_state)
     if (group.mask & saved.mask) {
-      std::memcpy(state + group.offset, from, group.size);
+      const bool forgotten =
+          (SOFTGL_FAULT(viewport_not_restored) && group.offset == offsetof(State, viewport)) ||
+          (SOFTGL_FAULT(raster_position_not_restored) && group.offset == offsetof(State, raster_position)) ||
+          (SOFTGL_FAULT(planes_not_restored) && group.offset == offsetof(State, transform));
+      if (!forgotten) std::memcpy(state + group.offset, from, group.size);
       from += group.size;
       c.dirty |= group.dirty;
     }
@@ -228,7 +233,8 @@ void PushClientAttrib(Context& c, GLbitfield mask) {
 void PopClientAttrib(Context& c) {
   if (c.attribute_stack.client.empty()) return set_error(c, GL_STACK_UNDERFLOW);
   const SavedClientAttributes& saved = c.attribute_stack.client.back();
-  if (saved.mask & GL_CLIENT_PIXEL_STORE_BIT) c.client.pixel_store = saved.pixel_store;
+  if (saved.mask & GL_CLIENT_PIXEL_STORE_BIT && !SOFTGL_FAULT(pixel_store_not_restored))
+    c.client.pixel_store = saved.pixel_store;
   // A vertex array object that is deleted meanwhile is not bound again, and nothing is restored
   // (OSMesa 22.3.6).
   const std::shared_ptr<VertexArrayObject>& bound = saved.vertex_array.bound;

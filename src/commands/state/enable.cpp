@@ -6,6 +6,7 @@
 #include "commands/lighting/color_material.h"
 #include "commands/state/capabilities.h"
 #include "context/context.h"
+#include "shaders/common/seeded_faults.h"
 
 namespace softgl {
 namespace {
@@ -69,7 +70,7 @@ bool is_server_switch(GLenum token) {
 void set_client_switch(Context& c, GLenum token, bool value, bool refused, const char* argument) {
   bool* const enabled = refused ? nullptr : find_client_switch(c.client, token);
   if (!enabled) return set_error(c, GL_INVALID_ENUM, argument);
-  *enabled = value;
+  *enabled = value || SOFTGL_FAULT(arrays_stay_on);
   if (token == GL_DEBUG_OUTPUT) return c.debug.watch(value);
   c.dirty |= kDirtyArrays;
 }

@@ -13,6 +13,7 @@
 #include "commands/vertices/vertex_stream.h"
 #include "context/buffer_objects.h"
 #include "context/context.h"
+#include "shaders/common/seeded_faults.h"
 #include "snapshot/render_targets.h"
 #include "snapshot/submit.h"
 
@@ -214,7 +215,7 @@ void draw_elements(Context& c, GLenum mode, uint32_t count, GLenum type, const v
 void gl::DrawArrays(Context& c, GLenum mode, GLint first, GLsizei count) {
   if (!may_draw(c, mode, count)) return;
   if (first < 0) return raise_error(c, {GL_INVALID_VALUE, "first"});
-  draw_arrays(c, mode, uint32_t(first), uint32_t(count));
+  draw_arrays(c, mode, SOFTGL_FAULT(first_ignored) ? 0 : uint32_t(first), uint32_t(count));
 }
 
 void gl::DrawElements(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices) {
@@ -229,7 +230,7 @@ void gl::DrawRangeElements(Context& c, GLenum mode, GLuint start, GLuint end, GL
   if (end < start) return raise_error(c, {GL_INVALID_VALUE, "end"});
   if (!index_bytes(type)) return raise_error(c, {GL_INVALID_ENUM, "type"});
   // Whether the indices keep to the range is not known, and to look costs little: the range is not used.
-  draw_elements(c, mode, uint32_t(count), type, indices);
+  draw_elements(c, mode, uint32_t(count), type, indices, SOFTGL_FAULT(range_start_added) ? GLint(start) : 0);
 }
 
 void gl::MultiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count, GLsizei draws) {
@@ -329,6 +330,7 @@ void gl::PrimitiveRestartNV(Context& c) {
 void gl::Rect(Context& c, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
   gl::Begin(c, GL_QUADS); // the specification says GL_POLYGON; OSMesa 22.3.6 draws a quad: the same but for
                           // its diagonal
+  if (SOFTGL_FAULT(rect_faces_viewer) && (x2 < x1) != (y2 < y1)) std::swap(x1, x2);
   emit_vertex2(c, x1, y1);
   emit_vertex2(c, x2, y1);
   emit_vertex2(c, x2, y2);

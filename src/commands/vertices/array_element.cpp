@@ -5,6 +5,7 @@
 #include "base/normalized.h"
 #include "commands/vertices/array_fetch.h"
 #include "commands/vertices/attribute_doors.h"
+#include "shaders/common/seeded_faults.h"
 
 namespace softgl {
 namespace {
@@ -45,7 +46,7 @@ void emit_array_element(Context& c, const ArrayCache& arrays, uint32_t index) {
     }
     if (array.slot == kPosition)
       std::memcpy(position, v, sizeof v);
-    else
+    else if (!SOFTGL_FAULT(element_position_only))
       set_attribute4(c, array.slot, v[0], v[1], v[2], v[3]);
   }
   if (arrays.drawable) emit_vertex4(c, position[0], position[1], position[2], position[3]);

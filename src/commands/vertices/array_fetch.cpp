@@ -8,6 +8,7 @@
 #include "commands/vertices/index_range.h"
 #include "context/buffer_objects.h"
 #include "context/context.h"
+#include "shaders/common/seeded_faults.h"
 
 namespace softgl {
 namespace {
@@ -23,7 +24,8 @@ TypeInfo type_info(GLenum type) {
   case GL_BYTE: return {ComponentType::Byte, 1};
   case GL_UNSIGNED_BYTE: return {ComponentType::UnsignedByte, 1};
   case GL_SHORT: return {ComponentType::Short, 2};
-  case GL_UNSIGNED_SHORT: return {ComponentType::UnsignedShort, 2};
+  case GL_UNSIGNED_SHORT:
+    return {SOFTGL_FAULT(unsigned_array_signed) ? ComponentType::Short : ComponentType::UnsignedShort, 2};
   case GL_INT: return {ComponentType::Int, 4};
   case GL_UNSIGNED_INT: return {ComponentType::UnsignedInt, 4};
   case GL_DOUBLE: return {ComponentType::Double, 8};
@@ -60,7 +62,10 @@ void add_array(ArrayCache& a, int slot, const VertexArray& array) {
   ArrayCache::Array& entry = a.array[a.count];
   const bool bgra = array.size == GL_BGRA;
   // A secondary color's alpha is not used.
-  const uint32_t components = !bgra ? uint32_t(array.size) : slot == kSecondaryColor ? 3 : 4;
+  const uint32_t components = SOFTGL_FAULT(array_alpha_lost) && slot == kColor ? 3
+                              : !bgra                                          ? uint32_t(array.size)
+                              : slot == kSecondaryColor                        ? 3
+                                                                               : 4;
   entry.slot = slot;
   entry.form = bgra                          ? ArrayCache::Form::Bgra
                : array.type == GL_HALF_FLOAT ? ArrayCache::Form::Half
@@ -70,9 +75,13 @@ void add_array(ArrayCache& a, int slot, const VertexArray& array) {
   a.converts = a.converts || entry.form != ArrayCache::Form::Plain;
   entry.client = !array.object;
   entry.stream.stride = array.stride ? uint32_t(array.stride) : entry.bytes;
+  if (SOFTGL_FAULT(array_stride_ignored)) entry.stream.stride = components * type.bytes;
+  if (SOFTGL_FAULT(array_stride_between) && array.stride) entry.stream.stride += entry.bytes;
   entry.stream.components = uint8_t(components);
   entry.stream.type = type.type;
   entry.stream.normalized = slot == kNormal || slot == kColor || slot == kSecondaryColor;
+  if (SOFTGL_FAULT(array_positions_scaled)) entry.stream.normalized |= slot == kPosition;
+  if (SOFTGL_FAULT(array_colors_not_scaled)) entry.stream.normalized = slot == kNormal;
   if (array.object) {
     watch(a, *array.object);
     const size_t offset = reinterpret_cast<size_t>(array.pointer), size = array.object->size();
@@ -110,7 +119,9 @@ void rebuild(Context& c) {
   a.source = nullptr;
   a.retained_indices = nullptr;
   for (int slot = 0; slot < kMaterial0; ++slot)
-    if (c.client.vertex_array.array[slot].enabled) add_array(a, slot, c.client.vertex_array.array[slot]);
+    if (c.client.vertex_array.array[slot].enabled &&
+        !(SOFTGL_FAULT(edge_flag_array_ignored) && slot == kEdgeFlag))
+      add_array(a, slot, c.client.vertex_array.array[slot]);
   for (const VertexArray& array : c.client.vertex_array.array)
     if (array.enabled && array.object && array.object->storage)
       c.frame.retain(array.object->storage, array.object->storage->size);

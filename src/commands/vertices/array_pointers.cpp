@@ -1,6 +1,9 @@
 // Where the vertex arrays are: gl*Pointer, InterleavedArrays, GetPointerv (GL 1.5, 2.8).
+#include <algorithm>
+
 #include "commands/generated/commands.h"
 #include "context/context.h"
+#include "shaders/common/seeded_faults.h"
 
 namespace softgl {
 namespace {
@@ -12,7 +15,7 @@ bool refuses_memory(const Context& c, const void* pointer) {
 }
 
 void set_pointer(Context& c, int slot, GLint size, GLenum type, GLsizei stride, const void* pointer) {
-  if (stride < 0) return set_error(c, GL_INVALID_VALUE, "stride");
+  if (stride < 0 && !SOFTGL_FAULT(negative_stride_taken)) return set_error(c, GL_INVALID_VALUE, "stride");
   if (refuses_memory(c, pointer)) return set_error(c, GL_INVALID_OPERATION);
   VertexArrayState& arrays = c.client.vertex_array;
   VertexArray& array = arrays.array[slot];
@@ -114,7 +117,7 @@ void gl::InterleavedArrays(Context& c, GLenum format, GLsizei stride, const void
   const auto* at = static_cast<const unsigned char*>(pointer);
   const GLsizei color_bytes = f.color_type == GL_UNSIGNED_BYTE ? 4 : 4 * f.colors;
   const GLsizei tight = 4 * f.texcoords + color_bytes + (f.normal ? 12 : 0) + 4 * f.positions;
-  if (!stride) stride = tight;
+  if (!stride || SOFTGL_FAULT(interleaved_stride_ignored)) stride = tight;
   const auto place = [&](int slot, bool there, GLint size, GLenum type, GLsizei bytes) {
     arrays.array[slot].enabled = there;
     if (!there) return;
@@ -127,7 +130,8 @@ void gl::InterleavedArrays(Context& c, GLenum format, GLsizei stride, const void
   place(kTexCoord0 + arrays.active_texture_unit, f.texcoords > 0, f.texcoords, GL_FLOAT, 4 * f.texcoords);
   place(kColor, f.colors > 0, f.colors, f.color_type, color_bytes);
   place(kNormal, f.normal, 3, GL_FLOAT, 12);
-  place(kPosition, true, f.positions, GL_FLOAT, 4 * f.positions);
+  place(kPosition, true, SOFTGL_FAULT(interleaved_w_lost) ? std::min(f.positions, 3) : f.positions, GL_FLOAT,
+        4 * f.positions);
   c.dirty |= kDirtyArrays;
 }
 

@@ -3,12 +3,14 @@
 #include "commands/vertices/list_player.h"
 #include "commands/vertices/vertex_stream.h"
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 #include <vector>
 
 #include "context/context.h"
 #include "context/display_list.h"
+#include "shaders/common/seeded_faults.h"
 
 namespace softgl {
 namespace {
@@ -39,7 +41,7 @@ template <class T> T load(const unsigned char* p) {
 /// Element i of CallLists. Signed offsets count modulo 2^32.
 GLuint offset_at(GLenum type, const unsigned char* p) {
   switch (type) {
-  case GL_BYTE: return GLuint(GLint(load<GLbyte>(p)));
+  case GL_BYTE: return SOFTGL_FAULT(list_bytes_unsigned) ? *p : GLuint(GLint(load<GLbyte>(p)));
   case GL_UNSIGNED_BYTE: return *p;
   case GL_SHORT: return GLuint(GLint(load<GLshort>(p)));
   case GL_UNSIGNED_SHORT: return load<GLushort>(p);
@@ -50,7 +52,9 @@ GLuint offset_at(GLenum type, const unsigned char* p) {
     return f > -2147483648.0f && f < 4294967296.0f ? GLuint(int64_t(f)) : 0;
   }
   case GL_2_BYTES: return p[0] << 8 | p[1];
-  case GL_3_BYTES: return p[0] << 16 | p[1] << 8 | p[2];
+  case GL_3_BYTES:
+    if (SOFTGL_FAULT(list_bytes_reversed)) return p[2] << 16 | p[1] << 8 | p[0];
+    return p[0] << 16 | p[1] << 8 | p[2];
   default: return GLuint(p[0]) << 24 | p[1] << 16 | p[2] << 8 | p[3];
   }
 }
@@ -58,7 +62,7 @@ GLuint offset_at(GLenum type, const unsigned char* p) {
 } // namespace
 
 void call_list(Context& c, GLuint name) {
-  if (c.lists.depth >= kMaxListNesting) return;
+  if (c.lists.depth >= (SOFTGL_FAULT(lists_call_no_lists) ? 1 : kMaxListNesting)) return;
   const std::shared_ptr<DisplayList> list = c.shared->lists.find(name);
   if (!list) return;
   struct Depth {
@@ -94,6 +98,7 @@ void gl::EndList(Context& c) {
   c.guard = c.lists.executing_guard;
   if (c.lists.failed) return set_error(c, GL_OUT_OF_MEMORY);
   list->records.shrink_to_fit();
+  if (SOFTGL_FAULT(list_not_replaced) && c.shared->lists.used(c.lists.name)) return;
   c.shared->lists.set(c.lists.name, std::move(list));
 }
 
@@ -117,13 +122,15 @@ void gl::CallLists(Context& c, GLsizei n, GLenum type, const void* lists) {
   const auto* bytes = static_cast<const unsigned char*>(lists);
   const auto play = [&] {
     for (GLsizei i = 0; i < n; ++i)
-      call_list(c, c.state.list.base + offset_at(type, bytes + size_t(i) * size));
+      call_list(c, (SOFTGL_FAULT(list_base_ignored) ? 0 : c.state.list.base) +
+                       offset_at(type, bytes + size_t(i) * size));
   };
   if (!c.builder.compiling) return play();
   auto* arguments = static_cast<uint64_t*>(record(c, kPlayCallLists, 8 + size_t(n) * sizeof(GLuint)));
   arguments[0] = uint64_t(n);
   for (GLsizei i = 0; i < n; ++i) {
-    const GLuint offset = offset_at(type, bytes + size_t(i) * size);
+    const GLuint offset = offset_at(type, bytes + size_t(i) * size) +
+                          (SOFTGL_FAULT(list_base_at_compile) ? c.state.list.base : 0);
     std::memcpy(reinterpret_cast<unsigned char*>(arguments + 1) + size_t(i) * sizeof offset, &offset,
                 sizeof offset);
   }
@@ -156,7 +163,7 @@ GLuint gl::GenLists(Context& c, GLsizei range) {
 
 void gl::DeleteLists(Context& c, GLuint first, GLsizei range) {
   if (range < 0) return set_error(c, GL_INVALID_VALUE, "range");
-  c.shared->lists.erase_block(first, GLuint(range));
+  c.shared->lists.erase_block(first, GLuint(SOFTGL_FAULT(one_list_deleted) ? std::min(range, 1) : range));
 }
 
 GLboolean gl::IsList(Context& c, GLuint name) { return c.shared->lists.used(name); }

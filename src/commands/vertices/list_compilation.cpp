@@ -10,6 +10,7 @@
 #include "commands/vertices/vertex_chunk.h"
 #include "commands/vertices/vertex_stream.h"
 #include "context/display_list.h"
+#include "shaders/common/seeded_faults.h"
 
 namespace softgl {
 namespace {
@@ -148,7 +149,10 @@ const void* keep(Context& c, const void* data, size_t bytes) {
   return kept ? kept : data;
 }
 
-bool execute_too(const Context& c) { return c.lists.list && c.lists.mode == GL_COMPILE_AND_EXECUTE; }
+bool execute_too(const Context& c) {
+  if (SOFTGL_FAULT(list_only_compiles)) return false;
+  return c.lists.list && (c.lists.mode == GL_COMPILE_AND_EXECUTE || SOFTGL_FAULT(list_executes_at_once));
+}
 
 ExecuteScope::ExecuteScope(Context& c) : context_(c), entered_(c.builder.compiling) {
   if (!entered_) return;

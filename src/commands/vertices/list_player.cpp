@@ -11,6 +11,7 @@
 #include "commands/vertices/list_commands.h"
 #include "context/context.h"
 #include "context/display_list.h"
+#include "shaders/common/seeded_faults.h"
 
 namespace softgl {
 namespace {
@@ -48,6 +49,7 @@ void play_list(Context& c, const DisplayList& list) {
       SOFTGL_ASSERT(header.units == 1 + sizeof r / 8);
       std::memcpy(&r, arguments, sizeof r);
       SOFTGL_ASSERT(r.slot < kAttributeSlots);
+      if (SOFTGL_FAULT(list_color_lost) && r.slot == kColor) break;
       set_attribute4(c, int(r.slot), r.value[0], r.value[1], r.value[2], r.value[3]);
       break;
     }
@@ -60,7 +62,8 @@ void play_list(Context& c, const DisplayList& list) {
     case kPlayCallLists: {
       const auto* offsets = reinterpret_cast<const GLuint*>(arguments + 1);
       SOFTGL_ASSERT(header.units >= 2 + (*arguments + 1) / 2);
-      for (uint64_t i = 0; i < *arguments; ++i) call_list(c, c.state.list.base + offsets[i]);
+      for (uint64_t i = 0; i < *arguments; ++i)
+        call_list(c, (SOFTGL_FAULT(list_base_at_compile) ? 0 : c.state.list.base) + offsets[i]);
       break;
     }
     default: play_command_record(c, uint16_t(header.opcode), arguments);

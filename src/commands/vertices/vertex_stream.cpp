@@ -10,6 +10,7 @@
 #include "commands/vertices/list_compilation.h"
 #include "commands/vertices/vertex_chunk.h"
 #include "context/context.h"
+#include "shaders/common/seeded_faults.h"
 #include "snapshot/render_targets.h"
 
 namespace softgl {
@@ -169,7 +170,8 @@ void gl::End(Context& c) {
   if (c.guard & kNoContext) return;
   if (b.mode == kNoPrimitive) return b.compiling ? compile_end(c) : set_error(c, GL_INVALID_OPERATION);
   const GLenum mode = b.mode;
-  const uint32_t count = b.vertex_count() - b.first, kept = complete_vertices(mode, count);
+  const uint32_t count = b.vertex_count() - b.first,
+                 kept = SOFTGL_FAULT(left_over_vertices_stay) ? count : complete_vertices(mode, count);
   b.out -= size_t(count - kept) * 4 * b.slots;
   if (b.compiling && kept < count) // attributes set after vertices that are dropped now
     for (uint32_t& first : b.first_set) first = std::min(first, b.first + kept);

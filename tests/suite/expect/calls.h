@@ -18,6 +18,7 @@ public:
 
 private:
   bool play_lists(const Call& call);
+  void call_list(GLuint name);
   bool play_attributes(const Call& call);
   bool play_matrices(const Call& call);
   bool play_vertices(const Call& call);
@@ -56,6 +57,7 @@ private:
   void array_element(int index);
   void draw_elements(GLenum mode, const std::vector<int>& indices);
   void bitmap(const Call& call);
+  void window_position(const Vec4& at);
   void paint_elements(const std::vector<Interval>& elements, const Call& call, size_t first);
 
   State state_;

@@ -48,6 +48,14 @@ bool Machine::play_attributes(const Call& call) {
     state_.saved.pop_back();
     track_color();
     return true;
+  case Command::PushClientAttrib:
+    state_.saved_clients.push_back({GLbitfield(call.n(0)), state_});
+    return true;
+  case Command::PopClientAttrib:
+    if (state_.saved_clients.empty()) throw std::logic_error("glPopClientAttrib without glPushClientAttrib");
+    restore(state_, state_.saved_clients.back());
+    state_.saved_clients.pop_back();
+    return true;
   default: return false;
   }
 }

@@ -31,6 +31,8 @@ bool Machine::play_paint(const Call& call) {
   }
   case Command::PaintInteger: return paint_green(3);
   case Command::PaintTexLevel: return paint_green(5);
+  case Command::PaintEqual: return paint_green(4);
+  case Command::PaintStack: return paint_green(2);
   case Command::PaintTexParameter:
   case Command::PaintTexEnv: return paint_green(4);
   case Command::PaintPixels: {

@@ -83,6 +83,21 @@ void Machine::draw_image(const PixelImage& image) {
     }
 }
 
+// glWindowPos (2.13): nothing is transformed, lit, generated or clipped.
+void Machine::window_position(const Vec4& at) {
+  const CurrentState& current = state_.current;
+  raster_position_ = {};
+  const double near = state_.viewport.near, far = state_.viewport.far;
+  raster_position_.window = {at.x, at.y, near + std::clamp(at.z, 0.0, 1.0) * (far - near)};
+  const double color[4] = {current.color.x, current.color.y, current.color.z, current.color.w};
+  for (int i = 0; i < 4; i++) raster_position_.front.primary[i] = spec::clamped(color[i], 0, 1);
+  raster_position_.back = raster_position_.front;
+  raster_position_.fog_distance = 0;
+  std::copy(current.texture_coordinate, current.texture_coordinate + kTextureUnits,
+            raster_position_.texture.begin());
+  raster_position_valid_ = true;
+}
+
 void Machine::bitmap(const Call& call) {
   for (double at : {raster_position_.window.x - call.n(2), raster_position_.window.y - call.n(3)})
     if (std::abs(at - std::round(at)) < 1e-3 && at != std::round(at))
@@ -102,6 +117,10 @@ bool Machine::play_pixels(const Call& call) {
     raster_position_ = transform(vec4(values_of(call)));
     raster_position_valid_ = is_inside(state_, raster_position_);
     if (raster_position_valid_) to_window(raster_position_);
+    return true;
+  }
+  if (std::string(facts_of(call.command).name).starts_with("WindowPos")) {
+    window_position(vec4(values_of(call)));
     return true;
   }
   const auto n = [&](size_t i) { return int(call.n(i)); };

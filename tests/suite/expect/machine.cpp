@@ -1,10 +1,34 @@
 #include "expect/machine.h"
 
+#include <cmath>
 #include <utility>
 
 #include "expect/calls.h"
 
 namespace softgl::suite {
+
+namespace {
+
+// The elements of glCallLists as numbers: bytes of one element go from the greatest to the least (5.4).
+std::vector<GLuint> list_offsets(const Call& call) {
+  const GLenum type = call.e(1);
+  const int bytes = type == GL_2_BYTES ? 2 : type == GL_3_BYTES ? 3 : type == GL_4_BYTES ? 4 : 0;
+  std::vector<GLuint> offsets;
+  for (size_t i = 0; i < size_t(call.n(0)); i++) {
+    if (!bytes) {
+      if (call.arguments[2].memory_type != type) throw std::logic_error("offsets of another type");
+      offsets.push_back(GLuint(int64_t(std::trunc(call.v(2).at(i)))));
+      continue;
+    }
+    GLuint offset = 0;
+    for (int b = 0; b < bytes; b++)
+      offset = offset << 8 | GLuint(call.v(2).at(i * size_t(bytes) + size_t(b)));
+    offsets.push_back(offset);
+  }
+  return offsets;
+}
+
+} // namespace
 
 Machine::Machine(Expectation& picture, const Precision& precision) : raster_(picture, precision) {
   state_.viewport.box[2] = picture.width, state_.viewport.box[3] = picture.height; // 2.11.1
@@ -37,6 +61,14 @@ void Machine::check_reading() const {
     throw std::logic_error("the picture could not be read with this state");
 }
 
+void Machine::call_list(GLuint name) {
+  const std::vector<ListedCall> calls = state_.lists[name];
+  const PixelStore unpack = state_.unpack;
+  const GLuint compiled = std::exchange(list_, 0); // what is executed is not compiled again
+  for (const ListedCall& c : calls) state_.unpack = c.unpack, play(c.call);
+  list_ = compiled, state_.unpack = unpack;
+}
+
 bool Machine::play_lists(const Call& call) { // 5.4
   switch (call.command) {
   case Command::NewList:
@@ -47,14 +79,11 @@ bool Machine::play_lists(const Call& call) { // 5.4
   case Command::DeleteLists:
     for (GLuint i = 0; i < GLuint(call.n(1)); i++) state_.lists.erase(GLuint(call.n(0)) + i);
     return true;
-  case Command::CallList: {
-    const std::vector<ListedCall> calls = state_.lists[GLuint(call.n(0))];
-    const PixelStore unpack = state_.unpack;
-    const GLuint compiled = std::exchange(list_, 0); // what is executed is not compiled again
-    for (const ListedCall& c : calls) state_.unpack = c.unpack, play(c.call);
-    list_ = compiled, state_.unpack = unpack;
+  case Command::CallList: call_list(GLuint(call.n(0))); return true;
+  case Command::CallLists:
+    for (GLuint offset : list_offsets(call)) call_list(state_.list_base + offset);
     return true;
-  }
+  case Command::ListBase: state_.list_base = GLuint(call.n(0)); return true;
   default: return false;
   }
 }

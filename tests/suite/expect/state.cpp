@@ -37,6 +37,7 @@ void restore(State& state, const SavedAttributes& saved) {
   }
   if (mask & GL_POINT_BIT) state.width.point = from.width.point;
   if (mask & GL_LINE_BIT) state.width.line = from.width.line;
+  if (mask & GL_LIST_BIT) state.list_base = from.list_base;
   if (mask & GL_VIEWPORT_BIT) state.viewport = from.viewport;
   if (mask & GL_ENABLE_BIT) {
     state.lighting.lighting = from.lighting.lighting,
@@ -54,6 +55,16 @@ void restore(State& state, const SavedAttributes& saved) {
       std::copy(unit.on, unit.on + kTextureTargets, state.texture.units[u].on);
       for (int i = 0; i < 4; i++) state.texture.units[u].generation[i].on = unit.generation[i].on;
     }
+  }
+}
+
+void restore(State& state, const SavedClient& saved) {
+  const ClientState& from = saved.client;
+  if (saved.mask & GL_CLIENT_PIXEL_STORE_BIT) state.pack = from.pack, state.unpack = from.unpack;
+  if (saved.mask & GL_CLIENT_VERTEX_ARRAY_BIT) {
+    state.vertex_array = from.vertex_array, state.normal_array = from.normal_array;
+    state.color_array = from.color_array, state.edge_flag_array = from.edge_flag_array;
+    state.texture_array = from.texture_array;
   }
 }
 

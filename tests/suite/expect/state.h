@@ -85,6 +85,7 @@ struct Attributes {
   PixelModeState pixel;
   WidthState width;
   ViewportState viewport;
+  GLuint list_base = 0;
 };
 
 struct SavedAttributes {
@@ -105,17 +106,28 @@ struct ListedCall {
   PixelStore unpack;
 };
 
-struct State : Attributes {
+/// What glPushClientAttrib saves (tables 6.6, 6.21 and 6.22).
+struct ClientState {
   ArrayState vertex_array, normal_array, color_array, edge_flag_array, texture_array;
+  PixelStore pack, unpack;
+};
+
+struct SavedClient {
+  GLbitfield mask;
+  ClientState client;
+};
+
+struct State : Attributes, ClientState {
   std::vector<Matrix4> modelview{1}, projection{1};
   std::vector<Matrix4> texture_matrix[kTextureUnits] = {std::vector<Matrix4>(1), std::vector<Matrix4>(1),
                                                         std::vector<Matrix4>(1), std::vector<Matrix4>(1)};
-  PixelStore pack, unpack;
   std::vector<SavedAttributes> saved;
+  std::vector<SavedClient> saved_clients;
   std::map<GLuint, std::vector<ListedCall>> lists;
 };
 
 /// Copies what the bits of `mask` name (tables 6.5 to 6.30).
 void restore(State& state, const SavedAttributes& saved);
+void restore(State& state, const SavedClient& saved);
 
 } // namespace softgl::suite

@@ -150,7 +150,8 @@ std::string c_program(const Test& test, const Script& script, const Verdict& v, 
          " * It ends with 1 if the pixel is wrong, 0 if it is right, 2 without a context. Any library of "
          "OSMesa's ABI\n"
          " * can be linked with it, and with -DUSE_EGL any EGL (-lEGL -lGL). */\n" +
-         R"(#include <stdio.h>
+         R"(#define GL_GLEXT_PROTOTYPES
+#include <stdio.h>
 #ifdef USE_EGL
 #include <EGL/egl.h>
 #include <EGL/eglext.h>

@@ -8,6 +8,24 @@
 namespace softgl::suite {
 namespace {
 
+// How a stack is filled and emptied.
+struct StackCommands {
+  GLenum depth;
+  bool matrices, client;
+  const char *push, *pop; // in C
+};
+const StackCommands& stack_commands(GLenum depth) {
+  static const StackCommands commands[] = {
+      {GL_ATTRIB_STACK_DEPTH, false, false, "glPushAttrib(0)", "glPopAttrib()"},
+      {GL_CLIENT_ATTRIB_STACK_DEPTH, false, true, "glPushClientAttrib(0)", "glPopClientAttrib()"},
+      {GL_MODELVIEW_STACK_DEPTH, true, false, "glPushMatrix()", "glPopMatrix()"},
+      {GL_PROJECTION_STACK_DEPTH, true, false, "glPushMatrix()", "glPopMatrix()"},
+      {GL_TEXTURE_STACK_DEPTH, true, false, "glPushMatrix()", "glPopMatrix()"}};
+  for (const StackCommands& c : commands)
+    if (c.depth == depth) return c;
+  throw std::logic_error("a stack that the player does not know");
+}
+
 // Memory of `count` elements that say that nobody wrote them.
 std::vector<std::byte> untouched_memory(const PixelType& type, int count) {
   return bytes_of(type.type, std::vector<double>(size_t(count), untouched_element(type)));
@@ -71,6 +89,33 @@ void Player::paint_elements(const Call& call, size_t first, const std::vector<st
   }
 }
 
+bool Player::stack_is_right(GLenum depth, GLenum limit) {
+  const StackCommands& stack = stack_commands(depth);
+  const auto is = [&](int entries, GLenum error) {
+    GLint got = -1;
+    gl_.GetIntegerv(depth, &got);
+    const GLenum raised = gl_.GetError();
+    return got == entries && raised == error;
+  };
+  const auto push = [&] {
+    stack.matrices ? gl_.PushMatrix() : stack.client ? gl_.PushClientAttrib(0) : gl_.PushAttrib(0);
+  };
+  const auto pop = [&] {
+    stack.matrices ? gl_.PopMatrix() : stack.client ? gl_.PopClientAttrib() : gl_.PopAttrib();
+  };
+  const int bottom = stack.matrices;
+  GLint most = 0;
+  gl_.GetIntegerv(limit, &most);
+  if (!is(bottom, GL_NO_ERROR) || most > 100000) return false;
+  for (int i = bottom; i < most; i++) push();
+  bool right = is(most, GL_NO_ERROR);
+  push(), right = is(most, GL_STACK_OVERFLOW) && right;
+  for (int i = bottom; i < most; i++) pop();
+  right = is(bottom, GL_NO_ERROR) && right;
+  pop();
+  return is(bottom, GL_STACK_UNDERFLOW) && right;
+}
+
 void Player::paint(const Call& call) {
   const auto n = [&](size_t i) { return GLint(call.n(i)); };
   const auto judge = [&](double value, size_t low) {
@@ -83,6 +128,18 @@ void Player::paint(const Call& call) {
   case Command::Raises: break;
   case Command::PaintError: paint(n(0), n(1), kPaintedSquare, painted_error(gl_.GetError()), 0, 0); break;
   case Command::PaintInteger: gl_.GetIntegerv(call.e(0), integers), judge(integers[0], 1); break;
+  case Command::PaintEqual: {
+    GLint others[16] = {};
+    gl_.GetIntegerv(call.e(0), integers), gl_.GetIntegerv(call.e(2), others);
+    const bool same = integers[n(1)] == others[n(3)];
+    paint(n(4), n(5), kPaintedSquare, !same, same, 0);
+    break;
+  }
+  case Command::PaintStack: {
+    const bool right = stack_is_right(call.e(0), call.e(1));
+    paint(n(2), n(3), kPaintedSquare, !right, right, 0);
+    break;
+  }
   case Command::PaintTexLevel:
     if (!gl_.GetTexLevelParameteriv) return;
     gl_.GetTexLevelParameteriv(call.e(0), n(1), call.e(2), integers), judge(integers[0], 3);
@@ -153,6 +210,26 @@ std::string paint_to_c(const Call& call, const std::string& indent) {
     return indent + "{ const GLenum error = glGetError(); paint(" + n(0) + ", " + n(1) + ", " +
            std::to_string(kPaintedSquare) + ", error ? (error - 0x4ff) / 16.0 : 1.0, 0, 0); }\n";
   case Command::PaintInteger: return judged("GLint", "glGetIntegerv(" + n(0) + ", answer)", 1);
+  case Command::PaintEqual:
+    return indent + "{ GLint a[16] = {0}, b[16] = {0}; glGetIntegerv(" + n(0) + ", a); glGetIntegerv(" +
+           n(2) + ", b); paint(" + n(4) + ", " + n(5) + ", " + std::to_string(kPaintedSquare) + ", a[" +
+           n(1) + "] != b[" + n(3) + "], a[" + n(1) + "] == b[" + n(3) + "], 0); }\n";
+  case Command::PaintStack: {
+    const StackCommands& stack = stack_commands(call.e(0));
+    const std::string bottom = std::to_string(stack.matrices), inner = indent + "  ";
+    const auto repeated = [&](const char* what) {
+      return inner + "for (int i = " + bottom + "; i < most; i++) " + what + ";\n";
+    };
+    const auto is = [&](const std::string& entries, const char* error) {
+      return inner + "glGetIntegerv(" + n(0) + ", &depth);\n" + inner + "right = depth == " + entries +
+             " && glGetError() == " + error + " && right;\n";
+    };
+    return indent + "{\n" + inner + "GLint depth = 0, most = 0, right = 1;\n" + inner + "glGetIntegerv(" +
+           n(1) + ", &most);\n" + repeated(stack.push) + is("most", "GL_NO_ERROR") + inner + stack.push +
+           ";\n" + is("most", "GL_STACK_OVERFLOW") + repeated(stack.pop) + is(bottom, "GL_NO_ERROR") + inner +
+           stack.pop + ";\n" + is(bottom, "GL_STACK_UNDERFLOW") + inner + "paint(" + n(2) + ", " + n(3) +
+           ", " + std::to_string(kPaintedSquare) + ", !right, right, 0);\n" + indent + "}\n";
+  }
   case Command::PaintTexLevel:
     return judged("GLint", "glGetTexLevelParameteriv(" + n(0) + ", " + n(1) + ", " + n(2) + ", answer)", 3);
   case Command::PaintTexParameter:

@@ -2,6 +2,9 @@
 // printed as a program.
 #pragma once
 
+#ifndef GL_GLEXT_PROTOTYPES
+#define GL_GLEXT_PROTOTYPES
+#endif
 #include <GL/gl.h>
 #include <GL/glext.h>
 
@@ -103,6 +106,7 @@ public:
 
 private:
   void paint(const Call& call);
+  bool stack_is_right(GLenum depth, GLenum limit);
   void paint(double x, double y, double size, double red, double green, double blue);
   void paint_elements(const Call& call, size_t first, const std::vector<std::byte>& bytes, bool swapped);
   void check_error(const Call& call);

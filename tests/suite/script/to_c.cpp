@@ -34,22 +34,27 @@ std::string number(double value, bool single) {
   return whole ? s + ".0" : s;
 }
 
-std::string mask_bits(GLbitfield bits) {
-  static const std::pair<GLbitfield, const char*> names[] = {{GL_COLOR_BUFFER_BIT, "GL_COLOR_BUFFER_BIT"},
-                                                             {GL_DEPTH_BUFFER_BIT, "GL_DEPTH_BUFFER_BIT"},
-                                                             {GL_STENCIL_BUFFER_BIT, "GL_STENCIL_BUFFER_BIT"},
-                                                             {GL_LIGHTING_BIT, "GL_LIGHTING_BIT"},
-                                                             {GL_CURRENT_BIT, "GL_CURRENT_BIT"},
-                                                             {GL_ENABLE_BIT, "GL_ENABLE_BIT"},
-                                                             {GL_TRANSFORM_BIT, "GL_TRANSFORM_BIT"},
-                                                             {GL_POLYGON_BIT, "GL_POLYGON_BIT"},
-                                                             {GL_TEXTURE_BIT, "GL_TEXTURE_BIT"},
-                                                             {GL_PIXEL_MODE_BIT, "GL_PIXEL_MODE_BIT"}};
-  if (bits == GL_ALL_ATTRIB_BITS) return "GL_ALL_ATTRIB_BITS";
+std::string mask_bits(GLbitfield bits, bool of_client) {
+  using Names = std::vector<std::pair<GLbitfield, const char*>>;
+  static const Names server = {{GL_COLOR_BUFFER_BIT, "GL_COLOR_BUFFER_BIT"},
+                               {GL_DEPTH_BUFFER_BIT, "GL_DEPTH_BUFFER_BIT"},
+                               {GL_STENCIL_BUFFER_BIT, "GL_STENCIL_BUFFER_BIT"},
+                               {GL_LIGHTING_BIT, "GL_LIGHTING_BIT"},
+                               {GL_CURRENT_BIT, "GL_CURRENT_BIT"},
+                               {GL_ENABLE_BIT, "GL_ENABLE_BIT"},
+                               {GL_TRANSFORM_BIT, "GL_TRANSFORM_BIT"},
+                               {GL_POLYGON_BIT, "GL_POLYGON_BIT"},
+                               {GL_TEXTURE_BIT, "GL_TEXTURE_BIT"},
+                               {GL_PIXEL_MODE_BIT, "GL_PIXEL_MODE_BIT"},
+                               {GL_VIEWPORT_BIT, "GL_VIEWPORT_BIT"},
+                               {GL_LIST_BIT, "GL_LIST_BIT"}};
+  static const Names client = {{GL_CLIENT_PIXEL_STORE_BIT, "GL_CLIENT_PIXEL_STORE_BIT"},
+                               {GL_CLIENT_VERTEX_ARRAY_BIT, "GL_CLIENT_VERTEX_ARRAY_BIT"}};
+  if (bits == GL_ALL_ATTRIB_BITS && !of_client) return "GL_ALL_ATTRIB_BITS";
   std::string text;
-  for (const auto& [bit, name] : names)
+  for (const auto& [bit, name] : of_client ? client : server)
     if (bits & bit) text += (text.empty() ? "" : " | ") + std::string(name), bits &= ~bit;
-  return bits ? std::to_string(bits) : text;
+  return bits || text.empty() ? std::to_string(bits) : text;
 }
 
 const char* error_name(GLenum error) {
@@ -115,7 +120,7 @@ std::string c_argument(const Call& call, size_t i) {
     if (a.number == 0) return "GL_ZERO";
     if (a.number == 1) return "GL_ONE";
     return constant_names().at(GLenum(a.number));
-  case 'b': return mask_bits(GLbitfield(a.number));
+  case 'b': return mask_bits(GLbitfield(a.number), call.command == Command::PushClientAttrib);
   case 'B': return a.number != 0 ? "GL_TRUE" : "GL_FALSE";
   case 'f': return number(a.number, true);
   case 'd': return number(a.number, false);

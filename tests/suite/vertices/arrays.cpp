@@ -170,6 +170,14 @@ std::vector<Test> vertices_array_tests() {
                  Memory{GL_INT, spread(kColors, 4, 3, 2147483647.0)}),
       colors_row("arrays.color_d", "Colors of doubles are taken as they are.", 4, GL_DOUBLE, 0,
                  Memory{GL_DOUBLE, kColors}),
+      row("arrays.color_alpha", "2.8", "The fourth component of a color array is alpha.",
+          [](Script& s) {
+            std::vector<double> colors = kColors;
+            for (size_t i = 0; i < 6; i++) colors[4 * i + 3] = 0.2 + 0.15 * double(i);
+            s.Enable(GL_BLEND), s.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA), set_positions(s);
+            s.EnableClientState(GL_COLOR_ARRAY), s.ColorPointer(4, GL_FLOAT, 0, Memory{GL_FLOAT, colors});
+            s.DrawArrays(GL_TRIANGLE_STRIP, 0, 6);
+          }),
       row("arrays.normal_b", "2.8, table 2.4", "Normals of signed bytes are (2c + 1) / 255.",
           [](Script& s) {
             diffuse_scene(s, {1, 0.5, 1, 0}), set_positions(s), s.EnableClientState(GL_NORMAL_ARRAY);

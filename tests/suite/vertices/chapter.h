@@ -16,6 +16,7 @@ std::vector<Test> vertices_matrix_tests();
 std::vector<Test> vertices_clipping_tests();
 std::vector<Test> vertices_raster_position_tests();
 std::vector<Test> vertices_list_tests();
+std::vector<Test> vertices_stack_tests();
 std::vector<Test> vertices_error_tests();
 
 } // namespace softgl::suite

@@ -152,6 +152,13 @@ std::vector<Test> vertices_error_tests() {
                 s.NewList(2, GL_COMPILE), s.raises(GL_INVALID_OPERATION);
             s.EndList(), s.CallList(2), s.Translatef(0.2, 0.3, 0), s.CallList(1);
           }),
+      row("errors.call_lists", "5.4", "glCallLists of a negative number or another type calls nothing.",
+          [](Script& s) {
+            s.NewList(1, GL_COMPILE), tint(s, 0), patch(s, 0.6, 0.6, 0.2), s.EndList();
+            s.CallLists(-1, GL_UNSIGNED_BYTE, Memory{GL_UNSIGNED_BYTE, {1}}), s.raises(GL_INVALID_VALUE),
+                s.CallLists(1, GL_DOUBLE, Memory{GL_DOUBLE, {1}}), s.raises(GL_INVALID_ENUM);
+            s.DeleteLists(1, -1), s.raises(GL_INVALID_VALUE), arrow(s);
+          }),
       row("errors.in_list", "5.4", "An error of a command in a list comes when the list is called.",
           [](Script& s) {
             s.NewList(1, GL_COMPILE), s.MatrixMode(GL_LIGHTING), arrow(s), s.EndList(), s.CallList(1),

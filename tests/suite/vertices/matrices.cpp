@@ -52,7 +52,8 @@ std::vector<Test> vertices_matrix_tests() {
           }),
       row("matrices.multiply", "2.11.2", "glMultMatrix multiplies from the right.",
           [](Script& s) {
-            s.MultMatrixf(kMatrix), arrow(s), s.MultMatrixd(kMatrix), s.Translatef(0, 0.8, 0), arrow(s);
+            s.Rotatef(70, 0, 0, 1), s.MultMatrixf(kMatrix), arrow(s), s.MultMatrixd(kMatrix),
+                s.Translatef(0, 0.8, 0), arrow(s);
           }),
       row(
           "matrices.load_transpose", "2.11.2", "glLoadTransposeMatrix takes a matrix row after row.",
@@ -66,7 +67,8 @@ std::vector<Test> vertices_matrix_tests() {
           "matrices.multiply_transpose", "2.11.2",
           "glMultTransposeMatrix multiplies by the matrix row after row.",
           [](Script& s) {
-            s.MultTransposeMatrixf(kTransposedMatrix), arrow(s), s.MultTransposeMatrixd(kTransposedMatrix);
+            s.Rotatef(70, 0, 0, 1), s.MultTransposeMatrixf(kTransposedMatrix), arrow(s),
+                s.MultTransposeMatrixd(kTransposedMatrix);
             s.Translatef(0, 0.8, 0), arrow(s);
           },
           kTranspose),
@@ -94,6 +96,8 @@ std::vector<Test> vertices_matrix_tests() {
             s.MatrixMode(GL_PROJECTION), s.LoadIdentity(), s.Scalef(0.6, 0.7, 1), s.Translatef(0.2, -0.3, 0);
             s.Frustum(-0.2, 0.2, -0.2, 0.2, 1, 12), s.MatrixMode(GL_MODELVIEW), s.Scalef(1.5, 1.5, 1),
                 arrow(s);
+            s.MatrixMode(GL_PROJECTION), s.LoadIdentity(), s.Scalef(0.3, 0.4, 1), s.Translatef(-1.6, 0.9, 0);
+            s.Ortho(-0.5, 0.7, -0.9, 0.6, 4, 6), s.MatrixMode(GL_MODELVIEW), arrow(s);
           }),
       row("matrices.modelview_stack", "2.11.2", "glPopMatrix brings back the matrix of its glPushMatrix.",
           [](Script& s) {
@@ -160,6 +164,12 @@ std::vector<Test> vertices_matrix_tests() {
       row("matrices.viewport_outside", "2.11.1", "A viewport may reach beyond the window.",
           [](Script& s) {
             s.Viewport(-60, -20, 200, 150), arrow(s), s.Viewport(20, 30, 150, 120), arrow(s);
+          }),
+      row("matrices.viewport_clamped", "2.11.1", "A viewport is clamped to GL_MAX_VIEWPORT_DIMS.",
+          [](Script& s) {
+            s.Viewport(0, 0, 1000000000, 1000000000),
+                s.PaintEqual(GL_VIEWPORT, 2, GL_MAX_VIEWPORT_DIMS, 0, 4, 84);
+            s.PaintEqual(GL_VIEWPORT, 3, GL_MAX_VIEWPORT_DIMS, 1, 14, 84), s.Viewport(0, 0, 96, 96), arrow(s);
           }),
       row("matrices.viewport_saved", "6.1.14, table 6.7",
           "GL_VIEWPORT_BIT saves the viewport and the depth range.",

@@ -109,6 +109,28 @@ std::vector<Test> vertices_primitive_tests() {
           [](Script& s) {
             quads(s, 2, 3), s.Translatef(0.3, 0.2, 0), s.Scalef(0.5, 0.5, 1), quads(s, 2, 1);
           }),
+      row("primitives.flat_lines", "2.14.7, 2.6.1", "A flat line has the color of its second vertex.",
+          [](Script& s) {
+            s.ShadeModel(GL_FLAT), s.PushMatrix(), s.Translatef(0, 0.5, 0), s.Scalef(1, 0.5, 1);
+            zigzag(s, GL_LINES, 8), s.PopMatrix(), s.Translatef(0, -0.5, 0), s.Scalef(1, 0.5, 1),
+                zigzag(s, GL_LINE_STRIP, 5);
+          }),
+      row("primitives.flat_polygon", "2.14.7, table 2.12",
+          "A flat polygon has the color of its first vertex.",
+          [](Script& s) {
+            s.ShadeModel(GL_FLAT), ring(s, GL_POLYGON, 6), s.Begin(GL_POLYGON);
+            for (int i = 0; i < 4; i++)
+              tint(s, 3 + i), s.Vertex3f(i == 0 || i == 3 ? -0.5 : 0.5, i < 2 ? -0.4 : 0.4, 0);
+            s.End();
+          }),
+      row("primitives.flat_triangles", "2.14.7, table 2.12",
+          "Flat triangles, strips and fans have the color of the last vertex of each triangle.",
+          [](Script& s) {
+            s.ShadeModel(GL_FLAT), s.PushMatrix(), s.Translatef(0, 0.5, 0), s.Scalef(1, 0.5, 1),
+                zigzag(s, GL_TRIANGLES, 9), s.Scalef(0.6, 0.6, 1);
+            zigzag(s, GL_TRIANGLE_STRIP, 7), s.PopMatrix(), s.Translatef(0, -0.5, 0), s.Scalef(1, 0.5, 1),
+                ring(s, GL_TRIANGLE_FAN, 7, true);
+          }),
       row("primitives.none", "2.6.1", "glBegin and glEnd without vertices draw nothing.",
           [](Script& s) {
             for (GLenum mode = GL_POINTS; mode <= GL_POLYGON; mode++) s.Begin(mode), s.End();

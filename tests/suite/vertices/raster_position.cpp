@@ -5,6 +5,8 @@
 namespace softgl::suite {
 namespace {
 
+constexpr Need kWindowPos{14, "GL_ARB_window_pos"};
+
 // A square of 16 x 16 ones; the raster position moves by (dx, dy).
 void stamp(Script& s, double dx = 0, double dy = 0, double origin_x = 0, double origin_y = 0) {
   s.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -122,6 +124,66 @@ std::vector<Test> vertices_raster_position_tests() {
                 s.RasterPos2f(60.5, 60.5), s.PopAttrib();
             stamp(s);
           }),
+      row("raster_position.viewport", "2.13, 2.11.1", "The viewport is where the raster position comes out.",
+          [](Script& s) {
+            s.Viewport(20, 30, 60, 50), tint(s, 2), s.RasterPos3f(-0.41, 0.27, 0), stamp(s), tint(s, 3),
+                s.RasterPos3f(0.23, -0.61, 0), stamp(s);
+          }),
+      row("raster_position.depth_range", "2.13, 2.11.1",
+          "The depth range maps the depth of the raster position.",
+          [](Script& s) {
+            pixels(s), s.DepthRange(0.5, 1), s.RasterPos3f(32.5, 48.5, 5), tint(s, 4);
+            s.GetFloatv(GL_CURRENT_RASTER_POSITION, V{32.5, 48.5, 0.625, 1}), s.DepthRange(0.75, 0.25),
+                s.RasterPos3f(20.5, 12.5, -5),
+                s.GetFloatv(GL_CURRENT_RASTER_POSITION, V{20.5, 12.5, 0.375, 1});
+          }),
+      row(
+          "raster_position.window_two", "2.13",
+          "glWindowPos2 of each type counts in pixels of the window, whatever matrices and viewport are.",
+          [](Script& s) {
+            s.Viewport(10, 20, 30, 30), s.Scalef(3, 3, 3);
+            tint(s, 0), s.WindowPos2s(5, 5), stamp(s), tint(s, 1), s.WindowPos2sv(V{25, 7}), stamp(s),
+                tint(s, 2), s.WindowPos2i(45, 5), stamp(s);
+            tint(s, 3), s.WindowPos2iv(V{5, 40}), stamp(s), tint(s, 4), s.WindowPos2f(25.5, 42.5), stamp(s);
+            tint(s, 5), s.WindowPos2fv(V{45.5, 44.25}), stamp(s), tint(s, 6), s.WindowPos2d(65.25, 60.5),
+                stamp(s);
+            tint(s, 0), s.WindowPos2dv(V{70, 8.5}), stamp(s);
+          },
+          kWindowPos),
+      row(
+          "raster_position.window_three", "2.13",
+          "The z of glWindowPos3 is clamped and goes through the depth range.",
+          [](Script& s) {
+            const auto is = [&](double x, double y, double z) {
+              s.GetFloatv(GL_CURRENT_RASTER_POSITION, V{x, y, z, 1});
+            };
+            s.DepthRange(0.25, 0.75), s.WindowPos3f(5.5, 7.5, 0.5), is(5.5, 7.5, 0.5);
+            s.WindowPos3fv(V{9.5, 8.5, 0.25}), is(9.5, 8.5, 0.375), s.WindowPos3d(1.5, 2.5, -4),
+                is(1.5, 2.5, 0.25), s.WindowPos3dv(V{11.5, 12.5, 7}), is(11.5, 12.5, 0.75);
+            s.WindowPos3s(3, 4, 1), is(3, 4, 0.75), s.WindowPos3sv(V{30, 40, 0}), is(30, 40, 0.25),
+                s.WindowPos3i(-3, 4, 0), is(-3, 4, 0.25), s.WindowPos3iv(V{13, 14, 1}), is(13, 14, 0.75);
+            s.WindowPos2i(50, 60), is(50, 60, 0.25), tint(s, 3), stamp(s);
+          },
+          kWindowPos),
+      row(
+          "raster_position.window_valid", "2.13",
+          "A window position is valid wherever it is, and nothing clips it.",
+          [](Script& s) {
+            s.ClipPlane(GL_CLIP_PLANE0, V{0, 0, 0, -1}), s.Enable(GL_CLIP_PLANE0), s.RasterPos3f(0, 0, 0),
+                s.GetFloatv(GL_CURRENT_RASTER_POSITION_VALID, V{0}), tint(s, 1), s.WindowPos2i(-8, 20);
+            s.GetFloatv(GL_CURRENT_RASTER_POSITION_VALID, V{1}),
+                s.GetFloatv(GL_CURRENT_RASTER_DISTANCE, V{0}), stamp(s, 60, 30), stamp(s);
+          },
+          kWindowPos),
+      row(
+          "raster_position.window_color", "2.13",
+          "A window position takes the current color, which is not lit, and clamps it.",
+          [](Script& s) {
+            s.Enable(GL_LIGHTING), s.Enable(GL_LIGHT0), s.Color4f(0.25, 3, -1, 0.5), s.WindowPos2i(20, 20),
+                stamp(s, 30, 30);
+            s.GetFloatv(GL_CURRENT_RASTER_COLOR, V{0.25, 1, 0, 0.5}), tint(s, 0), stamp(s);
+          },
+          kWindowPos),
       row("raster_position.list", "2.13, 5.4", "A list holds raster positions and bitmaps.",
           [](Script& s) {
             pixels(s), s.NewList(4, GL_COMPILE), tint(s, 3), s.RasterPos2f(30.5, 30.5), stamp(s, 20, 20),
