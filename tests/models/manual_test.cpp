@@ -6,8 +6,11 @@
 #include <map>
 #include <regex>
 
+#include "common/program_error.h"
 #include "models/command_line.h"
 #include "models/program_runner.h"
+#include "mpi/mpi_options.h"
+#include "options/help_page.h"
 
 using namespace softgl::test;
 using softgl::cli::CommandRow;
@@ -122,9 +125,30 @@ TEST_CASE("manual: each help fits a screen and has examples of its own", "[model
   }
 }
 
+TEST_CASE("manual: the help of softgl-mpi fits a screen and has its options", "[models][program]") {
+  const CommandRow mpi = softgl::cli::describe_mpi();
+  const std::string page = softgl::cli::help_page(mpi), text = flowing(page);
+  const std::vector<std::string> lines = text_lines(page);
+  CHECK(lines.size() <= 100);
+  for (const std::string& line : lines) {
+    CAPTURE(line);
+    CHECK(line.size() <= 100);
+  }
+  CHECK(has(page, "Usage: softgl-mpi [OPTIONS] MODEL..."));
+  CHECK(mpi.examples.size() == 3);
+  for (const std::string& example : mpi.examples) CHECK(has(page, "\n  " + example + "\n"));
+  for (const OptionRow& option : mpi.options) {
+    const char* const words[] = {"softgl-mpi", option.names.front().c_str(), "x"};
+    CHECK(has(text, option.names.front() + " " + option.value + " " + flowing(option.text)));
+    CHECK_THROWS_AS(softgl::cli::take_mpi_options(3, words), softgl::cli::ProgramError);
+  }
+}
+
 TEST_CASE("manual: every man page lists all options with their texts", "[models][program]") {
-  for (const CommandRow& command : all_commands()) {
-    const std::string page = command.word.empty() ? "softgl" : "softgl-" + command.word;
+  std::vector<CommandRow> pages = all_commands();
+  pages.push_back(softgl::cli::describe_mpi());
+  for (const CommandRow& command : pages) {
+    const std::string page = command.program + (command.word.empty() ? "" : "-" + command.word);
     INFO(page);
     const std::string path = shared_file("man/man1/" + page + ".1"), text = read_roff(read_bytes(path));
     for (const OptionRow& option : command.options) {
@@ -136,7 +160,7 @@ TEST_CASE("manual: every man page lists all options with their texts", "[models]
     }
     for (const std::string& example : command.examples) CHECK(has(text, "\n" + example + "\n"));
     for (const CommandRow& other : all_commands())
-      if (other.word != command.word)
+      if (other.word != command.word || other.program != command.program)
         CHECK(has(text, (other.word.empty() ? ".BR softgl" : ".BR softgl-" + other.word) + " (1)"));
     if (has_program("groff")) {
       const ShellRun groff = run_shell("groff -man -ww -z -Tutf8 '" + path + "'");

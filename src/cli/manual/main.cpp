@@ -7,6 +7,7 @@
 
 #include "manual/completions.h"
 #include "manual/man_page.h"
+#include "mpi/mpi_options.h"
 #include "options/command_line.h"
 
 namespace {
@@ -24,6 +25,7 @@ void write_all(const fs::path& folder) {
   const CommandRow program = describe_command_line();
   for (const CommandRow& command : program.commands)
     write(folder / "man/man1" / ("softgl-" + command.word + ".1"), man_page(program, command));
+  write(folder / "man/man1/softgl-mpi.1", man_page(program, describe_mpi()));
   write(folder / "bash-completion/completions/softgl", bash_completion(program));
   write(folder / "zsh/site-functions/_softgl", zsh_completion(program));
   write(folder / "fish/vendor_completions.d/softgl.fish", fish_completion(program));

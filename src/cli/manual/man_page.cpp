@@ -24,7 +24,7 @@ std::string escaped(const std::string& text) {
 }
 
 std::string page_name(const CommandRow& command) {
-  return command.word.empty() ? "softgl" : "softgl-" + command.word;
+  return command.program + (command.word.empty() ? "" : "-" + command.word);
 }
 
 std::string operands(const CommandRow& command) {
@@ -83,10 +83,13 @@ A setting that is wrong ends the run with exit code 2 and a sentence that names 
 std::string man_page(const CommandRow& program, const CommandRow& command) {
   const std::string name = page_name(command);
   std::string page = "." + std::string("TH ") + escaped(name) + " 1 \"\" \"softgl " SOFTGL_VERSION "\"\n";
-  const bool says_who = command.text.rfind("softgl ", 0) == 0;
-  page += ".SH NAME\n" + escaped(name) + " \\- " + escaped(command.text.substr(says_who ? 7 : 0)) + "\n";
-  page += ".SH SYNOPSIS\n.B softgl" + (command.word.empty() ? "" : " " + escaped(command.word)) +
-          "\n[\\fIOPTIONS\\fR]" + operands(command) + "\n";
+  const std::string who = command.program + " ";
+  const bool says_who = command.text.rfind(who, 0) == 0;
+  page +=
+      ".SH NAME\n" + escaped(name) + " \\- " + escaped(command.text.substr(says_who ? who.size() : 0)) + "\n";
+  page += ".SH SYNOPSIS\n.B " + escaped(command.program) +
+          (command.word.empty() ? "" : " " + escaped(command.word)) + "\n[\\fIOPTIONS\\fR]" +
+          operands(command) + "\n";
   for (const CommandRow& each : command.commands)
     page += ".br\n.B softgl " + escaped(each.word) + "\n[\\fIOPTIONS\\fR]" + operands(each) + "\n";
   page += ".SH OPERANDS\n";
@@ -110,7 +113,7 @@ std::string man_page(const CommandRow& program, const CommandRow& command) {
   std::string separator;
   for (const CommandRow* each = &program; each != program.commands.data() + program.commands.size();
        each = each == &program ? program.commands.data() : each + 1)
-    if (each->word != command.word) {
+    if (page_name(*each) != name) {
       page += separator + ".BR " + escaped(page_name(*each)) + " (1)";
       separator = ",\n";
     }

@@ -43,11 +43,42 @@ MpiOptions take_mpi_options(int argc, const char* const* argv) {
   return options;
 }
 
-const char* mpi_help() {
-  return "\nsoftgl-mpi draws all models of the command line as parts of one picture:\n"
-         "  mpirun -n 4 softgl-mpi parts/*.obj -o out.png\n"
-         "  --deal HOW      which process gets a part: blocks, neighbours in the list, or turns [blocks]\n"
-         "  --radix N       processes that exchange samples at once; 2 is binary swap [by size]\n";
+CommandRow describe_mpi() {
+  CommandRow row;
+  row.program = "softgl-mpi";
+  row.text = "softgl-mpi draws one picture with several processes, each of which reads and draws a part of "
+             "the models.";
+  OptionRow models, deal, radix;
+  models.names = {"model"};
+  models.value = "MODEL";
+  models.text = "OBJ, PLY, STL files (also .gz, .zst) and folders of them: the parts of what the picture "
+                "shows; a single "
+                "OBJ file is cut into as many as there are processes";
+  models.required = models.many = models.file = true;
+  deal.names = {"--deal"};
+  deal.value = "HOW";
+  deal.text = "which process gets a part: blocks, neighbors in the list, or turns [blocks]";
+  deal.choices = {"blocks", "turns"};
+  deal.any_value = false;
+  radix.names = {"--radix"};
+  radix.value = "N";
+  radix.text =
+      "processes that exchange pixels at once, 2 to 64; 2 is binary swap [by the number of processes]";
+  deal.group = radix.group = "Options";
+  row.operands = {models};
+  row.options = {deal, radix};
+  row.takes_program_options = true;
+  row.examples = {"mpirun -n 4 softgl-mpi parts/*.obj -o out.png",
+                  "srun -n 64 softgl-mpi scan.obj -o scan.png --bg white",
+                  "mpirun -n 8 softgl-mpi city/ -o city.png --deal turns --verbose"};
+  row.notes = "The picture has the bytes of one process's, whatever the number of processes.\n"
+              "Refused: several pictures, turns and sheets, passes but the color, pictures of floats, --bits "
+              "16, --srgb, "
+              "--ground, lines and points, --sandbox, --timeout, --max-memory, --stats and standard input.\n"
+              "Exit codes: 0 done, 2 wrong usage, 3 a model is unreadable or nothing is visible, 4 the "
+              "picture cannot be "
+              "written.";
+  return row;
 }
 
 void refuse_what_is_not_drawn(const ProgramOptions& options) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mpi/part_deal.h"
+#include "options/command_table.h"
 #include "options/program_options.h"
 
 namespace softgl::cli {
@@ -18,8 +19,8 @@ struct MpiOptions {
 // Throws ProgramError (kUsageError).
 MpiOptions take_mpi_options(int argc, const char* const* argv);
 
-// The lines of --help about them.
-const char* mpi_help();
+// Its help and its man page, as a table; the options of a picture are those of softgl.
+CommandRow describe_mpi();
 
 // Throws ProgramError (kUsageError) for what several processes do not draw together.
 void refuse_what_is_not_drawn(const ProgramOptions& options);

@@ -22,6 +22,7 @@
 #include "mpi/ranks.h"
 #include "mpi/split_reader.h"
 #include "options/command_line.h"
+#include "options/help_page.h"
 #include "scene/placed_camera.h"
 
 namespace softgl::cli {
@@ -235,13 +236,13 @@ int run(int argc, const char* const* argv, const Ranks& ranks) {
   const MpiOptions mpi = take_mpi_options(argc, argv);
   ParsedOptions parsed;
   const auto parse = [&] { parsed = parse_options(int(mpi.words.size()), mpi.words.data()); };
-  if (ranks.is_first()) {
-    parse();
-    const bool help = std::any_of(mpi.words.begin(), mpi.words.end(), [](const char* word) {
-      return std::strcmp(word, "--help") == 0 || std::strcmp(word, "-h") == 0;
-    });
-    if (help && parsed.exit_code == kSuccess) std::fputs(mpi_help(), stdout);
+  if (std::any_of(mpi.words.begin(), mpi.words.end(), [](const char* word) {
+        return std::strcmp(word, "--help") == 0 || std::strcmp(word, "-h") == 0;
+      })) {
+    if (ranks.is_first()) std::fputs(help_page(describe_mpi()).c_str(), stdout);
+    return kSuccess;
   }
+  if (ranks.is_first()) parse();
   const std::string end =
       ranks.broadcast(parsed.options || !ranks.is_first() ? "" : std::to_string(parsed.exit_code));
   if (!end.empty()) return std::stoi(end);

@@ -28,6 +28,7 @@ struct OptionRow {
 };
 
 struct CommandRow {
+  std::string program = "softgl";
   std::string word; // "info"; empty: the program itself
   std::string text;
   std::vector<OptionRow> operands, options; // options in the order of the help, without the program's own

@@ -27,10 +27,11 @@ std::string operand_label(const OptionRow& operand) {
 }
 
 std::string usage(const CommandRow& command) {
-  std::string text = "Usage: softgl " + (command.word.empty() ? "" : command.word + " ") + "[OPTIONS]";
+  std::string text =
+      "Usage: " + command.program + " " + (command.word.empty() ? "" : command.word + " ") + "[OPTIONS]";
   for (const OptionRow& operand : command.operands) text += " " + operand_label(operand);
   text += "\n";
-  return command.commands.empty() ? text : text + "       softgl COMMAND --help\n";
+  return command.commands.empty() ? text : text + "       " + command.program + " COMMAND --help\n";
 }
 
 } // namespace
