@@ -47,6 +47,7 @@ private:
   void generation(GLenum coordinate, GLenum name, const std::vector<double>& values);
   void generate_coordinates(const Vec4& object, const Vec4& eye, const Vec3& normal, LitVertex& vertex) const;
   bool play_texture_images(const Call& call);
+  bool play_compressed_images(const Call& call);
   void draw_image(const PixelImage& image);
   void draw_polygon(const std::vector<int>& corners, int provoking, bool edge_flags);
   void draw_line(int from, int to);
