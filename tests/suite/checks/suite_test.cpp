@@ -53,7 +53,9 @@ TEST_CASE("every conformance test shows something and is certain of it", "[suite
     CHECK(!t.section.empty());
     CHECK(t.sentence.ends_with("."));
     const Script script = whole_script(t);
-    const Expectation e = expected_picture(script, kWindowWidth, kWindowHeight, {});
+    Claims claims = Claims::Wrong;
+    const Expectation e = expected_picture(script, kWindowWidth, kWindowHeight, {}, &claims);
+    CHECK(claims != Claims::Wrong);
     // A test of queries alone has no picture.
     const auto queries = std::count_if(script.calls.begin(), script.calls.end(),
                                        [](const Call& c) { return facts_of(c.command).query; });

@@ -5,6 +5,7 @@
 
 #include <stdexcept>
 
+#include "expect/machine.h"
 #include "expect/primitive.h"
 
 namespace softgl::suite {
@@ -15,8 +16,13 @@ public:
   void play(const Call& call);
   /// Throws std::logic_error if the state changes what is read from the window.
   void check_reading() const;
+  Claims claims() const { return claims_; }
 
 private:
+  Claims claim(const Call& call);
+  Claims error_claim(const Call& call);
+  std::vector<double> answer(GLenum name); // of glGetFloatv; empty if the machine does not know it
+  const ArrayState* array_named(GLenum name) const;
   bool play_lists(const Call& call);
   void call_list(GLuint name);
   bool play_attributes(const Call& call);
@@ -47,6 +53,7 @@ private:
   void generation(GLenum coordinate, GLenum name, const std::vector<double>& values);
   void generate_coordinates(const Vec4& object, const Vec4& eye, const Vec3& normal, LitVertex& vertex) const;
   bool play_texture_images(const Call& call);
+  bool play_compressed_images(const Call& call);
   void draw_image(const PixelImage& image);
   void draw_polygon(const std::vector<int>& corners, int provoking, bool edge_flags);
   void draw_line(int from, int to);
@@ -72,6 +79,7 @@ private:
   std::vector<std::pair<LitVertex, bool>> raster_saved_; // as state_.saved
   GLuint list_ = 0;                                      // that is compiled
   bool list_executes_ = false;
+  Claims claims_ = Claims::Right;
 };
 
 /// A number each argument from `first` on.

@@ -71,6 +71,7 @@ void Machine::set_array(ArrayState& array, int size, GLenum type, int stride, co
   if (stride % bytes || memory.memory_type != type)
     throw std::logic_error("an array that does not lie on its elements");
   array.size = size, array.type = type, array.stride = stride ? stride / bytes : size;
+  array.given_stride = stride;
   array.elements = memory.numbers;
 }
 
@@ -83,6 +84,7 @@ void Machine::interleaved_arrays(const Call& call) {
       array.on = size > 0;
       if (!size) return;
       array.size = array.stride = size, array.type = type, array.elements.clear();
+      array.given_stride = int(stride);
       for (size_t first = size_t(offset); first + size_of(type) * size_t(size) <= bytes.size();
            first += stride)
         for (size_t i = 0; i < size_t(size); i++) {

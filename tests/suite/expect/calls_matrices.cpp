@@ -104,7 +104,10 @@ bool Machine::play_matrices(const Call& call) {
   switch (call.command) {
   case Command::MatrixMode: state_.transform.matrix_mode = call.e(0); return true;
   case Command::PushMatrix: matrices().push_back(Matrix4(matrices().back())); return true;
-  case Command::PopMatrix: matrices().pop_back(); return true;
+  case Command::PopMatrix:
+    if (matrices().size() == 1) throw std::logic_error("glPopMatrix of the last matrix");
+    matrices().pop_back();
+    return true;
   case Command::LoadIdentity: matrices().back() = {}; return true;
   case Command::DepthRange:
     state_.viewport.near = std::clamp(n(0), 0.0, 1.0), state_.viewport.far = std::clamp(n(1), 0.0, 1.0);

@@ -85,7 +85,7 @@ bool Machine::play_texture_images(const Call& call) {
   case Command::CopyTexSubImage1D: c = copied_part(call, 1); break;
   case Command::CopyTexSubImage2D: c = copied_part(call, 2); break;
   case Command::CopyTexSubImage3D: c = copied_part(call, 3); break;
-  default: return false;
+  default: return play_compressed_images(call);
   }
   if (is_proxy(c.target)) return true;
   int face = 0;

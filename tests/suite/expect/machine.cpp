@@ -1,5 +1,6 @@
 #include "expect/machine.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -41,7 +42,10 @@ void Machine::play(const Call& call) {
       paint_elements(packed_elements(state_.pack, {}, call.e(4), call.e(5), int(call.n(6))), call, 7);
     return;
   }
-  if (call.error != GL_NO_ERROR || facts_of(call.command).query) return; // changes nothing
+  if (call.error != GL_NO_ERROR || facts_of(call.command).query) { // changes nothing
+    claims_ = std::max(claims_, claim(call));
+    return;
+  }
   if (play_arrays(call)) return;
   if (list_ && facts_of(call.command).in_lists) {
     state_.lists[list_].push_back({call, state_.unpack});
@@ -111,13 +115,15 @@ Interval row_times(const Matrix4& m, int row, const Vec4& v) {
   return spec::widened(sum, kMatrixAccuracy * size);
 }
 
-Expectation expected_picture(const Script& script, int width, int height, const Precision& precision) {
+Expectation expected_picture(const Script& script, int width, int height, const Precision& precision,
+                             Claims* claims) {
   Expectation picture;
   picture.width = width, picture.height = height;
   picture.pixels.assign(size_t(width * height), std::vector<Answer>(1));
   Machine machine(picture, precision);
   for (const Call& call : script.calls) machine.play(call);
   machine.check_reading();
+  if (claims) *claims = machine.claims();
   return picture;
 }
 

@@ -72,6 +72,13 @@ PixelImage unpack(const PixelStore& store, const Argument& memory, GLenum format
                   int height, int depth) {
   PixelImage image{kind_of(format), width, height, depth, {}};
   image.pixels.resize(size_t(width * height * depth));
+  if (type == GL_BITMAP) {
+    if (depth != 1) throw std::logic_error("bits of an image with three dimensions");
+    for (int y = 0; y < height; y++)
+      for (int x = 0; x < width; x++)
+        image.pixels[size_t(y * width + x)].c[0] = bitmap_bit(store, memory.numbers, width, x, y);
+    return image;
+  }
   const PixelType& t = pixel_type(type);
   const std::vector<std::byte> bytes = bytes_of(memory.memory_type, memory.numbers);
   if (bytes.empty()) { // nothing is known of what is not given

@@ -96,6 +96,7 @@ struct SavedAttributes {
 struct ArrayState { // of the client (2.8)
   bool on = false;
   int size = 4, stride = 0; // stride in elements, not 0
+  int given_stride = 0;     // in bytes, as it is asked for
   GLenum type = GL_FLOAT;
   std::vector<double> elements;
 };

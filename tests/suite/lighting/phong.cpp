@@ -185,6 +185,15 @@ std::vector<Test> lighting_phong_tests() {
                   s.Scalef(0.9, 0.6, 1);
               dome(s, kBent);
             }),
+      phong("queried", "The shade model GL_PHONG_WIN and the hint GL_PHONG_HINT_WIN can be asked for.",
+            [](Script& s) {
+              const auto is = [&](GLenum name, GLenum value) { s.GetFloatv(name, V{double(value)}); };
+              is(GL_SHADE_MODEL, GL_PHONG_WIN), is(GL_PHONG_HINT_WIN, GL_DONT_CARE),
+                  s.Hint(GL_PHONG_HINT_WIN, GL_FASTEST), is(GL_PHONG_HINT_WIN, GL_FASTEST);
+              s.PushAttrib(GL_LIGHTING_BIT), s.ShadeModel(GL_SMOOTH), is(GL_SHADE_MODEL, GL_SMOOTH),
+                  s.PopAttrib(), is(GL_SHADE_MODEL, GL_PHONG_WIN);
+              diffuse_scene(s, {0.3, 0.2, 0.6, 1}), dome(s, kFlat);
+            }),
       phong("hint", "GL_PHONG_HINT_WIN is a hint.",
             [](Script& s) {
               s.Hint(GL_PHONG_HINT_WIN, GL_NICEST), specular_scene(s, {0.2, -0.3, 1, 0}, 20), dome(s, kBent);

@@ -32,6 +32,19 @@ Test index(const char* name, GLenum what, const char* sentence, std::function<vo
           }};
 }
 
+// Bits that are indexes, 8 x 8 pixels.
+Test bits(const char* name, const char* sentence, std::function<void(Script&)> state) {
+  return pixel_test((std::string("index.") + name).c_str(), "3.6.4, 3.6.5", sentence, [=](Script& s) {
+    const V maps[4] = {{0.2, 1}, {0.9, 0.4}, {0.3, 0}, {1, 1}};
+    for (unsigned c = 0; c < 4; c++) s.PixelMapfv(GL_PIXEL_MAP_I_TO_R + c, 2, maps[c]);
+    place(s, 8.3, 8.2), s.PixelZoom(8, 8), s.PixelStorei(GL_UNPACK_ALIGNMENT, 1), state(s);
+    Memory memory{GL_UNSIGNED_BYTE, {0xd1, 0x3a, 0x07, 0xc4, 0x91, 0xe8, 0x5b, 0x2c, 0x77, 0x0f, 0xa3, 0x64,
+                                     0x1d, 0xf2, 0x88, 0x35, 0x4e, 0xb9, 0x62, 0xc7, 0x13, 0x8c, 0xd6, 0x59}};
+    memory.elements.resize(256, 0x99); // for a GL that takes bits for bytes
+    s.DrawPixels(8, 8, GL_COLOR_INDEX, GL_BITMAP, memory);
+  });
+}
+
 // An image in memory with a way of storing it.
 Test store(const char* name, const char* sentence, int width, GLenum format, GLenum element, int count,
            std::function<void(Script&)> state, Need need = {}) {
@@ -83,6 +96,14 @@ std::vector<Test> pixel_format_tests() {
            "In GL_BGRA the first component of a packed type is blue.", kVersion12),
       type("1_5_5_5_rev_bgra", GL_UNSIGNED_SHORT_1_5_5_5_REV, GL_BGRA,
            "In GL_BGRA the first component of a packed type is blue.", kVersion12),
+      bits("bitmap", "Indexes may be the bits of a bitmap, of each byte the most significant one first.",
+           [](Script&) {}),
+      bits("bitmap_lsb_first", "With GL_UNPACK_LSB_FIRST the least significant bit comes first.",
+           [](Script& s) { s.PixelStorei(GL_UNPACK_LSB_FIRST, 1); }),
+      bits("bitmap_part", "Bits of a bitmap are skipped one by one.",
+           [](Script& s) {
+             s.PixelStorei(GL_UNPACK_ROW_LENGTH, 20), s.PixelStorei(GL_UNPACK_SKIP_PIXELS, 5);
+           }),
       index("bytes", GL_UNSIGNED_BYTE, "Color indexes become colors by the maps from I to R, G, B and A."),
       index("shorts", GL_UNSIGNED_SHORT, "Indexes may be shorts."),
       index("floats", GL_FLOAT, "Indexes may be floats."),

@@ -21,7 +21,9 @@ std::vector<Unit> units_of(const Script& script) {
   bool triangles = false, inside = false;
   int vertices = 0;
   for (const Call& call : script.calls) {
-    const bool opens = call.command == Command::Begin, closes = call.command == Command::End;
+    const bool works = call.error == GL_NO_ERROR;
+    const bool opens = works && call.command == Command::Begin,
+               closes = works && call.command == Command::End;
     if (opens) inside = true, triangles = call.e(0) == GL_TRIANGLES, vertices = 0;
     if (closes) inside = false;
     const bool new_unit = !inside || opens || units.empty() || units.back().fixed ||
@@ -29,7 +31,7 @@ std::vector<Unit> units_of(const Script& script) {
     if (new_unit) units.push_back({}), vertices = 0;
     units.back().calls.push_back(call);
     units.back().fixed =
-        opens || closes || call.command == Command::NewList || call.command == Command::EndList;
+        opens || closes || (works && (call.command == Command::NewList || call.command == Command::EndList));
     const std::string name = facts_of(call.command).name;
     if (inside && name.starts_with("Vertex")) vertices++;
   }
@@ -44,8 +46,11 @@ Script joined(const std::vector<Unit>& units) {
 
 Script without_empty_primitives(const Script& script) {
   Script s;
+  const auto is = [](const Call& call, Command command) {
+    return call.command == command && call.error == GL_NO_ERROR;
+  };
   for (const Call& call : script.calls) {
-    if (call.command == Command::End && !s.calls.empty() && s.calls.back().command == Command::Begin)
+    if (is(call, Command::End) && !s.calls.empty() && is(s.calls.back(), Command::Begin))
       s.calls.pop_back();
     else
       s.calls.push_back(call);
@@ -63,25 +68,46 @@ public:
   Trial(const RunOptions& options, const SubjectFacts& facts) : options_(options), facts_(facts) {}
   bool over() const { return scripts_ >= kMinimizerScripts; }
 
-  /// The index of the first script that fails, or -1. Scripts behind it do not count.
-  int first_failure(const std::vector<Script>& scripts, Verdict* verdict) {
+  /// The index of the first script that fails as the first one of all did, or -1. Scripts behind it do not
+  /// count.
+  int first_failure(const std::vector<Script>& scripts, Minimized* result) {
     scripts_ += int(scripts.size());
     const ChildResult child = run_in_child(options_.subject, scripts, options_.seconds);
     if (!child.fault.empty()) scripts_ += kMinimizerScripts / 10; // it may have hung: not often
     for (size_t i = 0; i < scripts.size(); i++) {
-      if (!child.pictures[i].fault.empty()) continue;
       try {
-        const Verdict v = judge(expected_picture(scripts[i], kWindowWidth, kWindowHeight, facts_.precision),
-                                child.pictures[i].color, facts_.precision);
-        if (v.pass || v.wrong_pixels == 0) continue;
-        *verdict = v;
-        return int(i);
+        if (fails(scripts[i], child.pictures[i], result)) return int(i);
       } catch (const std::logic_error&) {} // the machine cannot play what is left
     }
     return -1;
   }
 
 private:
+  // What a fault says without its numbers.
+  static std::string kind_of(const std::string& fault) { return fault.substr(0, fault.find('[')); }
+
+  bool fails(const Script& script, const DrawnPicture& drawn, Minimized* result) {
+    Claims claims = Claims::Unknown;
+    const Expectation expected =
+        expected_picture(script, kWindowWidth, kWindowHeight, facts_.precision, &claims);
+    if (!drawn.fault.empty()) {
+      if (!is_wrong_answer(drawn.fault)) return false;
+      if (whole_) kind_ = kind_of(drawn.fault);
+      // A call that is gone may have made the error or the answer right.
+      else if (kind_of(drawn.fault) != kind_ || claims != Claims::Right)
+        return false;
+      whole_ = false, result->fault = drawn.fault;
+      return true;
+    }
+    if (!kind_.empty()) return false;
+    const Verdict v = judge(expected, drawn.color, facts_.precision);
+    if (v.pass || v.wrong_pixels == 0) return false;
+    whole_ = false, result->verdict = v;
+    return true;
+  }
+
+  bool whole_ = true; // nothing is cut yet
+  std::string kind_;  // of the fault; empty if pixels are wrong
   const RunOptions& options_;
   const SubjectFacts& facts_;
   int scripts_ = 0;
@@ -96,10 +122,16 @@ std::vector<Unit> without(const std::vector<Unit>& units, size_t first, size_t l
 
 } // namespace
 
+bool is_wrong_answer(const std::string& fault) {
+  return fault.starts_with("the calls raise the GL error") ||
+         (fault.starts_with("gl") && fault.find(" should ") != std::string::npos) ||
+         fault.starts_with("glIsEnabled");
+}
+
 Minimized minimized(const Script& script, const RunOptions& options, const SubjectFacts& facts) {
-  Minimized result{script, {}, false, false};
+  Minimized result{script, {}, "", false, false};
   Trial trial(options, facts);
-  if (trial.first_failure({script}, &result.verdict) < 0) return result;
+  if (trial.first_failure({script}, &result) < 0) return result;
   result.fails_again = true;
   std::vector<Unit> units = units_of(script);
   // The window that is cleared, and the projection, stay: without them another thing would fail.
@@ -120,7 +152,7 @@ Minimized minimized(const Script& script, const RunOptions& options, const Subje
         }
         starts.push_back(next), scripts.push_back(joined(candidates.back()));
       }
-      const int found = scripts.empty() ? -1 : trial.first_failure(scripts, &result.verdict);
+      const int found = scripts.empty() ? -1 : trial.first_failure(scripts, &result);
       first = found < 0 ? next : starts[size_t(found)];
       together = found >= 0 ? 1 : std::min<size_t>(2 * together, 8);
       if (found >= 0) units = std::move(candidates[size_t(found)]), shorter = true;
@@ -133,10 +165,29 @@ Minimized minimized(const Script& script, const RunOptions& options, const Subje
   return result;
 }
 
-std::string c_program(const Test& test, const Script& script, const Verdict& v, const std::string& name,
-                      const SubjectName& subject, const std::string& note) {
+namespace {
+
+// The end of main: reads the pixel of the verdict.
+std::string pixel_in_c(const Verdict& v) {
   const int low = std::max(int(std::floor(v.low - 0.52)), 0),
             high = std::min(int(std::ceil(v.high + 0.52)), 255);
+  const std::string x = std::to_string(v.x), y = std::to_string(v.y);
+  return R"(  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, SIZE, SIZE, GL_RGBA, GL_UNSIGNED_BYTE, window);
+  const int got = window[4 * ()" +
+         y + " * SIZE + " + x + ") + " + std::to_string(v.component) + R"(];
+  printf("pixel )" +
+         x + "," + y + ": " + std::vector<const char*>{"red", "green", "blue", "alpha"}[size_t(v.component)] +
+         " is %d, expected " + std::to_string(low) + " to " + std::to_string(high) +
+         R"(\n", got);
+  return got < )" +
+         std::to_string(low) + " || got > " + std::to_string(high) + ";\n}\n";
+}
+
+} // namespace
+
+std::string c_program(const Test& test, const Script& script, const Verdict* verdict, const std::string& name,
+                      const SubjectName& subject, const std::string& note) {
   const size_t slash = subject.library.rfind('/');
   const std::string library =
       slash == std::string::npos
@@ -144,10 +195,10 @@ std::string c_program(const Test& test, const Script& script, const Verdict& v, 
           : subject.library + " -Wl,-rpath," + (slash == 0 ? "/" : subject.library.substr(0, slash));
   const std::string build = "cc " + name + ".c -o " + name + " " +
                             (subject.binding == Binding::OSMesa ? library : "-DUSE_EGL -lEGL -lGL");
-  const std::string x = std::to_string(v.x), y = std::to_string(v.y), width = std::to_string(kWindowWidth);
+  const std::string width = std::to_string(kWindowWidth), what = verdict ? "the pixel" : "an answer";
   return "/* " + test.name + "\n * OpenGL 1.5, " + test.section + ": " + test.sentence + "\n" + note +
-         " *\n *     " + build + " && ./" + name + "\n *\n" +
-         " * It ends with 1 if the pixel is wrong, 0 if it is right, 2 without a context. Any library of "
+         " *\n *     " + build + " && ./" + name + "\n *\n" + " * It ends with 1 if " + what +
+         " is wrong, 0 if not, 2 without a context. Any library of "
          "OSMesa's ABI\n"
          " * can be linked with it, and with -DUSE_EGL any EGL (-lEGL -lGL). */\n" +
          R"(#define GL_GLEXT_PROTOTYPES
@@ -167,7 +218,8 @@ std::string c_program(const Test& test, const Script& script, const Verdict& v, 
 
 static unsigned char window[SIZE * SIZE * 4];
 
-)" + paint_in_c(script) +
+)" + answers_in_c(script, !verdict) +
+         paint_in_c(script) +
          R"(static int make_context(void) {
 #ifdef USE_EGL
   static const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_RED_SIZE, 8,
@@ -189,16 +241,7 @@ static unsigned char window[SIZE * SIZE * 4];
 int main(void) {
   if (!make_context()) return 2;
 )" + to_c(script, "  ") +
-         R"(  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, SIZE, SIZE, GL_RGBA, GL_UNSIGNED_BYTE, window);
-  const int got = window[4 * ()" +
-         y + " * SIZE + " + x + ") + " + std::to_string(v.component) + R"(];
-  printf("pixel )" +
-         x + "," + y + ": " + std::vector<const char*>{"red", "green", "blue", "alpha"}[size_t(v.component)] +
-         " is %d, expected " + std::to_string(low) + " to " + std::to_string(high) +
-         R"(\n", got);
-  return got < )" +
-         std::to_string(low) + " || got > " + std::to_string(high) + ";\n}\n";
+         (verdict ? pixel_in_c(*verdict) : "  expectError(GL_NO_ERROR);\n  return wrong;\n}\n");
 }
 
 } // namespace softgl::suite

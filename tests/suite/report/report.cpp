@@ -123,14 +123,15 @@ std::string hash_rows(const RunResult& result) {
 // The failed test's script on the path where it failed first, as a program.
 std::string program_of(const TestResult& t, const RunOptions& options, const SubjectFacts& facts) {
   for (const LevelResult& level : t.levels) {
-    if (level.pass || level.color.empty() || level.verdict.wrong_pixels == 0) continue;
+    const bool answer = is_wrong_answer(level.text);
+    if (level.pass || level.color.empty() || (level.verdict.wrong_pixels == 0 && !answer)) continue;
     Script body;
     t.test->body(body);
     for (const PathLevel& path : path_levels()) {
       if (level.level != path.name) continue;
       const Script script = *path.make(body);
       const auto program = [&](const Script& shown, const Verdict& verdict, const std::string& note) {
-        return c_program(*t.test, shown, verdict, t.test->name, options.subject, note);
+        return c_program(*t.test, shown, answer ? nullptr : &verdict, t.test->name, options.subject, note);
       };
       // The machine does not know all state of the other paths.
       if (level.level != "plain")

@@ -125,6 +125,9 @@ private:
 std::string to_c(const Script& script, const char* indent);
 /// An argument of a call in C.
 std::string c_argument(const Call& call, size_t i);
+/// Functions of C that ask what the script's errors and queries claim, for scripts that need them; the first
+/// wrong answer makes "wrong" 1. `all_errors`: the end of the program asks for errors, too.
+std::string answers_in_c(const Script& script, bool all_errors);
 /// A function of C that paints a square, for scripts that need it.
 std::string paint_in_c(const Script& script);
 /// PaintPixels and the like as a statement.

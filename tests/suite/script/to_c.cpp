@@ -148,6 +148,8 @@ const CommandFacts& facts_of(Command command) {
 
 std::string to_c(const Script& script, const char* indent) {
   std::string text;
+  bool inside = false;        // between Begin and End, where no error can be asked for
+  GLenum error = GL_NO_ERROR; // that is still to come
   for (const Call& call : script.calls) {
     if (call.command >= Command::Raises) { // the first of paint_commands.inc
       text += paint_to_c(call, indent);
@@ -158,8 +160,15 @@ std::string to_c(const Script& script, const char* indent) {
     for (size_t i = 0; i < call.arguments.size(); i++) text += (i ? ", " : "") + c_argument(call, i);
     if (call.command == Command::GetFloatv) text += ", " + std::to_string(call.v(1).size());
     text += ");\n";
-    if (call.error != GL_NO_ERROR)
-      text += indent + std::string("expectError(") + error_name(call.error) + ");\n";
+    if (call.error == GL_NO_ERROR) {
+      if (call.command == Command::Begin) inside = true;
+      if (call.command == Command::End) inside = false;
+    } else if (error == GL_NO_ERROR) { // 2.5: a flag that is set stays
+      error = call.error;
+    }
+    if (inside || error == GL_NO_ERROR) continue;
+    text += indent + std::string("expectError(") + error_name(error) + ");\n";
+    error = GL_NO_ERROR;
   }
   return text;
 }

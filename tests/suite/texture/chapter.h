@@ -9,6 +9,7 @@ std::vector<Test> texture_tests();
 
 // A function for each file of tests; each returns its rows.
 std::vector<Test> texture_image_tests();
+std::vector<Test> texture_compressed_tests();
 std::vector<Test> texture_part_tests();
 std::vector<Test> texture_query_tests();
 std::vector<Test> texture_filter_tests();

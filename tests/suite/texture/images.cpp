@@ -97,6 +97,17 @@ std::vector<Test> texture_image_tests() {
                      s.PixelMapfv(GL_PIXEL_MAP_I_TO_A, 2, V{1, 0.6});
                      image_2d(s, GL_RGBA, GL_COLOR_INDEX), textured_sheet(s);
                    }),
+      texture_test(
+          "source.bitmap", "3.6.4, 3.8.1", "The color indexes of a texture may be the bits of a bitmap.",
+          [](Script& s) {
+            replace_scene(s), s.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+            s.PixelMapfv(GL_PIXEL_MAP_I_TO_R, 2, V{0.2, 1}),
+                s.PixelMapfv(GL_PIXEL_MAP_I_TO_G, 2, V{0.9, 0.4});
+            s.PixelMapfv(GL_PIXEL_MAP_I_TO_B, 2, V{0.3, 0}), s.PixelMapfv(GL_PIXEL_MAP_I_TO_A, 2, V{1, 1});
+            s.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 8, 4, 0, GL_COLOR_INDEX, GL_BITMAP,
+                         Memory{GL_UNSIGNED_BYTE, {0xd1, 0x3a, 0x07, 0xc4}});
+            textured_sheet(s);
+          }),
       texture_test("source.transfer", "3.6.5, 3.8.1",
                    "Texels go through the scales and biases of pixel transfer.",
                    [](Script& s) {
