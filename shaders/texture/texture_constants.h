@@ -46,6 +46,9 @@ struct TextureUnitConstants {
   // texture_lod.inl).
   bool adjusts_lod, constant_lod, has_min_lod, has_max_lod;
   float lod_bias, min_lod, max_lod;
+  // Up to where a texture is magnified: the constant c of 3.8.9, and the scale factor there; squared, but of
+  // one-dimensional textures.
+  float magnified_lod, magnified_rho;
   // Texels under an ellipse are taken instead (texture_anisotropic.inl). level[0] is number first_level of
   // the texture, and level 0 has or had the size zero_width x zero_height.
   bool anisotropic;

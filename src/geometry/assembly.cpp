@@ -1,7 +1,10 @@
 // Primitive assembly (GL 1.5, 2.6.1): vertices become triangles, lines and points in the corner order that
 // OSMesa hands to set-up, because the order decides last bits. Where GL_QUADS are cut, the draw says.
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <span>
+#include <tuple>
 
 #include "base/assert.h"
 #include "geometry/clipping.h"
@@ -208,10 +211,16 @@ private:
     PolygonStage polygons(draw_, arena_, sink_);
     const bool polygon = range_.mode == GL_POLYGON;
     const uint32_t last_step = assembly_steps(range_) - 1;
+    const bool whole = draw_.vertex->polygons->whole && !polygons.fills();
+    if (polygon && whole && any_clipped(e, 0, range_.count)) {
+      if (step == 0) clip_polygon(e, polygons); // one piece does it for all
+      return polygons.finish();
+    }
     // The stipple of a polygon goes on from triangle to triangle: count those in front of this chunk.
     uint32_t at = polygon && polygons.stipples() ? 0 : step;
     for (const uint32_t end = step + steps; at < end; ++at) {
       polygons.count_only(at < step);
+      if (whole && clip_step(e, at, polygons)) continue;
       const auto put = [&](int i, uint32_t v0, uint32_t v1, uint32_t v2) {
         uint32_t boundary = 7;
         bool begins = true;
@@ -222,7 +231,7 @@ private:
           begins = i == 0;
           boundary = begins ? 5 : 3;
         }
-        clip_triangle(v0, v1, v2, polygons.fills() ? boundary : boundary & flagged(v0, v1, v2),
+        clip_triangle(v0, v1, v2, polygons.fills() ? boundary : boundary & flags(v0, v1, v2),
                       [&](const Slot* a, const Slot* b, const Slot* c, uint32_t edges, int part) {
                         polygons.triangle({{a, b, c}, edges, part < 0 ? begins : part == 0});
                       });
@@ -235,22 +244,68 @@ private:
     polygons.finish();
   }
 
-  /// Bit k: an edge that begins at vertex k is marked as one of the polygon (GL 1.5, 2.6.2).
-  uint32_t flagged(uint32_t v0, uint32_t v1, uint32_t v2) const {
-    if (SOFTGL_FAULT(edge_flags_ignored)) return 7;
+  /// An edge that begins at the vertex is marked as one of the polygon (GL 1.5, 2.6.2).
+  bool flagged(uint32_t vertex) const {
+    if (SOFTGL_FAULT(edge_flags_ignored)) return true;
     if (range_.mode != GL_TRIANGLES && range_.mode != GL_QUADS && range_.mode != GL_POLYGON &&
         !SOFTGL_FAULT(strips_have_edge_flags))
-      return 7;
+      return true;
     const VertexSource& source = *draw_.call.source;
-    if (!(source.present >> kEdgeFlag & 1)) return draw_.call.constant[kEdgeFlag].x != 0 ? 7 : 0;
-    uint32_t flags = 0;
-    const uint32_t v[3] = {v0, v1, v2};
-    for (int k = 0; k < 3; ++k) {
-      float flag[4];
-      fetch_vertex(source.stream[kEdgeFlag], v[SOFTGL_FAULT(edge_flag_of_end) ? (k + 1) % 3 : k], flag);
-      flags |= uint32_t(flag[0] != 0) << k;
+    if (!(source.present >> kEdgeFlag & 1)) return draw_.call.constant[kEdgeFlag].x != 0;
+    float flag[4];
+    fetch_vertex(source.stream[kEdgeFlag], vertex, flag);
+    return flag[0] != 0;
+  }
+  uint32_t flags(uint32_t v0, uint32_t v1, uint32_t v2) const {
+    if (SOFTGL_FAULT(edge_flag_of_end)) std::tie(v0, v1, v2) = std::tuple(v1, v2, v0);
+    return uint32_t(flagged(v0)) | uint32_t(flagged(v1)) << 1 | uint32_t(flagged(v2)) << 2;
+  }
+
+  /// Clips the triangle or the quadrilateral of a step as a whole. False if nothing clips it.
+  template <class Elements> bool clip_step(const Elements& e, uint32_t step, PolygonStage& polygons) {
+    uint32_t v[4];
+    size_t n = 3;
+    const auto take = [&](int, uint32_t v0, uint32_t v1, uint32_t v2) { v[0] = v0, v[1] = v1, v[2] = v2; };
+    if (range_.mode == GL_QUADS) {
+      n = 4;
+      for (uint32_t i = 0; i < 4; ++i) v[i] = e[4 * step + i];
+    } else if (range_.mode == GL_QUAD_STRIP) {
+      n = 4;
+      for (uint32_t i = 0; i < 4; ++i) v[i] = e[2 * step + std::array{2u, 0u, 1u, 3u}[i]];
+    } else if (range_.mode == GL_POLYGON) {
+      return false;
+    } else if (first_provokes_) {
+      for_each_triangle_of_first(range_.mode, e, step, 1, take);
+    } else {
+      for_each_triangle(range_.mode, false, false, e, step, 1, take);
     }
-    return flags;
+    PolygonCorner corners[4] = {};
+    for (size_t i = 0; i < n; ++i) corners[i].boundary = flagged(v[i]);
+    return clip_whole(v, {corners, n}, polygons);
+  }
+
+  /// Clips a primitive of GL_POLYGON. Of one that is continued a part, which has inner edges.
+  template <class Elements> void clip_polygon(const Elements& e, PolygonStage& polygons) {
+    const uint32_t n = range_.count;
+    auto* v = arena_.allocate_array<uint32_t>(n);
+    auto* corners = arena_.allocate_array<PolygonCorner>(n);
+    for (uint32_t i = 0; i < n; ++i) { // the first vertex, which provokes, comes last
+      v[i] = e[(i + 1) % n];
+      const bool inner = (i + 2 == n && !range_.ends) || (i + 1 == n && !range_.begins);
+      corners[i].boundary = !inner && flagged(v[i]);
+    }
+    clip_whole(v, {corners, n}, polygons);
+  }
+
+  /// Clips the polygon with vertices v, of which the last one provokes. False if nothing clips it.
+  bool clip_whole(const uint32_t* v, std::span<const PolygonCorner> corners, PolygonStage& polygons) {
+    uint32_t any = 0, all = ~0u;
+    for (size_t i = 0; i < corners.size(); ++i) any |= mask(v[i]), all &= mask(v[i]);
+    if (!any) return false;
+    if (all) return true;
+    const auto rest = Clipper(draw_, vertices_, arena_).polygon(v, any, corners);
+    if (!rest.empty()) polygons.polygon(rest, shaded(v[corners.size() - 1]));
+    return true;
   }
 
   template <class Elements> void points(const Elements& e, uint32_t step, uint32_t steps) {

@@ -196,7 +196,9 @@ const FragmentProgram* make_fragment_program(Context& context, Arena& arena, con
   }
   if (key.lit) program.add(kernels().raster->light);
   append_texture_stages(context, arena, program, k);
-  append_fragment_stages(program, clamps_fragment_colors(context));
+  // What texturing and the color sum leave is clamped in front of the fog (3.9). OSMesa 22.3.6 does not.
+  const bool clamp_sum = context.specification_answers && clamps_drawn(context, c.clamp_fragment_color);
+  append_fragment_stages(program, clamps_fragment_colors(context), clamp_sum);
   return &program;
 }
 

@@ -41,7 +41,9 @@ TextureWrap wrap_mode(GLenum mode, int size) {
 /// OSMesa keeps the bias in 1/256, of the object and of the unit each.
 float quantized_bias(float bias) { return std::round(std::clamp(bias, -16.0f, 16.0f) * 256.0f) / 256.0f; }
 
-void set_level_of_detail(const SamplingParameters& p, float unit_bias, TextureUnitConstants& t) {
+/// OSMesa 22.3.6 magnifies up to a level of detail of 0, and clamps each bias alone.
+void set_level_of_detail(const SamplingParameters& p, float unit_bias, bool specification_answers,
+                         TextureUnitConstants& t) {
   t.min_linear = p.min_filter == GL_LINEAR || p.min_filter == GL_LINEAR_MIPMAP_NEAREST ||
                  p.min_filter == GL_LINEAR_MIPMAP_LINEAR;
   t.mag_linear = SOFTGL_FAULT(mag_filter_is_min) ? t.min_linear : p.mag_filter == GL_LINEAR;
@@ -52,6 +54,12 @@ void set_level_of_detail(const SamplingParameters& p, float unit_bias, TextureUn
   if (SOFTGL_FAULT(mipmaps_nearest) && t.mip == TextureMip::Linear) t.mip = TextureMip::Nearest;
   t.lod_bias =
       quantized_bias(p.lod_bias) + (SOFTGL_FAULT(lod_bias_ignored) ? 0.0f : quantized_bias(unit_bias));
+  if (specification_answers) t.lod_bias = std::clamp(t.lod_bias, -16.0f, 16.0f);
+  const bool nearest_mipmaps =
+      p.min_filter == GL_NEAREST_MIPMAP_NEAREST || p.min_filter == GL_NEAREST_MIPMAP_LINEAR;
+  const bool later = specification_answers && p.mag_filter == GL_LINEAR && nearest_mipmaps;
+  t.magnified_lod = later ? 0.5f : 0.0f;
+  t.magnified_rho = !later ? 1.0f : t.shape == TextureShape::OneD ? 1.41421356237309504880f : 2.0f;
   t.min_lod = SOFTGL_FAULT(min_lod_ignored) ? 0.0f : std::max(p.min_lod, 0.0f);
   t.max_lod = SOFTGL_FAULT(max_lod_ignored) ? 1000.0f : p.max_lod;
   t.constant_lod = t.min_lod == t.max_lod;
@@ -192,15 +200,16 @@ TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum&
   t->counts_texels = target == kTextureRectangle;
   set_levels(*object, levels, *t);
   set_texel(*image.format, p.srgb_decode == GL_DECODE_EXT, *t);
-  // OSMesa 22.3.6 clamps to the edges of a cube map's face, whatever the wrap modes say.
   const bool cube = target == kTextureCube;
+  // OSMesa 22.3.6 clamps to the edges of a cube map's face, whatever the wrap modes say.
+  const bool to_edges = cube && !c.specification_answers;
   const TextureImage& zero = level_zero(*object, levels.first);
-  t->wrap[0] = wrap_mode(cube ? GLenum(GL_CLAMP_TO_EDGE) : p.wrap[0], zero.width);
-  t->wrap[1] = wrap_mode(cube || target == kTexture1D ? GLenum(GL_CLAMP_TO_EDGE)
-                                                      : p.wrap[SOFTGL_FAULT(wrap_t_is_s) ? 0 : 1],
+  t->wrap[0] = wrap_mode(to_edges ? GLenum(GL_CLAMP_TO_EDGE) : p.wrap[0], zero.width);
+  t->wrap[1] = wrap_mode(to_edges || target == kTexture1D ? GLenum(GL_CLAMP_TO_EDGE)
+                                                          : p.wrap[SOFTGL_FAULT(wrap_t_is_s) ? 0 : 1],
                          zero.height);
   t->wrap[2] = wrap_mode(p.wrap[2], zero.depth);
-  set_level_of_detail(p, state.lod_bias, *t);
+  set_level_of_detail(p, state.lod_bias, c.specification_answers, *t);
   t->seamless = cube && c.state.texture.seamless_cube_map && (t->min_linear || t->mag_linear);
   if (levels.first == 0 && levels.count == 1 && p.max_lod > 0) t->mip = TextureMip::None;
   for (int i = 0; i < 4; ++i)
