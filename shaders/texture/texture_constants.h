@@ -38,6 +38,7 @@ struct TextureUnitConstants {
   TextureTexel texel;
   TextureWrap wrap[3];
   bool counts_texels; // coordinates are not fractions of the size (GL_ARB_texture_rectangle)
+  bool bordered;      // the images have a border of one texel, in front of `face` and behind each row
   bool min_linear, mag_linear;
   bool seamless; // a linear filter takes texels across the edges of a cube map's faces
   bool no_alpha; // the base format has none: it is 1, whatever the weights of texels come to

@@ -23,10 +23,10 @@ namespace {
   constexpr std::string_view member_names(const Type&) { return #__VA_ARGS__; }
 
 MEMBERS(TextureLevel, face, width, height, depth, row, slice)
-MEMBERS(TextureUnitConstants, level, last_level, shape, texel, wrap, counts_texels, min_linear, mag_linear,
-        seamless, no_alpha, mip, adjusts_lod, constant_lod, has_min_lod, has_max_lod, lod_bias, min_lod,
-        max_lod, magnified_lod, magnified_rho, anisotropic, first_level, zero_width, zero_height, border,
-        shift, scale, compares, compare_function, depth_components, color)
+MEMBERS(TextureUnitConstants, level, last_level, shape, texel, wrap, counts_texels, bordered, min_linear,
+        mag_linear, seamless, no_alpha, mip, adjusts_lod, constant_lod, has_min_lod, has_max_lod, lod_bias,
+        min_lod, max_lod, magnified_lod, magnified_rho, anisotropic, first_level, zero_width, zero_height,
+        border, shift, scale, compares, compare_function, depth_components, color)
 MEMBERS(CombinerStep, operation, result, a, b)
 MEMBERS(CombinerProgram, step_count, result, constant, step)
 MEMBERS(FragmentConstants, fog_color, fog_scale, fog_offset, alpha_reference, alpha_reference_8, blend_color,

@@ -130,15 +130,16 @@ void set_levels(const TextureObject& object, CompleteLevels levels, TextureUnitC
     for (int face = 0; face < faces; ++face) {
       const TextureImage& image = *object.image[face][levels.first + i];
       const int bytes = image.format->bytes();
-      SOFTGL_ASSERT(image.row_bytes == size_t(image.width + 1) * size_t(bytes));
-      SOFTGL_ASSERT(image.texels.size() >= image.slice_bytes * size_t(image.depth) + 8);
+      const TexelBox box = image.with_border();
+      SOFTGL_ASSERT(image.row_bytes == size_t(box.width + 1) * size_t(bytes));
+      SOFTGL_ASSERT(image.texels.size() >= image.slice_bytes * size_t(box.depth) + 8);
       level = {{level.face[0], level.face[1], level.face[2], level.face[3], level.face[4], level.face[5]},
                image.width,
                image.height,
                image.depth,
                int32_t(image.row_bytes / size_t(bytes)),
                int32_t(image.slice_bytes / size_t(bytes))};
-      level.face[face] = image.texels.data();
+      level.face[face] = image.at(0, 0, 0);
     }
   }
 }
@@ -161,7 +162,8 @@ const TextureImage& level_zero(const TextureObject& object, int base_level) {
 
 /// Of images with rows of texels without comparison; else the filter stays isotropic, as it may.
 void set_anisotropy(const TextureObject& object, float most, int base_level, TextureUnitConstants& t) {
-  t.anisotropic = most >= 2 && t.shape != TextureShape::OneD && !t.counts_texels && !t.compares;
+  t.anisotropic =
+      most >= 2 && t.shape != TextureShape::OneD && !t.counts_texels && !t.compares && !t.bordered;
   const TextureImage& zero = level_zero(object, base_level);
   t.zero_width = zero.width, t.zero_height = zero.height;
   t.first_level = &zero == object.image[0][0].get() ? base_level : 0;
@@ -171,7 +173,8 @@ void set_anisotropy(const TextureObject& object, float most, int base_level, Tex
 /// may want different filters.
 bool fixed_point(const TextureUnitConstants& t, BlockFormat block) {
   auto fixed = [&](int axis) { return t.wrap[axis] <= TextureWrap::ClampToEdge; };
-  if (t.seamless || t.anisotropic || block == BlockFormat::Fxt1Rgb || block == BlockFormat::Fxt1Rgba)
+  if (t.seamless || t.anisotropic || t.bordered || block == BlockFormat::Fxt1Rgb ||
+      block == BlockFormat::Fxt1Rgba)
     return false;
   if (t.shape == TextureShape::Cube && t.mip != TextureMip::None && t.min_linear != t.mag_linear)
     return false;
@@ -198,6 +201,7 @@ TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum&
              : target == kTextureCube ? TextureShape::Cube
                                       : TextureShape::TwoD;
   t->counts_texels = target == kTextureRectangle;
+  t->bordered = image.border != ImageBorder{};
   set_levels(*object, levels, *t);
   set_texel(*image.format, p.srgb_decode == GL_DECODE_EXT, *t);
   const bool cube = target == kTextureCube;
