@@ -215,6 +215,43 @@ TEST_CASE("the color sum is clamped before the fog, whatever is drawn", "[spec][
     }
 }
 
+TEST_CASE("the color of the fog is clamped", "[spec][answers]") {
+  for (const bool specification : {false, true}) {
+    const SpecificationContext a(specification);
+    const Gl& gl = a.gl;
+    const GLfloat bright[4] = {2, 2, 2, 2};
+    gl.Fogfv(GL_FOG_COLOR, bright);
+    gl.Enable(GL_FOG);
+    gl.Fogi(GL_FOG_MODE, GL_LINEAR);
+    gl.Fogi(GL_FOG_COORDINATE_SOURCE, GL_FOG_COORDINATE);
+    gl.FogCoordf(0.5f);
+    gl.Color3f(0, 0, 0);
+    draw_square(gl);
+    CHECK(std::abs(a.red_in_the_middle() - (specification ? 128 : 255)) <= 1);
+  }
+}
+
+TEST_CASE("the value of GL_MULT is clamped", "[spec][answers]") {
+  for (const int specification : {0, 1}) {
+    const Gl& gl = softgl_library();
+    const int attributes[] = {0x32 /* OSMESA_ACCUM_BITS */, 16, SOFTGL_SPECIFICATION_ANSWERS, specification,
+                              0};
+    void* context = gl.OSMesaCreateContextAttribs(attributes, nullptr);
+    REQUIRE(context);
+    std::vector<GLubyte> buffer(16 * 16 * 4);
+    REQUIRE(gl.OSMesaMakeCurrent(context, buffer.data(), GL_UNSIGNED_BYTE, 16, 16));
+    gl.ClearColor(0.25f, 0, 0, 0);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+    gl.Accum(GL_LOAD, 1);
+    gl.Accum(GL_MULT, 2);
+    gl.Accum(GL_RETURN, 1);
+    gl.Finish();
+    CHECK(std::abs(buffer[0] - (specification ? 64 : 128)) <= 1);
+    gl.OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
+    gl.OSMesaDestroyContext(context);
+  }
+}
+
 // The level of detail (3.8.8, 3.8.9).
 
 TEST_CASE("magnification ends at 0.5 for all targets, after bias and limits", "[spec][answers]") {
