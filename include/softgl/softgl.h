@@ -47,6 +47,11 @@ uint64_t softgl_frame_hash(void);
  * environment variable SOFTGL_QUADS=osmesa makes 1 the default. */
 #define SOFTGL_OSMESA_QUADS 0x5F6010
 
+/* An attribute of OSMesaCreateContextAttribs. 1: where OSMesa 22.3.6 leaves the specification and softgl
+ * draws its bytes, the picture is the specification's (the rows of reference/FIDELITY.md that say so). 0: it
+ * is OSMesa's. The environment variable SOFTGL_ANSWERS=specification makes 1 the default. */
+#define SOFTGL_SPECIFICATION_ANSWERS 0x5F6012
+
 /* An attribute for OSMesaCreateContextAttribs: samples of a pixel of the context's image, 0 (the default:
  * one) or 4. The caller's buffer gets the mean of a pixel's samples, and so does who reads pixels. The
  * environment variable SOFTGL_SAMPLES=4 gives 4 to the contexts of programs that do not know of it. */

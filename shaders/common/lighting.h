@@ -26,6 +26,7 @@ struct LightingConstants {
   bool varies[2];      // some material parameter of the face is an array of lanes
   bool reflection;     // highlights by the reflection vector instead of the half vector
   bool for_fragments;  // the lanes are fragments: their normals are renormalized
+  bool zero_powers;    // anything to the power of zero is 1 (2.14.1), also what is 0
   int32_t light_count;
   float model_ambient[3];
   float material[kMaterialParameters][2][4]; // [MaterialParameter][face], where constant

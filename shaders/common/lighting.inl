@@ -145,10 +145,12 @@ static inline void light_directional_vector(LightingBlock& b, const LightConstan
   }
 }
 
-/// Attenuation by the spot cone; multiplies the distance attenuation where there is one.
-static inline void light_spot(LightingBlock& b, const LightConstants& l, int n) {
+/// Attenuation by the spot cone; multiplies the distance attenuation where there is one. `power`: of the
+/// cosine.
+template <class Power>
+static inline void light_spot(LightingBlock& b, const LightConstants& l, Power power, int n) {
   const float sx = l.spot_direction[0], sy = l.spot_direction[1], sz = l.spot_direction[2];
-  const float cosine = l.spot_cosine, exponent = SOFTGL_FAULT(spot_exponent_ignored) ? 0.0f : l.spot_exponent;
+  const float cosine = l.spot_cosine;
   const int32_t outside = SOFTGL_FAULT(spot_test_inverted) ? -1 : 0,
                 anywhere = SOFTGL_FAULT(spot_no_cutoff) ? -1 : 0;
   const float *vx = b.light_vector[0], *vy = b.light_vector[1], *vz = b.light_vector[2];
@@ -156,14 +158,24 @@ static inline void light_spot(LightingBlock& b, const LightConstants& l, int n) 
   if (l.positional && l.attenuated && !SOFTGL_FAULT(spot_without_attenuation)) {
     SOFTGL_FOR_LANES(i, n) {
       const float s = dot3(-vx[i], -vy[i], -vz[i], sx, sy, sz);
-      att[i] = att[i] * keep((mask_of(cosine < s) ^ outside) | anywhere, pow_lane(absolute(s), exponent));
+      att[i] = att[i] * keep((mask_of(cosine < s) ^ outside) | anywhere, power(absolute(s)));
     }
   } else {
     SOFTGL_FOR_LANES(i, n) {
       const float s = dot3(-vx[i], -vy[i], -vz[i], sx, sy, sz);
-      att[i] = keep((mask_of(cosine < s) ^ outside) | anywhere, pow_lane(absolute(s), exponent));
+      att[i] = keep((mask_of(cosine < s) ^ outside) | anywhere, power(absolute(s)));
     }
   }
+}
+
+static inline void light_spot(LightingBlock& b, const LightConstants& l, bool zero_powers, int n) {
+  const float exponent = SOFTGL_FAULT(spot_exponent_ignored) ? 0.0f : l.spot_exponent;
+  if (zero_powers && exponent == 0.0f)
+    light_spot(
+        b, l, [](float) { return 1.0f; }, n);
+  else
+    light_spot(
+        b, l, [exponent](float s) __attribute__((always_inline)) { return pow_lane(s, exponent); }, n);
 }
 
 /// Half vector with a local viewer: nrm(L - nrm(eye)), or towards +z for a positional light seen from
@@ -214,8 +226,7 @@ static inline void light_dots(LightingBlock& b, const LightConstants& l, bool in
   }
 }
 
-/// Fragments with the exponent zero: anything to the power of zero is 1, also n.h = 0, which pow_lane makes 0
-/// as OSMesa does at vertices.
+/// The exponent zero where zero_powers is set: n.h = 0 gives 1, too, which pow_lane makes 0 as OSMesa does.
 static inline void light_zero_exponents(LightingBlock& b, const LightingConstants& k,
                                         const MaterialLanes& lanes, int n) {
   const float* nl = b.diffuse[0];
@@ -300,8 +311,8 @@ static inline void light_highlight(LightingBlock& b, const LightingConstants& k,
   }
 }
 
-/// Exponent zero: 1 where the face is lit. With an attenuated light OSMesa raises the n.L of vertices to the
-/// power n.L instead.
+/// Exponent zero: 1 where the face is lit. With an attenuated light OSMesa raises the n.L to the power n.L
+/// instead, where zero_powers is not set.
 static inline void light_zero_highlight(LightingBlock& b, bool two_sided, bool attenuated, int n) {
   const float* nl = b.diffuse[0];
   float *front = b.specular[0], *back = b.specular[1];
@@ -407,15 +418,15 @@ static inline void light_block(LightingBlock& b, const LightingConstants& k, con
       (k.for_fragments ? light_fragment_vector : light_positional_vector)(b, l, n);
     else if (l.spot || k.local_viewer || k.reflection)
       light_directional_vector(b, l, n);
-    if (l.spot) light_spot(b, l, n);
+    if (l.spot) light_spot(b, l, k.zero_powers, n);
     const bool half = !shininess_zero && !k.reflection;
     if (half && !infinite_half) light_half_vector(b, k.local_viewer, n);
     light_dots(b, l, infinite_half, half, n);
     if (k.reflection) light_reflection(b, k.local_viewer, n);
     if (shininess_zero) {
-      light_zero_highlight(b, two_sided, attenuated && !k.for_fragments, n);
+      light_zero_highlight(b, two_sided, attenuated && !k.zero_powers, n);
     } else {
-      if (k.for_fragments && !k.reflection) light_zero_exponents(b, k, lanes, n);
+      if (k.zero_powers && !k.reflection) light_zero_exponents(b, k, lanes, n);
       light_highlight(b, k, lanes, n);
     }
     light_factors(b, two_sided, attenuated, n);

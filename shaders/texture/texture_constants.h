@@ -38,6 +38,7 @@ struct TextureUnitConstants {
   TextureTexel texel;
   TextureWrap wrap[3];
   bool counts_texels; // coordinates are not fractions of the size (GL_ARB_texture_rectangle)
+  bool bordered;      // the images have a border of one texel, in front of `face` and behind each row
   bool min_linear, mag_linear;
   bool seamless; // a linear filter takes texels across the edges of a cube map's faces
   bool no_alpha; // the base format has none: it is 1, whatever the weights of texels come to
@@ -46,6 +47,9 @@ struct TextureUnitConstants {
   // texture_lod.inl).
   bool adjusts_lod, constant_lod, has_min_lod, has_max_lod;
   float lod_bias, min_lod, max_lod;
+  // Up to where a texture is magnified: the constant c of 3.8.9, and the scale factor there; squared, but of
+  // one-dimensional textures.
+  float magnified_lod, magnified_rho;
   // Texels under an ellipse are taken instead (texture_anisotropic.inl). level[0] is number first_level of
   // the texture, and level 0 has or had the size zero_width x zero_height.
   bool anisotropic;

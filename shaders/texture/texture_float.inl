@@ -3,6 +3,7 @@
 // then levels.
 #pragma once
 
+#include "shaders/texture/texture_border.inl"
 #include "shaders/texture/texture_fetch.inl"
 #include "shaders/texture/texture_lod.inl"
 #include "shaders/texture/texture_seamless.inl"
@@ -189,6 +190,12 @@ static inline void sample_float_level(const FragmentBlock& block, const BlockCoo
     float_nearest_axis(block, t, 0, c.s, images.width, x);
     if (two) float_nearest_axis(block, t, 1, c.t, images.height, y);
     if (three) float_nearest_axis(block, t, 2, c.r, images.depth, z);
+    if (t.bordered) {
+      number_from_border(block, images.width, x);
+      if (two) number_from_border(block, images.height, y);
+      if (three) number_from_border(block, images.depth, z);
+      take_in_border(block, t, images);
+    }
     TexelRows rows;
     TexelPlaces at;
     find_rows(block, images, two ? y : nullptr, three ? z : nullptr, rows);
@@ -200,6 +207,14 @@ static inline void sample_float_level(const FragmentBlock& block, const BlockCoo
   }
   if (t.seamless) return sample_seamless_level(block, c, t, images, nearest, out);
   LinearFilter filter(block, c, t, images);
+  if (t.bordered) {
+    const int32_t* sizes[3] = {images.width, images.height, images.depth};
+    for (int a = 0; a < filter.axes; ++a) {
+      number_from_border(block, sizes[a], filter.axis[a].first);
+      number_from_border(block, sizes[a], filter.axis[a].second);
+    }
+    take_in_border(block, t, images);
+  }
   for (int a = 0; nearest && a < filter.axes; ++a) {
     float* __restrict weight = filter.axis[a].weight;
     SOFTGL_FOR_LANES(block, i) {

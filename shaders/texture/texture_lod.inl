@@ -2,9 +2,10 @@
 // they get equal levels (except in cube maps).
 //
 // OSMesa 22.3.6: rho squared = max of the squared lengths, scaled by the size of the base level. Without bias
-// and limits, the nearest level is (exponent + 1) >> 1 and magnification is rho <= 1. Otherwise lod = 0.5 *
+// and limits, the nearest level is (exponent + 1) >> 1 and magnification is rho <= magnified_rho. Otherwise
+// lod = 0.5 *
 // ((exponent - 1) + mantissa), a piecewise linear logarithm, plus bias, clamped; nearest rounds it to even,
-// magnification is lod <= 0.
+// magnification is lod <= magnified_lod.
 #pragma once
 
 #include "shaders/common/lane_math.h"
@@ -68,7 +69,7 @@ static inline void find_levels(const FragmentBlock& block, const BlockCoordinate
   const int32_t last = t.last_level;
   const bool squared = t.shape != TextureShape::OneD;
   if (!t.adjusts_lod && !t.constant_lod && t.mip != TextureMip::Linear) {
-    const float root2 = 1.41421356237309504880f;
+    const float root2 = 1.41421356237309504880f, magnified_rho = t.magnified_rho;
     SOFTGL_FOR_LANES(block, i) {
       // One-dimensional textures: the exponent of rho * sqrt 2 rounds log2 rho.
       const int32_t bits = float_bits(squared ? rho[i] : rho[i] * root2);
@@ -77,11 +78,12 @@ static inline void find_levels(const FragmentBlock& block, const BlockCoordinate
       level = select(mask_of(level > last), last, level);
       out.level[i] = level & ~(level >> 31);
       out.fraction[i] = 0;
-      out.magnified[i] = ~mask_of(rho[i] > 1.0f);
+      out.magnified[i] = ~mask_of(rho[i] > magnified_rho);
     }
     return;
   }
   alignas(64) float lod[kLanes];
+  const float magnified_lod = t.magnified_lod;
   if (t.constant_lod) {
     SOFTGL_FOR_LANES(block, i) lod[i] = t.min_lod;
   } else {
@@ -101,7 +103,7 @@ static inline void find_levels(const FragmentBlock& block, const BlockCoordinate
       level = select(mask_of(level > last), last, level);
       out.level[i] = level & ~(level >> 31);
       out.fraction[i] = keep(between, l - whole);
-      out.magnified[i] = ~mask_of(l > 0.0f);
+      out.magnified[i] = ~mask_of(l > magnified_lod);
     }
   } else {
     alignas(64) int32_t nearest[kLanes];
@@ -111,7 +113,7 @@ static inline void find_levels(const FragmentBlock& block, const BlockCoordinate
       level = select(mask_of(level > last), last, level);
       out.level[i] = t.mip == TextureMip::Nearest ? level & ~(level >> 31) : 0;
       out.fraction[i] = 0;
-      out.magnified[i] = ~mask_of(lod[i] > 0.0f);
+      out.magnified[i] = ~mask_of(lod[i] > magnified_lod);
     }
   }
 }

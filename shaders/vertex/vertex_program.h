@@ -50,6 +50,8 @@ struct PolygonConstants {
   bool cull_front, cull_back;
   bool two_sided; // the vertices carry back colors
   bool offset[3]; // by mode; RasterConstants say how far
+  bool whole; // 2.12: polygons are cut as a whole, and all edges along the clip volume are boundaries. Else
+              // as by OSMesa 22.3.6: their triangles are, and edges along the view volume are none
 };
 
 struct VertexProgram {

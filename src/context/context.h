@@ -64,6 +64,7 @@ struct Context {
   RenderTarget* read = &framebuffer;
   const bool smooth_is_phong = smooth_is_phong_by_environment();
   bool osmesa_quadrilaterals = false; // cut where OSMesa 22.3.6 cuts them
+  bool specification_answers = false; // where OSMesa 22.3.6 leaves the specification
 };
 
 /// The calling thread's context; never null: without one it is a context whose guard is kNoContext.

@@ -15,4 +15,9 @@ bool osmesa_quadrilaterals_by_environment() {
   return quads && std::string_view(quads) == "osmesa";
 }
 
+bool specification_answers_by_environment() {
+  const char* answers = std::getenv("SOFTGL_ANSWERS");
+  return answers && std::string_view(answers) == "specification";
+}
+
 } // namespace softgl

@@ -11,6 +11,9 @@ bool smooth_is_phong_by_environment();
 /// SOFTGL_QUADS=osmesa: the diagonals of GL_QUADS are those that OSMesa 22.3.6 takes.
 bool osmesa_quadrilaterals_by_environment();
 
+/// SOFTGL_ANSWERS=specification: where OSMesa 22.3.6 leaves the specification, so does not softgl.
+bool specification_answers_by_environment();
+
 /// True where lighting is done for each fragment. Without lighting GL_PHONG_WIN is GL_SMOOTH.
 inline bool lights_fragments(const LightingState& lighting, bool smooth_is_phong) {
   return lighting.enabled &&

@@ -16,10 +16,11 @@ bool stores_alpha_bytes(const FragmentProgram& program) {
 
 } // namespace
 
-void append_fragment_stages(FragmentProgram& program, bool clamp) {
+void append_fragment_stages(FragmentProgram& program, bool clamp, bool clamp_sum) {
   const FragmentKey& key = program.key;
   const RasterKernels& k = *kernels().raster;
   if (key.color_sum) program.add(key.lit ? k.color_sum_clamped : k.color_sum);
+  if (clamp_sum && static_cast<FogMode>(key.fog_mode) != FogMode::None) program.add(k.clamp_color);
   switch (static_cast<FogMode>(key.fog_mode)) {
   case FogMode::None: break;
   case FogMode::Linear: program.add(k.fog_linear); break;

@@ -1,13 +1,17 @@
 // Primitive assembly (GL 1.5, 2.6.1): vertices become triangles, lines and points in the corner order that
 // OSMesa hands to set-up, because the order decides last bits. Where GL_QUADS are cut, the draw says.
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <span>
+#include <tuple>
 
 #include "base/assert.h"
 #include "geometry/clipping.h"
 #include "geometry/geometry.h"
 #include "geometry/line_stipple.h"
 #include "geometry/polygon_stage.h"
+#include "geometry/primitive_triangles.h"
 #include "geometry/vertex_fetch.h"
 #include "shaders/common/seeded_faults.h"
 #include "shaders/raster/raster_constants.h"
@@ -16,84 +20,6 @@ namespace softgl {
 namespace {
 
 using Slot = ShadedVertices::Slot;
-
-// Element number within the primitive -> vertex number.
-struct NoIndices {
-  uint32_t first;
-  uint32_t operator[](uint32_t element) const { return first + element; }
-};
-template <class T> struct Indices {
-  const T* index;
-  uint32_t operator[](uint32_t element) const { return index[element]; }
-};
-
-/// Calls emit(triangle, v0, v1, v2) with the vertices of triangles 0, 1, ... n - 1 of steps [step, ...), v2
-/// provoking; returns n. Two triangles a step for quadrilaterals.
-template <class Elements, class Emit> int for_each_triangle(GLenum mode, bool from_1_to_3, bool right_first,
-                                                            const Elements e, uint32_t step, uint32_t steps,
-                                                            Emit emit) {
-  const int n = int(steps);
-  switch (mode) {
-  case GL_TRIANGLES:
-    for (int i = 0; i < n; ++i) {
-      const uint32_t k = 3 * (step + uint32_t(i));
-      emit(i, e[k], e[k + 1], e[k + 2]);
-    }
-    return n;
-  case GL_TRIANGLE_STRIP:
-    for (int i = 0; i < n; ++i) {
-      const uint32_t k = step + uint32_t(i), odd = SOFTGL_FAULT(strip_not_turned) ? 0 : k & 1;
-      emit(i, e[k + odd], e[k + 1 - odd], e[k + 2]);
-    }
-    return n;
-  case GL_TRIANGLE_FAN:
-    for (int i = 0; i < n; ++i) {
-      const uint32_t k = step + uint32_t(i);
-      emit(i, e[SOFTGL_FAULT(fan_is_strip) ? k : 0], e[k + 1], e[k + 2]);
-    }
-    return n;
-  case GL_POLYGON:
-    for (int i = 0; i < n; ++i) {
-      const uint32_t k = step + uint32_t(i);
-      emit(i, e[k + 1], e[k + 2], e[0]);
-    }
-    return n;
-  case GL_QUADS:
-    for (int i = 0; i < n; ++i) {
-      const uint32_t k = 4 * (step + uint32_t(i));
-      const uint32_t first = e[k], second = e[k + 1], third = e[k + 2], fourth = e[k + 3];
-      emit(2 * i, first, second, from_1_to_3 ? fourth : third);
-      emit(2 * i + 1, from_1_to_3 ? second : first, third, fourth);
-    }
-    return 2 * n;
-  default: // GL_QUAD_STRIP
-    for (int i = 0; i < n; ++i) {
-      const uint32_t k = 2 * (step + uint32_t(i)), crossed = SOFTGL_FAULT(quad_strip_crossed);
-      const uint32_t first = e[k], second = e[k + 1], third = e[k + 2 + crossed], fourth = e[k + 3 - crossed];
-      if (right_first) emit(2 * i, first, second, fourth);
-      emit(2 * i + right_first, third, first, fourth);
-      if (!right_first) emit(2 * i + 1, first, second, fourth);
-    }
-    return 2 * n;
-  }
-}
-
-/// The same where the first vertex provokes: it comes last, too, and the others keep their turn around it. Of
-/// quadrilaterals it never does.
-template <class Elements, class Emit>
-int for_each_triangle_of_first(GLenum mode, const Elements e, uint32_t step, uint32_t steps, Emit emit) {
-  const int n = int(steps);
-  for (int i = 0; i < n; ++i) {
-    const uint32_t k = step + uint32_t(i);
-    switch (mode) {
-    case GL_TRIANGLES: emit(i, e[3 * k + 1], e[3 * k + 2], e[3 * k]); break;
-    case GL_TRIANGLE_STRIP: emit(i, e[k + 1 + (k & 1)], e[k + 2 - (k & 1)], e[k]); break;
-    case GL_TRIANGLE_FAN: emit(i, e[k + 2], e[0], e[k + 1]); break;
-    default: emit(i, e[k + 1], e[k + 2], e[0]); // GL_POLYGON
-    }
-  }
-  return n;
-}
 
 class Assembler {
 public:
@@ -208,10 +134,16 @@ private:
     PolygonStage polygons(draw_, arena_, sink_);
     const bool polygon = range_.mode == GL_POLYGON;
     const uint32_t last_step = assembly_steps(range_) - 1;
+    const bool whole = draw_.vertex->polygons->whole && !polygons.fills();
+    if (polygon && whole && any_clipped(e, 0, range_.count)) {
+      if (step == 0) clip_polygon(e, polygons); // one piece does it for all
+      return polygons.finish();
+    }
     // The stipple of a polygon goes on from triangle to triangle: count those in front of this chunk.
     uint32_t at = polygon && polygons.stipples() ? 0 : step;
     for (const uint32_t end = step + steps; at < end; ++at) {
       polygons.count_only(at < step);
+      if (whole && clip_step(e, at, polygons)) continue;
       const auto put = [&](int i, uint32_t v0, uint32_t v1, uint32_t v2) {
         uint32_t boundary = 7;
         bool begins = true;
@@ -222,7 +154,7 @@ private:
           begins = i == 0;
           boundary = begins ? 5 : 3;
         }
-        clip_triangle(v0, v1, v2, polygons.fills() ? boundary : boundary & flagged(v0, v1, v2),
+        clip_triangle(v0, v1, v2, polygons.fills() ? boundary : boundary & flags(v0, v1, v2),
                       [&](const Slot* a, const Slot* b, const Slot* c, uint32_t edges, int part) {
                         polygons.triangle({{a, b, c}, edges, part < 0 ? begins : part == 0});
                       });
@@ -235,22 +167,68 @@ private:
     polygons.finish();
   }
 
-  /// Bit k: an edge that begins at vertex k is marked as one of the polygon (GL 1.5, 2.6.2).
-  uint32_t flagged(uint32_t v0, uint32_t v1, uint32_t v2) const {
-    if (SOFTGL_FAULT(edge_flags_ignored)) return 7;
+  /// An edge that begins at the vertex is marked as one of the polygon (GL 1.5, 2.6.2).
+  bool flagged(uint32_t vertex) const {
+    if (SOFTGL_FAULT(edge_flags_ignored)) return true;
     if (range_.mode != GL_TRIANGLES && range_.mode != GL_QUADS && range_.mode != GL_POLYGON &&
         !SOFTGL_FAULT(strips_have_edge_flags))
-      return 7;
+      return true;
     const VertexSource& source = *draw_.call.source;
-    if (!(source.present >> kEdgeFlag & 1)) return draw_.call.constant[kEdgeFlag].x != 0 ? 7 : 0;
-    uint32_t flags = 0;
-    const uint32_t v[3] = {v0, v1, v2};
-    for (int k = 0; k < 3; ++k) {
-      float flag[4];
-      fetch_vertex(source.stream[kEdgeFlag], v[SOFTGL_FAULT(edge_flag_of_end) ? (k + 1) % 3 : k], flag);
-      flags |= uint32_t(flag[0] != 0) << k;
+    if (!(source.present >> kEdgeFlag & 1)) return draw_.call.constant[kEdgeFlag].x != 0;
+    float flag[4];
+    fetch_vertex(source.stream[kEdgeFlag], vertex, flag);
+    return flag[0] != 0;
+  }
+  uint32_t flags(uint32_t v0, uint32_t v1, uint32_t v2) const {
+    if (SOFTGL_FAULT(edge_flag_of_end)) std::tie(v0, v1, v2) = std::tuple(v1, v2, v0);
+    return uint32_t(flagged(v0)) | uint32_t(flagged(v1)) << 1 | uint32_t(flagged(v2)) << 2;
+  }
+
+  /// Clips the triangle or the quadrilateral of a step as a whole. False if nothing clips it.
+  template <class Elements> bool clip_step(const Elements& e, uint32_t step, PolygonStage& polygons) {
+    uint32_t v[4];
+    size_t n = 3;
+    const auto take = [&](int, uint32_t v0, uint32_t v1, uint32_t v2) { v[0] = v0, v[1] = v1, v[2] = v2; };
+    if (range_.mode == GL_QUADS) {
+      n = 4;
+      for (uint32_t i = 0; i < 4; ++i) v[i] = e[4 * step + i];
+    } else if (range_.mode == GL_QUAD_STRIP) {
+      n = 4;
+      for (uint32_t i = 0; i < 4; ++i) v[i] = e[2 * step + std::array{2u, 0u, 1u, 3u}[i]];
+    } else if (range_.mode == GL_POLYGON) {
+      return false;
+    } else if (first_provokes_) {
+      for_each_triangle_of_first(range_.mode, e, step, 1, take);
+    } else {
+      for_each_triangle(range_.mode, false, false, e, step, 1, take);
     }
-    return flags;
+    PolygonCorner corners[4] = {};
+    for (size_t i = 0; i < n; ++i) corners[i].boundary = flagged(v[i]);
+    return clip_whole(v, {corners, n}, polygons);
+  }
+
+  /// Clips a primitive of GL_POLYGON. Of one that is continued a part, which has inner edges.
+  template <class Elements> void clip_polygon(const Elements& e, PolygonStage& polygons) {
+    const uint32_t n = range_.count;
+    auto* v = arena_.allocate_array<uint32_t>(n);
+    auto* corners = arena_.allocate_array<PolygonCorner>(n);
+    for (uint32_t i = 0; i < n; ++i) { // the first vertex, which provokes, comes last
+      v[i] = e[(i + 1) % n];
+      const bool inner = (i + 2 == n && !range_.ends) || (i + 1 == n && !range_.begins);
+      corners[i].boundary = !inner && flagged(v[i]);
+    }
+    clip_whole(v, {corners, n}, polygons);
+  }
+
+  /// Clips the polygon with vertices v, of which the last one provokes. False if nothing clips it.
+  bool clip_whole(const uint32_t* v, std::span<const PolygonCorner> corners, PolygonStage& polygons) {
+    uint32_t any = 0, all = ~0u;
+    for (size_t i = 0; i < corners.size(); ++i) any |= mask(v[i]), all &= mask(v[i]);
+    if (!any) return false;
+    if (all) return true;
+    const auto rest = Clipper(draw_, vertices_, arena_).polygon(v, any, corners);
+    if (!rest.empty()) polygons.polygon(rest, shaded(v[corners.size() - 1]));
+    return true;
   }
 
   template <class Elements> void points(const Elements& e, uint32_t step, uint32_t steps) {

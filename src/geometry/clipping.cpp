@@ -20,7 +20,8 @@ bool is_finite(float f) { return (std::bit_cast<uint32_t>(f) & 0x7f800000u) != 0
 
 Clipper::Clipper(const DrawRecord& draw, const ShadedVertices& vertices, Arena& arena)
     : draw_(draw), vertices_(vertices), arena_(arena), transform_(*draw.vertex->transform),
-      slots_(draw.layout.slots), flat_(draw.raster->flat) {
+      slots_(draw.layout.slots), flat_(draw.raster->flat),
+      first_boundary_(draw.vertex->polygons && draw.vertex->polygons->whole ? 0 : 6) {
   static constexpr float kVolume[6][4] = {{-1, 0, 0, 1}, {1, 0, 0, 1}, {0, -1, 0, 1},
                                           {0, 1, 0, 1},  {0, 0, 1, 1}, {0, 0, -1, 1}};
   std::memcpy(plane_, kVolume, sizeof kVolume);
@@ -44,18 +45,20 @@ float Clipper::distance(const Vertex& v, int plane) const {
   return ((v.clip[0] * p[0] + v.clip[1] * p[1]) + v.clip[2] * p[2]) + v.clip[3] * p[3];
 }
 
-void Clipper::interpolate(Vertex& out, float t, const Vertex& from, const Vertex& to) const {
+Clipper::Slot* Clipper::interpolate(Vertex& out, float t, const Vertex& from, const Vertex& to) {
   for (int i = 0; i < 4; ++i) out.clip[i] = from.clip[i] + t * (to.clip[i] - from.clip[i]);
-  out.shaded = out.made;
+  Slot* made = arena_.allocate_array<Slot>(size_t(slots_));
+  out.shaded = made;
   const float oow = 1.0f / out.clip[3];
   for (int i = 0; i < 3; ++i)
-    out.made[0].v[i] = out.clip[i] * oow * transform_.window_scale[i] + transform_.window_offset[i];
-  out.made[0].v[3] = oow;
+    made[0].v[i] = out.clip[i] * oow * transform_.window_scale[i] + transform_.window_offset[i];
+  made[0].v[3] = oow;
   for (int s = 1; s < slots_; ++s)
     for (int i = 0; i < 4; ++i) {
       const float a = from.shaded[s].v[i], b = to.shaded[s].v[i];
-      out.made[s].v[i] = SOFTGL_FAULT(cut_color_of_corner) ? a : a + t * (b - a);
+      made[s].v[i] = SOFTGL_FAULT(cut_color_of_corner) ? a : a + t * (b - a);
     }
+  return made;
 }
 
 void copy_flat_colors(const ShadedLayout& l, ShadedVertices::Slot* to, const ShadedVertices::Slot* from) {
@@ -65,48 +68,33 @@ void copy_flat_colors(const ShadedLayout& l, ShadedVertices::Slot* to, const Sha
     if (slot >= 0) std::memcpy(to[slot].v, from[slot].v, sizeof(float[3]));
 }
 
-const Clipper::Slot* Clipper::keep(const Vertex& v) {
-  if (v.shaded != v.made) return v.shaded;
-  Slot* copy = arena_.allocate_array<Slot>(size_t(slots_));
-  std::memcpy(copy, v.made, sizeof(Slot) * size_t(slots_));
-  return copy;
-}
-
-int Clipper::triangle(const uint32_t v[3], uint32_t mask, const Slot* polygon[kMaxPolygon], uint32_t& edges) {
-  Vertex pool[3 + 2 * kMaxPlanes];
-  Vertex* lists[2][kMaxPolygon + 1];
-  Vertex **in = lists[0], **out = lists[1];
-  int made = 3, n = 3;
-  for (int i = 0; i < 3; ++i) load(v[i], *(in[i] = &pool[i]));
-
+__attribute__((always_inline)) inline bool Clipper::cut(Cut& polygon, uint32_t mask) {
+  Vertex **in = polygon.vertex, **out = polygon.other;
+  int n = polygon.count;
   for (; mask && n >= 3; mask &= mask - 1) {
     const int plane = std::countr_zero(mask);
     Vertex* previous = in[0];
     float d_previous = distance(*previous, plane);
-    if (!is_finite(d_previous)) return 0;
+    if (!is_finite(d_previous)) return false;
     in[n] = in[0];
     int count = 0;
-    uint32_t left = 0; // of the edges
     for (int i = 1; i <= n; ++i) {
       Vertex* vertex = in[i];
       const float d = distance(*vertex, plane);
-      if (!is_finite(d)) return 0;
+      if (!is_finite(d)) return false;
       bool crosses;
       if (d_previous >= 0) {
-        if (count == kMaxPolygon) return 0;
-        left |= (edges >> (i - 1) & 1) << count;
+        if (count == polygon.most) return false;
         out[count++] = previous;
         crosses = d < 0;
       } else {
         crosses = !(d < 0);
       }
       if (crosses) {
-        if (count == kMaxPolygon || made == 3 + 2 * kMaxPlanes) return 0;
-        Vertex* fresh = &pool[made++];
-        left |= (d < 0 ? uint32_t(plane >= 6 && !SOFTGL_FAULT(cut_edge_not_drawn))
-                 : SOFTGL_FAULT(cut_edge_always_drawn) ? 1u
-                                                       : edges >> (i - 1) & 1)
-                << count;
+        if (count == polygon.most || polygon.made == polygon.most_made) return false;
+        Vertex* fresh = &polygon.pool[polygon.made++];
+        fresh->edge = d < 0 ? plane >= first_boundary_ && !SOFTGL_FAULT(cut_edge_not_drawn)
+                            : previous->edge || SOFTGL_FAULT(cut_edge_always_drawn);
         out[count++] = fresh;
         const Vertex &outside = d < 0 ? *vertex : *previous, &inside = d < 0 ? *previous : *vertex;
         const float d_out = d < 0 ? d : d_previous, d_in = d < 0 ? d_previous : d;
@@ -122,17 +110,50 @@ int Clipper::triangle(const uint32_t v[3], uint32_t mask, const Slot* polygon[kM
     in = out;
     out = swap;
     n = count;
-    edges = left;
   }
-  if (n < 3) return 0;
-  for (int i = 0; i < n; ++i) polygon[i] = keep(*in[i]);
-  if (flat_ && in[0] != &pool[2] && !SOFTGL_FAULT(cut_forgets_flat_color)) {
+  polygon.vertex = in, polygon.count = n;
+  return n >= 3;
+}
+
+int Clipper::triangle(const uint32_t v[3], uint32_t mask, const Slot* polygon[kMaxPolygon], uint32_t& edges) {
+  constexpr int kMostMade = 3 + 2 * kMaxPlanes;
+  Vertex pool[kMostMade];
+  Vertex* lists[2][kMaxPolygon + 1];
+  for (int i = 0; i < 3; ++i) {
+    load(v[i], *(lists[0][i] = &pool[i]));
+    pool[i].edge = edges >> i & 1;
+  }
+  Cut rest{lists[0], lists[1], 3, kMaxPolygon, pool, 3, kMostMade};
+  if (!cut(rest, mask)) return 0;
+  edges = 0;
+  for (int i = 0; i < rest.count; ++i) {
+    polygon[i] = rest.vertex[i]->shaded;
+    edges |= uint32_t(rest.vertex[i]->edge) << i;
+  }
+  if (flat_ && rest.vertex[0] != &pool[2] && !SOFTGL_FAULT(cut_forgets_flat_color)) {
     Slot* provoking = arena_.allocate_array<Slot>(size_t(slots_));
     std::memcpy(provoking, polygon[0], sizeof(Slot) * size_t(slots_));
     copy_flat_colors(draw_.layout, provoking, pool[2].shaded);
     polygon[0] = provoking;
   }
-  return n;
+  return rest.count;
+}
+
+std::span<const PolygonCorner> Clipper::polygon(const uint32_t* v, uint32_t mask,
+                                                std::span<const PolygonCorner> corners) {
+  const int n = int(corners.size()), most = n + kMaxPlanes, most_made = n + 2 * kMaxPlanes;
+  auto* pool = arena_.allocate_array<Vertex>(size_t(most_made));
+  Vertex** lists[2];
+  for (Vertex**& list : lists) list = arena_.allocate_array<Vertex*>(size_t(most) + 1);
+  for (int i = 0; i < n; ++i) {
+    load(v[i], *(lists[0][i] = &pool[i]));
+    pool[i].edge = corners[size_t(i)].boundary;
+  }
+  Cut rest{lists[0], lists[1], n, most, pool, n, most_made};
+  if (!cut(rest, mask)) return {};
+  auto* result = arena_.allocate_array<PolygonCorner>(size_t(rest.count));
+  for (int i = 0; i < rest.count; ++i) result[i] = {rest.vertex[i]->shaded, rest.vertex[i]->edge};
+  return {result, size_t(rest.count)};
 }
 
 bool Clipper::line(const uint32_t v[2], const Slot* end[2]) {
@@ -156,19 +177,14 @@ bool Clipper::line(const uint32_t v[2], const Slot* end[2]) {
     }
     if (t0 + t1 >= 1.0f) return false;
   }
-  end[0] = a.shaded;
-  end[1] = b.shaded;
-  Vertex fresh;
-  if (mask_a) {
-    interpolate(fresh, t0, a, b);
-    if (flat_) copy_flat_colors(draw_.layout, fresh.made, b.shaded);
-    end[0] = keep(fresh);
-  }
-  if (mask_b) {
-    interpolate(fresh, t1, b, a);
-    if (flat_) copy_flat_colors(draw_.layout, fresh.made, b.shaded);
-    end[1] = keep(fresh);
-  }
+  const auto cut_at = [&](float t, const Vertex& from, const Vertex& to) {
+    Vertex fresh;
+    Slot* made = interpolate(fresh, t, from, to);
+    if (flat_) copy_flat_colors(draw_.layout, made, b.shaded);
+    return made;
+  };
+  end[0] = mask_a ? cut_at(t0, a, b) : a.shaded;
+  end[1] = mask_b ? cut_at(t1, b, a) : b.shaded;
   return true;
 }
 

@@ -49,38 +49,46 @@ const PolygonStage::Slot* PolygonStage::own_copy(const Slot* vertex, const Slot*
   return copy;
 }
 
-void PolygonStage::triangle(const PolygonTriangle& t) {
+PolygonStage::Plane PolygonStage::plane_of(const Slot* a, const Slot* b, const Slot* c) {
+  const float *v0 = a->v, *v1 = b->v, *v2 = c->v;
+  Plane p{{v0[0] - v2[0], v0[1] - v2[1], v0[2] - v2[2]},
+          {v1[0] - v2[0], v1[1] - v2[1], v1[2] - v2[2]},
+          0,
+          {a, b, c}};
+  p.determinant = p.e[0] * p.f[1] - p.e[1] * p.f[0]; // y is down: negative is counter-clockwise
+  return p;
+}
+
+bool PolygonStage::look_at(float determinant, PolygonMode& mode) {
   const PolygonConstants& k = constants_;
-  const float *v0 = t.corner[0]->v, *v1 = t.corner[1]->v, *v2 = t.corner[2]->v;
-  const float e[3] = {v0[0] - v2[0], v0[1] - v2[1], v0[2] - v2[2]},
-              f[3] = {v1[0] - v2[0], v1[1] - v2[1], v1[2] - v2[2]};
-  const float determinant = e[0] * f[1] - e[1] * f[0]; // y is down: negative is counter-clockwise
   // Without area it is culled as a back-facing one, and else drawn and colored as a clockwise one.
   const bool front = determinant != 0 && (determinant < 0) == k.ccw_is_front;
-  if (front ? k.cull_front : k.cull_back) return;
-  const PolygonMode mode = k.mode[determinant >= 0];
+  if (front ? k.cull_front : k.cull_back) return false;
+  mode = k.mode[determinant >= 0];
   back_ = k.ccw_is_front ? determinant > 0 : determinant < 0;
-  const bool back_colors = k.two_sided && back_;
-  const bool offset = k.offset[int(mode)];
-  PolygonTriangle own = t;
-  if (!counting_ && (offset || back_colors || draw_.raster->flat)) {
-    const RasterConstants& r = *draw_.raster;
-    const float units = r.offset_floats ? float_step(v0[2], v1[2], v2[2]) * r.offset_units : r.offset_units;
-    const float by = offset ? depth_offset(r, e, f, determinant, units) : 0.0f;
-    for (const Slot*& corner : own.corner)
-      corner = own_copy(corner, t.corner[2], back_colors, offset ? &by : nullptr);
-  }
-  const auto& corner = own.corner;
+  return true;
+}
+
+void PolygonStage::finish_corners(std::span<const Slot*> corners, const Slot* provoking, PolygonMode mode,
+                                  const Plane& plane) {
+  const bool back_colors = constants_.two_sided && back_, offset = constants_.offset[int(mode)];
+  if (counting_ || !(offset || back_colors || draw_.raster->flat)) return;
+  const RasterConstants& r = *draw_.raster;
+  const auto z = [&](int i) { return plane.corner[i]->v[2]; };
+  const float units = r.offset_floats ? float_step(z(0), z(1), z(2)) * r.offset_units : r.offset_units;
+  const float by = offset ? depth_offset(r, plane.e, plane.f, plane.determinant, units) : 0.0f;
+  for (const Slot*& corner : corners)
+    corner = own_copy(corner, provoking, back_colors, offset ? &by : nullptr);
+}
+
+void PolygonStage::triangle(const PolygonTriangle& t) {
+  const Plane plane = plane_of(t.corner[0], t.corner[1], t.corner[2]);
+  PolygonMode mode;
+  if (!look_at(plane.determinant, mode)) return;
+  const Slot* corner[3] = {t.corner[0], t.corner[1], t.corner[2]};
+  finish_corners(corner, t.corner[2], mode, plane);
   switch (mode) {
-  case PolygonMode::Fill:
-    if (counting_) break;
-    begin(Pending::Triangles, triangles_.count);
-    for (int i = 0; i < 3; ++i) {
-      triangles_.corner[i][triangles_.count] = corner[i];
-      triangles_.inner[i] |= uint64_t(~t.boundary >> i & 1) << triangles_.count;
-    }
-    ++triangles_.count;
-    break;
+  case PolygonMode::Fill: fill({corner[0], corner[1], corner[2]}, t.boundary); break;
   case PolygonMode::Line:
     if (t.begins) stipple_.reset(), line_begins_ = true;
     if (t.boundary & 4) line(corner[2], corner[0]);
@@ -88,14 +96,63 @@ void PolygonStage::triangle(const PolygonTriangle& t) {
     if (t.boundary & 2) line(corner[1], corner[2]);
     break;
   case PolygonMode::Point:
-    for (int i = 0; i < 3; ++i) {
-      if (counting_ || !(SOFTGL_FAULT(corners_without_flags) || t.boundary >> i & 1)) continue;
-      begin(Pending::Points, points_.count);
-      points_.back |= uint64_t(back_) << points_.count;
-      points_.corner[points_.count++] = corner[i];
-    }
+    for (int i = 0; i < 3; ++i)
+      if (SOFTGL_FAULT(corners_without_flags) || t.boundary >> i & 1) point(corner[i]);
     break;
   }
+}
+
+void PolygonStage::polygon(std::span<const PolygonCorner> corners, const Slot* provoking) {
+  const size_t last = corners.size() - 1;
+  Plane largest{};
+  float determinant = 0; // the sum of those of a fan (equation 2.6)
+  for (size_t i = 0; i + 1 < last; ++i) {
+    const Plane plane = plane_of(corners[i].vertex, corners[i + 1].vertex, corners[last].vertex);
+    determinant += plane.determinant;
+    if (i == 0 || std::fabs(plane.determinant) > std::fabs(largest.determinant)) largest = plane;
+  }
+  PolygonMode mode;
+  if (!look_at(determinant, mode)) return;
+  const Slot** corner = arena_.allocate_array<const Slot*>(corners.size());
+  for (size_t i = 0; i <= last; ++i) corner[i] = corners[i].vertex;
+  finish_corners({corner, corners.size()}, provoking, mode, largest);
+  switch (mode) {
+  case PolygonMode::Fill:
+    for (size_t i = 0; i + 1 < last; ++i) {
+      const bool closing = i == 0 && corners[last].boundary,
+                 ending = i + 2 == last && corners[i + 1].boundary;
+      fill({corner[i], corner[i + 1], corner[last]},
+           uint32_t(corners[i].boundary) | uint32_t(ending) << 1 | uint32_t(closing) << 2);
+    }
+    break;
+  case PolygonMode::Line:
+    stipple_.reset(), line_begins_ = true;
+    if (corners[last].boundary) line(corner[last], corner[0]);
+    for (size_t i = 0; i < last; ++i)
+      if (corners[i].boundary) line(corner[i], corner[i + 1]);
+    break;
+  case PolygonMode::Point:
+    for (size_t i = 0; i <= last; ++i)
+      if (corners[i].boundary) point(corner[i]);
+    break;
+  }
+}
+
+void PolygonStage::fill(const std::array<const Slot*, 3>& corner, uint32_t boundary) {
+  if (counting_) return;
+  begin(Pending::Triangles, triangles_.count);
+  for (size_t i = 0; i < 3; ++i) {
+    triangles_.corner[i][triangles_.count] = corner[i];
+    triangles_.inner[i] |= uint64_t(~boundary >> i & 1) << triangles_.count;
+  }
+  ++triangles_.count;
+}
+
+void PolygonStage::point(const Slot* vertex) {
+  if (counting_) return;
+  begin(Pending::Points, points_.count);
+  points_.back |= uint64_t(back_) << points_.count;
+  points_.corner[points_.count++] = vertex;
 }
 
 void PolygonStage::line(const Slot* a, const Slot* b) {

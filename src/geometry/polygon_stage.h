@@ -2,8 +2,12 @@
 // offset with it.
 #pragma once
 
+#include <array>
+#include <span>
+
 #include "base/arena.h"
 #include "draw/assembled_primitives.h"
+#include "geometry/clipping.h"
 #include "geometry/line_stipple.h"
 #include "shaders/vertex/vertex_program.h"
 
@@ -23,6 +27,8 @@ class PolygonStage {
 public:
   PolygonStage(const DrawRecord& draw, Arena& arena, PrimitiveSink& sink);
   void triangle(const PolygonTriangle& triangle);
+  /// A polygon that was cut as a whole; the line stipple begins anew. `provoking` has its flat colors.
+  void polygon(std::span<const PolygonCorner> corners, const ShadedVertices::Slot* provoking);
   /// What follows is only counted for the line stipple, and not drawn.
   void count_only(bool only) { counting_ = only; }
   /// True where triangles in front of those that are drawn have to be counted.
@@ -40,6 +46,19 @@ public:
 private:
   using Slot = ShadedVertices::Slot;
   enum class Pending { None, Triangles, Lines, Points };
+  /// A triangle, or the largest one of a polygon, relative to its last corner.
+  struct Plane {
+    float e[3], f[3], determinant;
+    const Slot* corner[3];
+  };
+  static Plane plane_of(const Slot* a, const Slot* b, const Slot* c);
+  /// How a polygon of this area is drawn; false if it is culled.
+  bool look_at(float determinant, PolygonMode& mode);
+  /// Gives corners the colors and the offset of their polygon.
+  void finish_corners(std::span<const Slot*> corners, const Slot* provoking, PolygonMode mode,
+                      const Plane& plane);
+  void fill(const std::array<const Slot*, 3>& corner, uint32_t boundary);
+  void point(const Slot* vertex);
   const Slot* own_copy(const Slot* vertex, const Slot* provoking, bool back, const float* offset);
   void begin(Pending kind, int32_t count);
   void line(const Slot* a, const Slot* b);

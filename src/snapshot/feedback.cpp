@@ -127,8 +127,11 @@ void feed_back(Context& c, const DrawCall& call) {
   fragment.key.texture_units = 1;
   OwnSnapshot own =
       make_own_snapshot(c, fragment.key, call.source->present, &call.constant[kColor][0], arena);
-  own.program.line_stipple = false;                        // whole lines are fed back
-  own.program.polygons = make_polygon_constants(c, arena); // culled, colored and offset ones
+  own.program.line_stipple = false; // whole lines are fed back
+  // Culled, colored and, by OSMesa 22.3.6 alone, offset ones.
+  auto* polygons = arena.make<PolygonConstants>(*make_polygon_constants(c, arena));
+  if (c.specification_answers) std::fill_n(polygons->offset, 3, false);
+  own.program.polygons = polygons;
   DrawRecord draw{call, own.layout, &own.program, make_raster_constants(c, arena), &fragment};
   draw.first_provokes = first_provokes(c);
   const ShadedVertices& vertices = *allocate_vertices(draw, call.first_vertex, call.vertex_count, arena);

@@ -141,6 +141,11 @@ const FragmentProgram* make_fragment_program(Context& context, Arena& arena, con
   key.lit = !image && lights_fragments(s.lighting, context.smooth_is_phong); // a raster position has been lit
   key.secondary = key.color_sum && !key.lit;                                 // lit fragments make their own
   set_fog(s.fog, key, k);
+  // The color of the fog is clamped (3.10), and in front of it what texturing and the color sum leave (3.9).
+  // OSMesa 22.3.6 clamps neither.
+  const bool clamp_fog = context.specification_answers && clamps_drawn(context, c.clamp_fragment_color);
+  if (clamp_fog)
+    for (float& component : k.fog_color) component = unit_range(component);
 
   key.alpha_function = uint64_t(Compare::Always);
   if (c.alpha_test) key.alpha_function = compare(c.alpha_function);
@@ -196,7 +201,7 @@ const FragmentProgram* make_fragment_program(Context& context, Arena& arena, con
   }
   if (key.lit) program.add(kernels().raster->light);
   append_texture_stages(context, arena, program, k);
-  append_fragment_stages(program, clamps_fragment_colors(context));
+  append_fragment_stages(program, clamps_fragment_colors(context), clamp_fog);
   return &program;
 }
 

@@ -1,4 +1,5 @@
 // Constants of lights and materials (GL 1.5, 2.14.1), rounded where OSMesa rounds them.
+#include <cfloat>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -26,8 +27,10 @@ void copy_term(float out[3], const Vec4& in, const LightingState& lighting, uint
   for (int i = 0; i < 3; ++i) out[i] = lighting.terms & term ? in[i] : 0.0f;
 }
 
-/// Position, half vector and cone of a light, in eye or object space.
-void place_light(LightConstants& k, const Light& light, const Matrix& modelview, bool eye_space) {
+/// Position, half vector and cone of a light, in eye or object space. `whole_cone`: its border belongs to it,
+/// which OSMesa leaves out.
+void place_light(LightConstants& k, const Light& light, const Matrix& modelview, bool eye_space,
+                 bool whole_cone) {
   float position[4];
   const float* m = modelview.data();
   if (eye_space) {
@@ -68,6 +71,8 @@ void place_light(LightConstants& k, const Light& light, const Matrix& modelview,
     const double degrees = double(light.spot_cutoff) / (SOFTGL_FAULT(cutoff_is_whole_angle) ? 2 : 1);
     const float cosine_of_cutoff = cosine(float(degrees * M_PI / 180.0));
     k.spot_cosine = cosine_of_cutoff < 0 ? 0 : cosine_of_cutoff;
+    // Kernels compare with "greater".
+    if (whole_cone) k.spot_cosine = k.spot_cosine > 0 ? std::nextafter(k.spot_cosine, 0.0f) : -FLT_MIN;
     k.spot_exponent = light.spot_exponent;
   }
 }
@@ -123,6 +128,7 @@ const LightingConstants* make_lighting(const Context& c, const int8_t source[5][
   k.separate_specular = l.color_control == GL_SEPARATE_SPECULAR_COLOR;
   k.local_viewer = l.local_viewer;
   k.for_fragments = for_fragments;
+  k.zero_powers = for_fragments || c.specification_answers;
   k.light_count = enabled;
   std::memcpy(k.material_source, source, sizeof k.material_source);
   k.reflection = l.specular_vector == GL_REFLECTION_VECTOR_SOFTGL;
@@ -155,7 +161,7 @@ const LightingConstants* make_lighting(const Context& c, const int8_t source[5][
   for (const Light& light : l.light) {
     if (!light.enabled) continue;
     if (SOFTGL_FAULT(last_light_forgotten) && &light == &l.light[kMaxLights - 1]) continue;
-    place_light(*out, light, c.matrices.modelview.top(), eye_space);
+    place_light(*out, light, c.matrices.modelview.top(), eye_space, c.specification_answers);
     copy_term(out->ambient, light.ambient, l, GL_AMBIENT_TERM_BIT_SOFTGL);
     copy_term(out->diffuse, light.diffuse, l, GL_DIFFUSE_TERM_BIT_SOFTGL);
     copy_term(out->specular, light.specular, l, GL_SPECULAR_TERM_BIT_SOFTGL);

@@ -23,10 +23,10 @@ namespace {
   constexpr std::string_view member_names(const Type&) { return #__VA_ARGS__; }
 
 MEMBERS(TextureLevel, face, width, height, depth, row, slice)
-MEMBERS(TextureUnitConstants, level, last_level, shape, texel, wrap, counts_texels, min_linear, mag_linear,
-        seamless, no_alpha, mip, adjusts_lod, constant_lod, has_min_lod, has_max_lod, lod_bias, min_lod,
-        max_lod, anisotropic, first_level, zero_width, zero_height, border, shift, scale, compares,
-        compare_function, depth_components, color)
+MEMBERS(TextureUnitConstants, level, last_level, shape, texel, wrap, counts_texels, bordered, min_linear,
+        mag_linear, seamless, no_alpha, mip, adjusts_lod, constant_lod, has_min_lod, has_max_lod, lod_bias,
+        min_lod, max_lod, magnified_lod, magnified_rho, anisotropic, first_level, zero_width, zero_height,
+        border, shift, scale, compares, compare_function, depth_components, color)
 MEMBERS(CombinerStep, operation, result, a, b)
 MEMBERS(CombinerProgram, step_count, result, constant, step)
 MEMBERS(FragmentConstants, fog_color, fog_scale, fog_offset, alpha_reference, alpha_reference_8, blend_color,
@@ -44,7 +44,7 @@ MEMBERS(TransformConstants, mvp, modelview, normal_matrix, normal_scale, window_
 MEMBERS(ClipPlaneConstants, count, index, plane)
 MEMBERS(CoordinateConstants, mode, transform, plane, matrix)
 MEMBERS(PointConstants, size, minimum, maximum, attenuation)
-MEMBERS(PolygonConstants, mode, ccw_is_front, cull_front, cull_back, two_sided, offset)
+MEMBERS(PolygonConstants, mode, ccw_is_front, cull_front, cull_back, two_sided, offset, whole)
 MEMBERS(VertexProgram, eye_position, eye_position_late, eye_unit, normal, normal_to_eye, normalize,
         unit_normal, lit, fog, fog_from_attribute, fog_distance, depth_clamp, depths_from_zero, clamp_colors,
         point_attenuated, transform, clip_planes, lighting, coordinates, reflection_z, point, polygons,
@@ -55,7 +55,7 @@ MEMBERS(LightConstants, positional, attenuated, spot, position, half_vector, att
         spot_cosine, spot_exponent, ambient, diffuse, specular, ambient_product, diffuse_product,
         specular_product)
 MEMBERS(LightingConstants, two_sided, separate_specular, local_viewer, shininess_zero, varies, reflection,
-        for_fragments, light_count, model_ambient, material, material_source, scene, light)
+        for_fragments, zero_powers, light_count, model_ambient, material, material_source, scene, light)
 #undef MEMBERS
 
 std::string_view nth_name(std::string_view names, size_t n) {

@@ -41,7 +41,9 @@ TextureWrap wrap_mode(GLenum mode, int size) {
 /// OSMesa keeps the bias in 1/256, of the object and of the unit each.
 float quantized_bias(float bias) { return std::round(std::clamp(bias, -16.0f, 16.0f) * 256.0f) / 256.0f; }
 
-void set_level_of_detail(const SamplingParameters& p, float unit_bias, TextureUnitConstants& t) {
+/// OSMesa 22.3.6 magnifies up to a level of detail of 0, and clamps each bias alone.
+void set_level_of_detail(const SamplingParameters& p, float unit_bias, bool specification_answers,
+                         TextureUnitConstants& t) {
   t.min_linear = p.min_filter == GL_LINEAR || p.min_filter == GL_LINEAR_MIPMAP_NEAREST ||
                  p.min_filter == GL_LINEAR_MIPMAP_LINEAR;
   t.mag_linear = SOFTGL_FAULT(mag_filter_is_min) ? t.min_linear : p.mag_filter == GL_LINEAR;
@@ -52,6 +54,12 @@ void set_level_of_detail(const SamplingParameters& p, float unit_bias, TextureUn
   if (SOFTGL_FAULT(mipmaps_nearest) && t.mip == TextureMip::Linear) t.mip = TextureMip::Nearest;
   t.lod_bias =
       quantized_bias(p.lod_bias) + (SOFTGL_FAULT(lod_bias_ignored) ? 0.0f : quantized_bias(unit_bias));
+  if (specification_answers) t.lod_bias = std::clamp(t.lod_bias, -16.0f, 16.0f);
+  const bool nearest_mipmaps =
+      p.min_filter == GL_NEAREST_MIPMAP_NEAREST || p.min_filter == GL_NEAREST_MIPMAP_LINEAR;
+  const bool later = specification_answers && p.mag_filter == GL_LINEAR && nearest_mipmaps;
+  t.magnified_lod = later ? 0.5f : 0.0f;
+  t.magnified_rho = !later ? 1.0f : t.shape == TextureShape::OneD ? 1.41421356237309504880f : 2.0f;
   t.min_lod = SOFTGL_FAULT(min_lod_ignored) ? 0.0f : std::max(p.min_lod, 0.0f);
   t.max_lod = SOFTGL_FAULT(max_lod_ignored) ? 1000.0f : p.max_lod;
   t.constant_lod = t.min_lod == t.max_lod;
@@ -122,15 +130,16 @@ void set_levels(const TextureObject& object, CompleteLevels levels, TextureUnitC
     for (int face = 0; face < faces; ++face) {
       const TextureImage& image = *object.image[face][levels.first + i];
       const int bytes = image.format->bytes();
-      SOFTGL_ASSERT(image.row_bytes == size_t(image.width + 1) * size_t(bytes));
-      SOFTGL_ASSERT(image.texels.size() >= image.slice_bytes * size_t(image.depth) + 8);
+      const TexelBox box = image.with_border();
+      SOFTGL_ASSERT(image.row_bytes == size_t(box.width + 1) * size_t(bytes));
+      SOFTGL_ASSERT(image.texels.size() >= image.slice_bytes * size_t(box.depth) + 8);
       level = {{level.face[0], level.face[1], level.face[2], level.face[3], level.face[4], level.face[5]},
                image.width,
                image.height,
                image.depth,
                int32_t(image.row_bytes / size_t(bytes)),
                int32_t(image.slice_bytes / size_t(bytes))};
-      level.face[face] = image.texels.data();
+      level.face[face] = image.at(0, 0, 0);
     }
   }
 }
@@ -153,7 +162,8 @@ const TextureImage& level_zero(const TextureObject& object, int base_level) {
 
 /// Of images with rows of texels without comparison; else the filter stays isotropic, as it may.
 void set_anisotropy(const TextureObject& object, float most, int base_level, TextureUnitConstants& t) {
-  t.anisotropic = most >= 2 && t.shape != TextureShape::OneD && !t.counts_texels && !t.compares;
+  t.anisotropic =
+      most >= 2 && t.shape != TextureShape::OneD && !t.counts_texels && !t.compares && !t.bordered;
   const TextureImage& zero = level_zero(object, base_level);
   t.zero_width = zero.width, t.zero_height = zero.height;
   t.first_level = &zero == object.image[0][0].get() ? base_level : 0;
@@ -163,7 +173,8 @@ void set_anisotropy(const TextureObject& object, float most, int base_level, Tex
 /// may want different filters.
 bool fixed_point(const TextureUnitConstants& t, BlockFormat block) {
   auto fixed = [&](int axis) { return t.wrap[axis] <= TextureWrap::ClampToEdge; };
-  if (t.seamless || t.anisotropic || block == BlockFormat::Fxt1Rgb || block == BlockFormat::Fxt1Rgba)
+  if (t.seamless || t.anisotropic || t.bordered || block == BlockFormat::Fxt1Rgb ||
+      block == BlockFormat::Fxt1Rgba)
     return false;
   if (t.shape == TextureShape::Cube && t.mip != TextureMip::None && t.min_linear != t.mag_linear)
     return false;
@@ -190,17 +201,19 @@ TextureUnitConstants* make_constants(Context& c, Arena& arena, int unit, GLenum&
              : target == kTextureCube ? TextureShape::Cube
                                       : TextureShape::TwoD;
   t->counts_texels = target == kTextureRectangle;
+  t->bordered = image.border != ImageBorder{};
   set_levels(*object, levels, *t);
   set_texel(*image.format, p.srgb_decode == GL_DECODE_EXT, *t);
-  // OSMesa 22.3.6 clamps to the edges of a cube map's face, whatever the wrap modes say.
   const bool cube = target == kTextureCube;
+  // OSMesa 22.3.6 clamps to the edges of a cube map's face, whatever the wrap modes say.
+  const bool to_edges = cube && !c.specification_answers;
   const TextureImage& zero = level_zero(*object, levels.first);
-  t->wrap[0] = wrap_mode(cube ? GLenum(GL_CLAMP_TO_EDGE) : p.wrap[0], zero.width);
-  t->wrap[1] = wrap_mode(cube || target == kTexture1D ? GLenum(GL_CLAMP_TO_EDGE)
-                                                      : p.wrap[SOFTGL_FAULT(wrap_t_is_s) ? 0 : 1],
+  t->wrap[0] = wrap_mode(to_edges ? GLenum(GL_CLAMP_TO_EDGE) : p.wrap[0], zero.width);
+  t->wrap[1] = wrap_mode(to_edges || target == kTexture1D ? GLenum(GL_CLAMP_TO_EDGE)
+                                                          : p.wrap[SOFTGL_FAULT(wrap_t_is_s) ? 0 : 1],
                          zero.height);
   t->wrap[2] = wrap_mode(p.wrap[2], zero.depth);
-  set_level_of_detail(p, state.lod_bias, *t);
+  set_level_of_detail(p, state.lod_bias, c.specification_answers, *t);
   t->seamless = cube && c.state.texture.seamless_cube_map && (t->min_linear || t->mag_linear);
   if (levels.first == 0 && levels.count == 1 && p.max_lod > 0) t->mip = TextureMip::None;
   for (int i = 0; i < 4; ++i)

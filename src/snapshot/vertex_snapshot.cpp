@@ -122,6 +122,7 @@ const PolygonConstants* make_polygon_constants(const Context& c, Arena& arena) {
   k->offset[int(PolygonMode::Fill)] = p.offset_fill;
   k->offset[int(PolygonMode::Line)] = p.offset_line;
   k->offset[int(PolygonMode::Point)] = p.offset_point;
+  k->whole = c.specification_answers;
   return k;
 }
 

@@ -8,6 +8,8 @@
 
 #include "texture/component_values.h"
 #include "texture/drawn_values.h"
+#include "texture/pixel_formats.h"
+#include "texture/pixel_transfer.h"
 #include "texture/texture_object.h"
 
 namespace softgl {
@@ -172,6 +174,48 @@ void reduce_wide(const TextureImage& from, const Footprints& footprints, Texture
       }
 }
 
+/// The texels of a level from which number i of `to` along one axis is made, of `from`: [first, last).
+struct Reach {
+  int first, last;
+  Reach(int i, int to, int from) {
+    if (i < 0 || i >= to) { // of the border
+      first = i < 0 ? -1 : from;
+      last = first + 1;
+    } else {
+      first = int(int64_t(i) * from / to);
+      last = std::max(first + 1, int(int64_t(i + 1) * from / to));
+    }
+  }
+};
+
+/// The border of a level is that of the level before, reduced along each of its sides (3.8.8: derived arrays
+/// have the border of the base level).
+void reduce_border(const TextureImage& from, TextureImage& to) {
+  const bool depths = to.format->layout == TexelLayout::Depth;
+  const PixelFormat client = describe_pixel_format(depths ? GL_DEPTH_COMPONENT : GL_RGBA, GL_FLOAT);
+  const int components = depths ? 1 : 4;
+  const TexelBox box = to.with_border();
+  for (int z = box.z; z < box.z + box.depth; ++z)
+    for (int y = box.y; y < box.y + box.height; ++y)
+      for (int x = box.x; x < box.x + box.width; ++x) {
+        if (x >= 0 && x < to.width && y >= 0 && y < to.height && z >= 0 && z < to.depth) continue;
+        const Reach across(x, to.width, from.width), down(y, to.height, from.height),
+            deep(z, to.depth, from.depth);
+        double sum[4] = {};
+        int count = 0;
+        for (int k = deep.first; k < deep.last; ++k)
+          for (int j = down.first; j < down.last; ++j)
+            for (int i = across.first; i < across.last; ++i, ++count) {
+              float texel[4];
+              load_texels(*from.format, from.at(i, j, k), client, texel, 1, false);
+              for (int n = 0; n < components; ++n) sum[n] += double(texel[n]);
+            }
+        float mean[4];
+        for (int n = 0; n < components; ++n) mean[n] = float(sum[n] / count);
+        store_texels(*to.format, to.at(x, y, z), client, mean, 1, false, PixelTransfer::none());
+      }
+}
+
 } // namespace
 
 void generate_mipmaps(TextureObject& object, int face) {
@@ -182,7 +226,7 @@ void generate_mipmaps(TextureObject& object, int face) {
   for (int level = base + 1; level < kMaxTextureLevels && level <= last; ++level) {
     if (from->width == 1 && from->height == 1 && from->depth == 1) break;
     auto to = make_image(*from->format, from->internal_format, std::max(1, from->width / 2),
-                         std::max(1, from->height / 2), std::max(1, from->depth / 2));
+                         std::max(1, from->height / 2), std::max(1, from->depth / 2), from->border);
     const Footprints footprints(*from, *to, from->format->layout == TexelLayout::Rgba8);
     switch (from->format->layout) {
     case TexelLayout::Rgba8: reduce_rgba8(*from, footprints, *to); break;
@@ -196,6 +240,7 @@ void generate_mipmaps(TextureObject& object, int face) {
         reduce_wide<uint32_t>(*from, footprints, *to, 1);
       break;
     }
+    if (from->border != ImageBorder{}) reduce_border(*from, *to);
     to->texels_changed();
     object.image[face][level] = to;
     from = to;

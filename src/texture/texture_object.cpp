@@ -16,7 +16,7 @@ uint64_t image_bytes(const TexelFormat& format, int width, int height, int depth
 }
 
 std::shared_ptr<TextureImage> make_image(const TexelFormat& format, GLint internal_format, int width,
-                                         int height, int depth) {
+                                         int height, int depth, ImageBorder border) {
   auto image = std::make_shared<TextureImage>();
   SOFTGL_ASSERT(width >= 0 && height >= 0 && depth >= 0);
   image->format = &format;
@@ -24,12 +24,17 @@ std::shared_ptr<TextureImage> make_image(const TexelFormat& format, GLint intern
   image->width = width;
   image->height = height;
   image->depth = depth;
-  image->row_bytes = size_t(width + 1) * size_t(format.bytes());
-  image->slice_bytes = size_t(height + 1) * image->row_bytes;
-  if (!image->empty()) image->texels = TexelMemory(image->slice_bytes * size_t(depth) + 16);
+  image->border = border;
+  image->row_bytes = size_t(width + 2 * border.x + 1) * size_t(format.bytes());
+  image->slice_bytes = size_t(height + 2 * border.y + 1) * image->row_bytes;
+  image->origin = size_t(border.z) * image->slice_bytes + size_t(border.y) * image->row_bytes +
+                  size_t(border.x) * size_t(format.bytes());
+  if (!image->empty()) image->texels = TexelMemory(image->slice_bytes * size_t(depth + 2 * border.z) + 16);
   if (format.block != BlockFormat::None)
     image->blocks.resize(image->block_row_bytes() * size_t(blocks_in_column(height)) * size_t(depth));
-  if (format.base == GL_DEPTH_STENCIL) image->stencils.resize(size_t(width) * size_t(height) * size_t(depth));
+  const TexelBox box = image->with_border();
+  if (format.base == GL_DEPTH_STENCIL)
+    image->stencils.resize(size_t(box.width) * size_t(box.height) * size_t(box.depth));
   return image;
 }
 
@@ -66,7 +71,7 @@ void TextureImage::finish_change() {
 }
 
 void TextureImage::repeat_edges() {
-  if (empty()) return;
+  if (empty() || border != ImageBorder{}) return;
   const size_t texel = size_t(format->bytes());
   for (int z = 0; z < depth; ++z) {
     for (int y = 0; y < height; ++y) std::memcpy(at(width, y, z), at(0, y, z), texel);
@@ -95,14 +100,16 @@ void match_formats(TextureObject& object, const TextureImage& image) {
     for (auto& other : face) {
       if (!other || other->internal_format != image.internal_format || other->format == image.format)
         continue;
-      auto converted =
-          make_image(*image.format, other->internal_format, other->width, other->height, other->depth);
-      row.resize(size_t(other->width) * size_t(client.bytes));
-      for (int z = 0; !other->empty() && z < other->depth; ++z)
-        for (int y = 0; y < other->height; ++y) {
-          load_texels(*other->format, other->at(0, y, z), client, row.data(), other->width, false);
-          store_texels(*image.format, converted->at(0, y, z), client, row.data(), other->width, false,
-                       PixelTransfer::none());
+      auto converted = make_image(*image.format, other->internal_format, other->width, other->height,
+                                  other->depth, other->border);
+      const TexelBox box = other->with_border();
+      row.resize(size_t(box.width) * size_t(client.bytes));
+      for (int z = 0; !other->empty() && z < box.depth; ++z)
+        for (int y = 0; y < box.height; ++y) {
+          load_texels(*other->format, other->at(box.x, box.y + y, box.z + z), client, row.data(), box.width,
+                      false);
+          store_texels(*image.format, converted->at(box.x, box.y + y, box.z + z), client, row.data(),
+                       box.width, false, PixelTransfer::none());
         }
       converted->texels_changed();
       other = std::move(converted);
@@ -133,7 +140,7 @@ CompleteLevels complete_levels(const TextureObject& object, GLenum min_filter) {
       if (!image || image->format != base->format || image->internal_format != base->internal_format)
         return {};
       if (SOFTGL_FAULT(incomplete_is_sampled)) continue;
-      if (image->width != std::max(1, base->width >> shift) ||
+      if (image->border != base->border || image->width != std::max(1, base->width >> shift) ||
           image->height != std::max(1, base->height >> shift) ||
           image->depth != std::max(1, base->depth >> shift))
         return {};

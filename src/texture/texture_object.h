@@ -30,15 +30,27 @@ struct TexelBox {
   int x, y, z, width, height, depth;
 };
 
+/// Texels around an image, on each side of an axis: 0 or 1. An axis that the target does not have has none.
+struct ImageBorder {
+  int x = 0, y = 0, z = 0;
+  bool operator==(const ImageBorder&) const = default;
+};
+/// The border of an image of so many dimensions (GL 1.5, 3.8.1).
+constexpr ImageBorder image_border(int border, int dimensions) {
+  return {border, dimensions > 1 ? border : 0, dimensions > 2 ? border : 0};
+}
+
 /// One image of a level (and face). Rows are padded: texel (width, y) repeats (0, y), row `height` repeats
-/// row 0, and 8 spare bytes follow, so that a 2x2 footprint is two 8-byte loads whatever the wrap mode.
-/// Immutable while anybody but its texture object holds it.
+/// row 0, and 8 spare bytes follow, so that a 2x2 footprint is two 8-byte loads whatever the wrap mode. With
+/// a border texels (-1, y) and (width, y) are its own, and nothing is repeated. Immutable while anybody but
+/// its texture object holds it.
 struct TextureImage {
   const TexelFormat* format = nullptr;
-  GLint internal_format = 1; // as the client named it
-  int width = 0, height = 0, depth = 0;
-  int border = 0; // of a proxy's image alone, whose sizes include it: others are kept without their border
+  GLint internal_format = 1;            // as the client named it
+  int width = 0, height = 0, depth = 0; // without the border
+  ImageBorder border;
   size_t row_bytes = 0, slice_bytes = 0;
+  size_t origin = 0;              // of texel (0, 0, 0)
   TexelMemory texels;             // zeros where nothing was stored
   std::vector<uint8_t> stencils;  // of GL_DEPTH_STENCIL, row by row without padding; else empty
   std::vector<uint8_t> blocks;    // of a compressed format, row by row, slice by slice; else empty
@@ -47,18 +59,24 @@ struct TextureImage {
 
   bool empty() const { return width == 0 || height == 0 || depth == 0; }
   unsigned char* at(int x, int y, int z) {
-    SOFTGL_ASSERT(x >= 0 && x <= width && y >= 0 && y <= height && z >= 0 && z < depth);
-    return texels.data() + size_t(z) * slice_bytes + size_t(y) * row_bytes +
-           size_t(x) * size_t(format->bytes());
+    SOFTGL_ASSERT(x >= -border.x && x <= width + border.x && y >= -border.y && y <= height + border.y &&
+                  z >= -border.z && z < depth + border.z);
+    return texels.data() +
+           (origin + size_t(z) * slice_bytes + size_t(y) * row_bytes + size_t(x) * size_t(format->bytes()));
   }
   const unsigned char* at(int x, int y, int z) const { return const_cast<TextureImage*>(this)->at(x, y, z); }
   uint8_t* stencil_at(int x, int y, int z) {
-    return stencils.data() + (size_t(z) * size_t(height) + size_t(y)) * size_t(width) + size_t(x);
+    const size_t row = size_t(z + border.z) * size_t(height + 2 * border.y) + size_t(y + border.y);
+    return stencils.data() + row * size_t(width + 2 * border.x) + size_t(x + border.x);
   }
   const uint8_t* stencil_at(int x, int y, int z) const {
     return const_cast<TextureImage*>(this)->stencil_at(x, y, z);
   }
   TexelBox whole() const { return {0, 0, 0, width, height, depth}; }
+  TexelBox with_border() const {
+    return {-border.x,           -border.y, -border.z, width + 2 * border.x, height + 2 * border.y,
+            depth + 2 * border.z};
+  }
   /// Alpha 1 where the format has none, in an image that is not given any texels.
   void fill_absent_alpha();
   /// After every change of texels, and of those in the box alone. The blocks that the box touches are made
@@ -88,7 +106,7 @@ private:
 
 /// A zeroed image. Throws std::bad_alloc.
 std::shared_ptr<TextureImage> make_image(const TexelFormat& format, GLint internal_format, int width,
-                                         int height, int depth);
+                                         int height, int depth, ImageBorder border = {});
 /// The size that an image takes; the limit of OSMesa is 1 GiB.
 uint64_t image_bytes(const TexelFormat& format, int width, int height, int depth);
 constexpr uint64_t kMaxImageBytes = uint64_t(1) << 30;

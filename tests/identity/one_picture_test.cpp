@@ -31,12 +31,13 @@ bool built(const std::string& isa) {
   return std::string("," SOFTGL_TEST_ISAS ",").find("," + isa + ",") != std::string::npos;
 }
 
-// The hash of every scene, from a process of its own.
-std::map<std::string, std::string> hashes(const std::string& isa, int threads) {
-  const std::string command = "SOFTGL_ISA=" + isa + " SOFTGL_THREADS=" + std::to_string(threads) +
-                              " '" SOFTGL_TEST_BINARY_DIR
-                              "/softgl_conformance' --library softgl --hash --count " +
-                              std::to_string(softgl::test::seed_count(kSeeds)) + " --expect-isa " + isa;
+// The hash of every scene, from a process of its own, as OSMesa or the specification has it.
+std::map<std::string, std::string> hashes(const std::string& isa, int threads,
+                                          const std::string& answers = "osmesa", int seeds = kSeeds) {
+  const std::string command =
+      "SOFTGL_ISA=" + isa + " SOFTGL_THREADS=" + std::to_string(threads) + " SOFTGL_ANSWERS=" + answers +
+      " '" SOFTGL_TEST_BINARY_DIR "/softgl_conformance' --library softgl --hash --count " +
+      std::to_string(softgl::test::seed_count(seeds)) + " --expect-isa " + isa;
   std::map<std::string, std::string> result;
   FILE* pipe = popen(command.c_str(), "r");
   REQUIRE(pipe);
@@ -69,6 +70,12 @@ void check(const std::string& isa) {
                             << " threads has another hash than phong_immediate");
     }
   }
+  constexpr int kFewSeeds = kSeeds / 8;
+  static const auto specified = hashes("baseline", 1, "specification", kFewSeeds);
+  for (const auto& [scene, hash] : hashes(isa, 3, "specification", kFewSeeds))
+    if (specified.at(scene) != hash)
+      FAIL_CHECK(scene << " with " << isa << " and 3 threads has another hash than with baseline and one, "
+                       << "where the specification answers");
   SUCCEED();
 }
 

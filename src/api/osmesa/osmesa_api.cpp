@@ -70,6 +70,7 @@ struct ContextRequest {
   GLenum format = OSMESA_RGBA;
   int depth = 0, stencil = 0, accumulation = 0, major = 1, minor = 0, samples = default_samples();
   int osmesa_quadrilaterals = osmesa_quadrilaterals_by_environment();
+  int specification_answers = specification_answers_by_environment();
 };
 
 /// False for an attribute or value that is not known.
@@ -94,6 +95,10 @@ bool read_attributes(const int* list, ContextRequest& request) {
     case SOFTGL_OSMESA_QUADS:
       if (value != 0 && value != 1) return false;
       request.osmesa_quadrilaterals = value;
+      break;
+    case SOFTGL_SPECIFICATION_ANSWERS:
+      if (value != 0 && value != 1) return false;
+      request.specification_answers = value;
       break;
     default:
       std::fprintf(stderr, "OSMesaCreateContextAttribs(unknown attribute 0x%x)\n", unsigned(list[0]));
@@ -172,6 +177,7 @@ SOFTGL_EXPORT OSMesaContext OSMesaCreateContextAttribs(const int* attribList, OS
     osmesa_context* c = context.get();
     c->format = request.format;
     c->osmesa_quadrilaterals = request.osmesa_quadrilaterals != 0;
+    c->specification_answers = request.specification_answers != 0;
     Framebuffer& f = c->framebuffer;
     f.has_alpha = request.format != OSMESA_RGB && request.format != OSMESA_RGB_565;
     f.stencil_bits = request.stencil > 0 ? 8 : 0;

@@ -72,12 +72,12 @@ void Accum(Context& c, GLenum op, GLfloat value) {
   if (returns && color.draw_buffer == GL_NONE) return;
   const WindowBox box = drawn_box(c.state.scissor, f.surface);
   if (box.x0 >= box.x1 || box.y0 >= box.y1) return;
-  accumulation.value = value;
   std::copy(std::begin(color.mask), std::end(color.mask), accumulation.color_mask);
   accumulation.color_mask[3] = color.mask[3] && f.has_alpha; // without alpha it stays 1
   f.make_accumulation();
   const bool alone = accumulation.operation == AccumulationOperation::Multiply ||
                      accumulation.operation == AccumulationOperation::Add;
+  accumulation.value = alone && c.specification_answers ? std::clamp(value, -1.0f, 1.0f) : value;
   if (!alone) flush_rendering(c); // the colors are needed
   run(c, accumulation, box);
   if (returns) f.unresolved = true;

@@ -44,7 +44,7 @@ void specify_compressed(Context& c, GLenum target, GLint level, GLenum internal_
     object->image[0][level] = nullptr;
     if (fits)
       object->image[0][level] =
-          describe_image(*format, granted_format(GLint(internal_format)), width, height, 1, 0);
+          describe_image(*format, granted_format(GLint(internal_format)), width, height, 1);
     return;
   }
   if (wrong_size) return set_error(c, wrong_size);

@@ -164,10 +164,13 @@ void copy_image(Context& c, int dimensions, GLenum target, GLint level, GLenum i
   if (const Refusal refusal = check_image_size(t, level, width, height, 1, border))
     return set_error(c, refusal);
   if (image_bytes(*texel, width, height, 1) > kMaxImageBytes) return set_error(c, GL_OUT_OF_MEMORY);
-  auto image = make_image(*texel, granted_format(GLint(internal_format)), width - 2 * border,
-                          dimensions > 1 ? height - 2 * border : 1, 1);
-  copy_rectangle(c, x + border, dimensions > 1 ? y + border : y, image->width, image->height, *image, 0, 0,
-                 0);
+  const ImageBorder given = image_border(border, dimensions), kept = kept_border(c, given);
+  auto image = make_image(*texel, granted_format(GLint(internal_format)), width - 2 * given.x,
+                          height - 2 * given.y, 1, kept);
+  const TexelBox box = image->with_border();
+  if (!image->empty())
+    copy_rectangle(c, x + given.x - kept.x, y + given.y - kept.y, box.width, box.height, *image, box.x, box.y,
+                   0);
   mark_images(c, *object);
   match_formats(*object, *image);
   object->image[t.face][level] = std::move(image);
@@ -196,7 +199,7 @@ void copy_sub_image(Context& c, int dimensions, GLenum target, GLint level, GLin
   const int right = int(std::min(int64_t(x) + width, int64_t(surface.width))),
             top = int(std::min(int64_t(y) + height, int64_t(surface.height)));
   const int left = std::max(x, 0), bottom = std::max(y, 0);
-  if (left >= right || bottom >= top) return;
+  if (left >= right || bottom >= top || image->empty()) return;
   mark_images(c, *object);
   copy_rectangle(c, left, bottom, right - left, top - bottom, object->writable(t.face, level),
                  to_x + left - x, to_y + bottom - y, to_z);

@@ -96,11 +96,12 @@ bool whole_blocks(const TextureImage& image, GLint x, GLint y, GLsizei width, GL
 }
 
 std::shared_ptr<TextureImage> describe_image(const TexelFormat& format, GLint internal_format, GLsizei width,
-                                             GLsizei height, GLsizei depth, GLint border) {
+                                             GLsizei height, GLsizei depth, ImageBorder border) {
   auto image = std::make_shared<TextureImage>();
   image->format = &format, image->internal_format = internal_format;
-  image->width = width, image->height = height, image->depth = depth;
   image->border = border;
+  image->width = width - 2 * border.x, image->height = height - 2 * border.y,
+  image->depth = depth - 2 * border.z;
   return image;
 }
 
@@ -166,8 +167,8 @@ void specify_image(Context& c, int dimensions, GLenum target, GLint level, GLint
   if (t.proxy) {
     object->image[0][level] = nullptr;
     if (fits)
-      object->image[0][level] =
-          describe_image(texel, granted_format(internal_format), width, height, depth, border);
+      object->image[0][level] = describe_image(texel, granted_format(internal_format), width, height, depth,
+                                               image_border(border, dimensions));
     return;
   }
   if (wrong_size) return set_error(c, wrong_size);
@@ -177,18 +178,19 @@ void specify_image(Context& c, int dimensions, GLenum target, GLint level, GLint
   if (width > 0 && height > 0 && depth > 0 &&
       !find_unpack_memory(c, pixels, image_span(c.client.pixel_store.unpack, layout, height, depth, f)))
     return;
-  const int b = border;
-  auto image = make_image(texel, granted_format(internal_format), width - 2 * b,
-                          dimensions > 1 ? height - 2 * b : 1, dimensions > 2 ? depth - 2 * b : 1);
+  const ImageBorder given = image_border(border, dimensions), kept = kept_border(c, given);
+  auto image = make_image(texel, granted_format(internal_format), width - 2 * given.x, height - 2 * given.y,
+                          depth - 2 * given.z, kept);
   mark_images(c, *object);
   match_formats(*object, *image);
   if (pixels && !image->empty()) {
-    // The border is dropped, as OSMesa drops it: only the pixels inside are read.
-    auto p = static_cast<const unsigned char*>(pixels) + layout.offset + size_t(b) * f.bytes;
-    if (f.channel == PixelChannel::Bitmap) layout.bit_offset += b;
-    if (dimensions > 1) p += size_t(b) * layout.row_stride;
-    if (dimensions > 2) p += size_t(b) * layout.image_stride;
-    store_box(c, *image, 0, 0, 0, image->width, image->height, image->depth, f, layout, p);
+    // Where the border is dropped only the pixels inside are read.
+    const ImageBorder left = {given.x - kept.x, given.y - kept.y, given.z - kept.z};
+    const auto* p = static_cast<const unsigned char*>(pixels) + layout.offset + size_t(left.x) * f.bytes +
+                    size_t(left.y) * layout.row_stride + size_t(left.z) * layout.image_stride;
+    if (f.channel == PixelChannel::Bitmap) layout.bit_offset += left.x;
+    const TexelBox box = image->with_border();
+    store_box(c, *image, box.x, box.y, box.z, box.width, box.height, box.depth, f, layout, p);
   } else {
     image->fill_absent_alpha();
   }
@@ -211,7 +213,7 @@ void change_image(Context& c, int dimensions, GLenum target, GLint level, GLint 
   if (format == GL_STENCIL_INDEX) return set_error(c, GL_INVALID_ENUM, "format");
   if (!same_kind(image->format->base, format)) return set_error(c, GL_INVALID_OPERATION);
   if (!whole_blocks(*image, x, y, width, height)) return set_error(c, GL_INVALID_OPERATION);
-  if (width == 0 || height == 0 || depth == 0) return;
+  if (width == 0 || height == 0 || depth == 0 || image->empty()) return;
   const PixelFormat f = describe_pixel_format(format, type);
   const ImageLayout layout = layout_image(c.client.pixel_store.unpack, dimensions, width, height, f);
   if (!find_unpack_memory(c, pixels, image_span(c.client.pixel_store.unpack, layout, height, depth, f)) ||
@@ -235,15 +237,16 @@ bool same_kind(GLenum base, GLenum format) {
 
 Refusal check_box(const TextureImage& image, GLint x, GLint y, GLint z, GLsizei width, GLsizei height,
                   GLsizei depth) {
-  const auto begins_outside = [](GLint begin, GLsizei size, int end) {
-    return begin < 0 || begin > end || (begin == end && size > 0);
+  const auto begins_outside = [](GLint begin, GLsizei size, int end, int border) {
+    return begin < -border || begin > end + border || (begin == end + border && size > 0);
   };
-  const char* wrong = first_wrong({{"xoffset", begins_outside(x, width, image.width)},
-                                   {"yoffset", begins_outside(y, height, image.height)},
-                                   {"zoffset", begins_outside(z, depth, image.depth)},
-                                   {"width", int64_t(x) + width > image.width},
-                                   {"height", int64_t(y) + height > image.height},
-                                   {"depth", int64_t(z) + depth > image.depth}});
+  const ImageBorder b = image.border;
+  const char* wrong = first_wrong({{"xoffset", begins_outside(x, width, image.width, b.x)},
+                                   {"yoffset", begins_outside(y, height, image.height, b.y)},
+                                   {"zoffset", begins_outside(z, depth, image.depth, b.z)},
+                                   {"width", int64_t(x) + width > image.width + b.x},
+                                   {"height", int64_t(y) + height > image.height + b.y},
+                                   {"depth", int64_t(z) + depth > image.depth + b.z}});
   return wrong ? Refusal{GL_INVALID_VALUE, wrong} : Refusal{};
 }
 
@@ -291,21 +294,21 @@ void GetTexImage(Context& c, GLenum target, GLint level, GLenum format, GLenum t
     return set_error(c, GL_INVALID_OPERATION);
   const PixelFormat f = describe_pixel_format(format, type);
   const int dimensions = t.target == kTexture1D ? 1 : t.target == kTexture3D ? 3 : 2;
-  const ImageLayout layout =
-      layout_image(c.client.pixel_store.pack, dimensions, image->width, image->height, f);
-  if (!find_pack_memory(c, pixels,
-                        image_span(c.client.pixel_store.pack, layout, image->height, image->depth, f)))
+  const TexelBox box = image->with_border();
+  const ImageLayout layout = layout_image(c.client.pixel_store.pack, dimensions, box.width, box.height, f);
+  if (!find_pack_memory(c, pixels, image_span(c.client.pixel_store.pack, layout, box.height, box.depth, f)))
     return;
   auto p = static_cast<unsigned char*>(pixels);
   const bool swap = c.client.pixel_store.pack.swap_bytes;
-  for (int z = 0; z < image->depth; ++z)
-    for (int y = 0; y < image->height; ++y) {
-      unsigned char* row = p + size_t(z) * layout.image_stride + layout.row(y);
+  for (int k = 0; k < box.depth; ++k)
+    for (int j = 0; j < box.height; ++j) {
+      unsigned char* row = p + size_t(k) * layout.image_stride + layout.row(j);
+      const unsigned char* texels = image->at(box.x, box.y + j, box.z + k);
       if (format == GL_DEPTH_STENCIL)
-        load_depth_stencil(*image->format, reinterpret_cast<const uint32_t*>(image->at(0, y, z)),
-                           image->stencil_at(0, y, z), f, row, image->width, swap);
+        load_depth_stencil(*image->format, reinterpret_cast<const uint32_t*>(texels),
+                           image->stencil_at(box.x, box.y + j, box.z + k), f, row, box.width, swap);
       else
-        load_texels(*image->format, image->at(0, y, z), f, row, image->width, swap);
+        load_texels(*image->format, texels, f, row, box.width, swap);
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "base/refusal.h"
 #include "commands/textures/texture_targets.h"
+#include "context/context.h"
 
 namespace softgl {
 
@@ -26,9 +27,15 @@ GLint granted_format(GLint internal_format);
 bool takes_target(const TexelFormat& format, TextureTarget target);
 /// Whether a part that is to be changed consists of whole blocks, if the image is compressed.
 bool whole_blocks(const TextureImage& image, GLint x, GLint y, GLsizei width, GLsizei height);
-/// The image of a proxy is only a description; what is impossible leaves it empty, without an error (3.8.11).
+/// The image of a proxy is only a description, whose sizes include the border here; what is impossible leaves
+/// it empty, without an error (3.8.11).
 std::shared_ptr<TextureImage> describe_image(const TexelFormat& format, GLint internal_format, GLsizei width,
-                                             GLsizei height, GLsizei depth, GLint border);
+                                             GLsizei height, GLsizei depth, ImageBorder border = {});
+/// The border that an image is kept with: the texels that it is specified with, or none, as by OSMesa 22.3.6,
+/// which drops them.
+inline ImageBorder kept_border(const Context& c, ImageBorder border) {
+  return c.specification_answers ? border : ImageBorder{};
+}
 /// Marks the state. Called before the first image changes: where memory ends, some of them have changed.
 void mark_images(Context& c, const TextureObject& object);
 /// The image for a change. A frame that still samples a large one is drawn first, so that no copy has to be

@@ -110,10 +110,10 @@ bool get_level_parameter(Context& c, GLenum target, GLint level, GLenum pname, G
               luminance_bits = bits(base == GL_LUMINANCE || base == GL_LUMINANCE_ALPHA, 0),
               depth_bits = bits(f && f->layout == TexelLayout::Depth, 0);
   switch (pname) {
-  case GL_TEXTURE_WIDTH: value = image ? image->width : 0; return true;
-  case GL_TEXTURE_HEIGHT: value = image ? image->height : 0; return true;
-  case GL_TEXTURE_DEPTH: value = image ? image->depth : 0; return true;
-  case GL_TEXTURE_BORDER: value = image ? image->border : 0; return true;
+  case GL_TEXTURE_WIDTH: value = image ? image->with_border().width : 0; return true;
+  case GL_TEXTURE_HEIGHT: value = image ? image->with_border().height : 0; return true;
+  case GL_TEXTURE_DEPTH: value = image ? image->with_border().depth : 0; return true;
+  case GL_TEXTURE_BORDER: value = image ? image->border.x : 0; return true;
   case GL_TEXTURE_INTERNAL_FORMAT: value = image ? image->internal_format : 1; return true;
   case GL_TEXTURE_RED_SIZE: value = bits(rgb, 0); return true;
   case GL_TEXTURE_GREEN_SIZE: value = bits(rgb, 1); return true;

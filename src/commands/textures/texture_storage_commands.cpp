@@ -79,7 +79,7 @@ void describe_proxy(Context& c, const ImageTarget& t, GLsizei levels, const Texe
     if (!fits || level >= levels) continue;
     const Size size = size_of_level(t, s, level);
     object->image[0][level] =
-        describe_image(format, GLint(internal_format), size.width, size.height, size.depth, 0);
+        describe_image(format, GLint(internal_format), size.width, size.height, size.depth);
   }
 }
 
