@@ -189,8 +189,9 @@ TEST_CASE("every seeded fault is caught by the test that the table names", "[sui
     setenv("SOFTGL_SEEDED_FAULT", row.at(0).c_str(), 1);
     RunOptions options = options_for(SOFTGL_TEST_FAULTY_LIBRARY, row.at(1));
     options.levels = Levels::Plain;
-    const RunResult result = run(options, SubjectFacts{"", "", "1.5", "GL_WIN_phong_shading", 15, {}, 24, 8},
-                                 [](const TestResult&) {});
+    const RunResult result =
+        run(options, SubjectFacts{"", "", "1.5", "GL_WIN_phong_shading", 15, {}, 24, 8, 16},
+            [](const TestResult&) {});
     REQUIRE(result.tests.size() == 1);
     CHECK(result.tests[0].outcome == Outcome::Fail);
     CHECK_THAT(result.tests[0].text, Catch::Contains("wrong") || Catch::Contains("raise"));

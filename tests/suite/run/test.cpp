@@ -3,6 +3,7 @@
 #include "gl/subject.h"
 #include "lighting/chapter.h"
 #include "pixels/chapter.h"
+#include "raster/chapter.h"
 #include "texture/chapter.h"
 #include "vertices/chapter.h"
 
@@ -14,6 +15,7 @@ const std::vector<Chapter>& chapters() {
       {"vertices", vertices_tests},
       {"texture", texture_tests},
       {"pixels", pixels_tests},
+      {"raster", raster_tests},
   };
   return chapters;
 }
