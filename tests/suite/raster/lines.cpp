@@ -7,7 +7,7 @@ namespace {
 
 Test wide(const char* name, double width, const char* sentence) {
   return raster_test(std::string("lines.width_") + name, "3.4.2", sentence,
-                     [=](Script& s) { s.LineWidth(width), star(s); });
+                     [=](Script& s) { s.LineWidth(width), star(s, 20, width < 2.5); });
 }
 const char* const kWidth =
     "Each column of a line has as many fragments as it is wide; of a steep one each row.";
@@ -38,7 +38,7 @@ std::vector<Test> raster_line_tests() {
       wide("rounded_to_0", 0.3, "A width that is rounded to 0 is 1."),
       raster_test("lines.colors", "3.4.1, equation 3.4", "Colors run evenly along a line.",
                   [](Script& s) {
-                    for (int i = 0; i < 9; i++) {
+                    for (int i = 0; i < 7; i++) {
                       s.Begin(GL_LINES), s.Color3f(1, 0.1 * i, 0), pixel_vertex(s, 5.3, 8.2 + 10 * i),
                           s.Color3f(0, 1, 0.9 - 0.1 * i), pixel_vertex(s, 90.2, 8.7 + 9 * i), s.End();
                     }

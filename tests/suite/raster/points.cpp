@@ -14,9 +14,16 @@ void points(Script& s, double near_z = 0, double step_z = 0) {
   s.End();
 }
 
+// More points of few pixels.
+void dots(Script& s) {
+  s.Begin(GL_POINTS);
+  for (int i = 0; i < 49; i++) tint(s, i), pixel_vertex(s, 8.2 + 13 * (i % 7), 9.3 + 13.1 * (i / 7));
+  s.End();
+}
+
 Test sized(const char* name, double size, const char* sentence) {
   return raster_test(std::string("points.size_") + name, "3.3.1", sentence,
-                     [=](Script& s) { s.PointSize(size), points(s); });
+                     [=](Script& s) { s.PointSize(size), size > 1 ? points(s) : dots(s); });
 }
 
 // Points near the axis of view: their distances are those of their planes, nearly.

@@ -28,11 +28,11 @@ void triangle(Script& s, std::initializer_list<std::pair<double, double>> corner
   s.End();
 }
 
-void star(Script& s) {
+void star(Script& s, double inner, bool varied) {
   s.Begin(GL_LINES);
   for (int i = 0; i < 12; i++) {
     const double x = std::cos(0.5236 * i + 0.11), y = std::sin(0.5236 * i + 0.11);
-    tint(s, i), pixel_vertex(s, 48.2 + 12 * x, 48.3 + 12 * y), tint(s, i + 1),
+    tint(s, i), pixel_vertex(s, 48.2 + inner * x, 48.3 + inner * y), tint(s, i + varied),
         pixel_vertex(s, 48.2 + 43 * x, 48.3 + 43 * y);
   }
   s.End();

@@ -18,8 +18,8 @@ void pixel_vertex(Script& s, double x, double y, double z = 0);
 void box(Script& s, double left, double bottom, double right, double top, double z = 0);
 /// A triangle of the current color.
 void triangle(Script& s, std::initializer_list<std::pair<double, double>> corners, double z = 0);
-/// Lines in all directions that do not touch, with colors that vary.
-void star(Script& s);
+/// Lines in all directions that do not touch, with colors that vary, or of one color each.
+void star(Script& s, double inner = 12, bool varied = true);
 /// Two triangles beside each other: a green front face on the left, a yellow back face on the right.
 void two_faces(Script& s);
 /// A slope that goes away from the eye to the left.
