@@ -11,11 +11,8 @@ namespace softgl::suite {
 
 const std::vector<Chapter>& chapters() {
   static const std::vector<Chapter> chapters = {
-      {"lighting", lighting_tests},
-      {"vertices", vertices_tests},
-      {"texture", texture_tests},
-      {"pixels", pixels_tests},
-      {"raster", raster_tests},
+      {"lighting", lighting_tests}, {"vertices", vertices_tests}, {"texture", texture_tests},
+      {"pixels", pixels_tests},     {"raster", raster_tests},
   };
   return chapters;
 }
