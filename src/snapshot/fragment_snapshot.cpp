@@ -84,9 +84,12 @@ void set_stencil(const StencilFace& face, FragmentKey& key, FragmentConstants& k
   k.stencil_write_mask = static_cast<uint8_t>(face.write_mask);
 }
 
-void set_fog(const FogState& fog, FragmentKey& key, FragmentConstants& k) {
+void set_fog(const FogState& fog, bool clamps, FragmentKey& key, FragmentConstants& k) {
   if (!fog.enabled) return;
-  for (int i = 0; i < 4; ++i) k.fog_color[i] = fog.color[i];
+  for (int i = 0; i < 4; ++i) {
+    const float color = fog.color[i];
+    k.fog_color[i] = !clamps ? color : color > 0.0f ? std::min(color, 1.0f) : 0.0f;
+  }
   switch (fog.mode) {
   case GL_LINEAR:
     key.fog_mode = uint64_t(FogMode::Linear);
@@ -140,12 +143,9 @@ const FragmentProgram* make_fragment_program(Context& context, Arena& arena, con
   key.color_sum = separate || (!s.lighting.enabled && s.fog.color_sum);
   key.lit = !image && lights_fragments(s.lighting, context.smooth_is_phong); // a raster position has been lit
   key.secondary = key.color_sum && !key.lit;                                 // lit fragments make their own
-  set_fog(s.fog, key, k);
-  // The color of the fog is clamped (3.10), and in front of it what texturing and the color sum leave (3.9).
-  // OSMesa 22.3.6 clamps neither.
+  set_fog(s.fog, clamps_queried_colors(context), key, k);
+  // What texturing and the color sum leave is clamped in front of the fog (3.9). OSMesa 22.3.6 does not.
   const bool clamp_fog = context.specification_answers && clamps_drawn(context, c.clamp_fragment_color);
-  if (clamp_fog)
-    for (float& component : k.fog_color) component = unit_range(component);
 
   key.alpha_function = uint64_t(Compare::Always);
   if (c.alpha_test) key.alpha_function = compare(c.alpha_function);

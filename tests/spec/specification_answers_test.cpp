@@ -227,7 +227,7 @@ TEST_CASE("the color of the fog is clamped", "[spec][answers]") {
     gl.FogCoordf(0.5f);
     gl.Color3f(0, 0, 0);
     draw_square(gl);
-    CHECK(std::abs(a.red_in_the_middle() - (specification ? 128 : 255)) <= 1);
+    CHECK(std::abs(a.red_in_the_middle() - 128) <= 1); // OSMesa clamps it, too
   }
 }
 

@@ -69,7 +69,7 @@ void check_mesa(const std::string& door) {
     WARN("SKIPPED: " << door << " is " << facts.renderer << ", of which nothing is known");
     return;
   }
-  check_known(run(options, facts, [](const TestResult&) {}), "llvmpipe");
+  check_known(run(options, facts, [](const TestResult&) {}), "llvmpipe", door);
 }
 
 } // namespace

@@ -56,7 +56,7 @@ private:
   bool play_compressed_images(const Call& call);
   void draw_image(const PixelImage& image);
   void draw_polygon(const std::vector<int>& corners, int provoking, bool edge_flags);
-  void draw_line(int from, int to);
+  void draw_line(int from, int to, Interval along = 0);
   void clip_plane(int plane, const std::vector<double>& equation);
   bool play_arrays(const Call& call);
   void set_array(ArrayState& array, int size, GLenum type, int stride, const Argument& memory);
@@ -77,7 +77,9 @@ private:
   GLenum expected_error_ = GL_NO_ERROR;
   bool skips_next_ = false;                              // a call that raises an error does nothing
   std::vector<std::pair<LitVertex, bool>> raster_saved_; // as state_.saved
-  GLuint list_ = 0;                                      // that is compiled
+  GLuint query_ = 0;                                     // that counts, and what came of all
+  std::map<GLuint, FragmentCount> queries_;
+  GLuint list_ = 0; // that is compiled
   bool list_executes_ = false;
   Claims claims_ = Claims::Right;
 };

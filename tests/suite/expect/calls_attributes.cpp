@@ -23,9 +23,20 @@ void Machine::enable(GLenum name, bool on) {
   case GL_CULL_FACE: s.polygon.cull = on; break;
   case GL_DEPTH_TEST: s.depth.test = on; break;
   case GL_ALPHA_TEST: s.color_buffer.alpha_test = on; break;
+  case GL_SCISSOR_TEST: s.scissor.test = on; break;
+  case GL_STENCIL_TEST: s.stencil.test = on; break;
+  case GL_COLOR_LOGIC_OP: s.color_buffer.logic = on; break;
+  case GL_POLYGON_STIPPLE: s.polygon.stippled = on; break;
+  case GL_POLYGON_SMOOTH: s.polygon.smooth = on; break;
+  case GL_POINT_SMOOTH: s.point.smooth = on; break;
+  case GL_LINE_SMOOTH: s.line.smooth = on; break;
+  case GL_LINE_STIPPLE: s.line.stippled = on; break;
+  case GL_POLYGON_OFFSET_POINT: s.polygon.offset_point = on; break;
+  case GL_POLYGON_OFFSET_LINE: s.polygon.offset_line = on; break;
+  case GL_POLYGON_OFFSET_FILL: s.polygon.offset_fill = on; break;
   case GL_BLEND: s.color_buffer.blend = on; break;
   case GL_FOG: s.fog.on = on; break;
-  case GL_DITHER: break;
+  case GL_DITHER: s.color_buffer.dither = on; break;
   default:
     if (!enable_texture(name, on)) throw std::logic_error("glEnable of what the machine does not know");
   }

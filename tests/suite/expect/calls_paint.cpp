@@ -42,6 +42,21 @@ bool Machine::play_paint(const Call& call) {
     paint_elements(packed_elements(state_.pack, image, call.e(4), call.e(5), int(call.n(6))), call, 7);
     return true;
   }
+  case Command::PaintQuery: {
+    const FragmentCount& count = queries_[GLuint(call.n(0))];
+    for (int byte = 0; byte < 2; byte++) {
+      const bool known = count.low >> 8 == count.high >> 8;
+      const Interval gray = byte == 1 ? Interval(count.low >> 8, count.high >> 8)
+                            : known   ? Interval(count.low & 255, count.high & 255)
+                                      : Interval(0, 255);
+      const Interval part{gray.low / 255, gray.high / 255};
+      const Interval color[4] = {part, part, part, 1};
+      raster_.paint(int(call.n(1)) + byte * kPaintedSquare, int(call.n(2)), kPaintedSquare, color);
+    }
+    return true;
+  }
+  case Command::PaintSame: return paint_green(6);
+  case Command::PaintRising: return paint_green(5);
   case Command::PaintTexImage: {
     int face = 0;
     const TextureObject& texture =

@@ -43,6 +43,8 @@ bool Machine::play_vertices(const Call& call) {
     state_.current.edge = values_of(call)[0] != 0, state_.current.edge_known = true;
   } else if (name.starts_with("TexCoord") && call.command != Command::TexCoordPointer) {
     state_.current.texture_coordinate[0] = vec4(values_of(call));
+  } else if (name.starts_with("FogCoord")) {
+    state_.current.fog_coordinate = values_of(call)[0];
   } else if (name.starts_with("Rect")) {
     std::vector<double> v = values_of(call);
     if (name.ends_with("v")) v = call.v(0), v.insert(v.end(), call.v(1).begin(), call.v(1).end());

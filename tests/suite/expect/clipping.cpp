@@ -50,6 +50,7 @@ LitVertex between(const LitVertex& a, const LitVertex& b, double t) {
   v.eye4 = between(a.eye4, b.eye4, t), v.clip = between(a.clip, b.clip, t);
   v.front = between(a.front, b.front, t), v.back = between(a.back, b.back, t);
   v.fog_distance = between(a.fog_distance, b.fog_distance, t);
+  v.point_size = a.point_size + t * (b.point_size - a.point_size);
   v.eye = between(a.eye, b.eye, t), v.normal = between(a.normal, b.normal, t);
   std::copy(a.material, a.material + 2, v.material);
   for (size_t u = 0; u < v.texture.size(); u++) v.texture[u] = between(a.texture[u], b.texture[u], t);

@@ -8,6 +8,8 @@ namespace {
 
 double component(const Vec4& v, int i) { return i == 0 ? v.x : i == 1 ? v.y : i == 2 ? v.z : v.w; }
 
+} // namespace
+
 Interval fog_factor(const FogState& fog, Interval distance) {
   const auto at = [&](double c) {
     switch (fog.mode) {
@@ -16,11 +18,10 @@ Interval fog_factor(const FogState& fog, Interval distance) {
     default: return (fog.end - c) / (fog.end - fog.start);
     }
   };
-  const double near = at(distance.low), far = at(distance.high);
-  return spec::clamped(spec::widened({std::min(near, far), std::max(near, far)}, 1e-4), 0, 1);
+  Interval factor = spec::hull(at(distance.low), at(distance.high));
+  if (distance.contains(0)) factor = spec::hull(factor, at(0)); // the square has its least value there
+  return spec::clamped(spec::widened(factor, 1e-4), 0, 1);
 }
-
-} // namespace
 
 void Rasterizer::apply_textures(const State& state, const Fragment& f, Interval color[4]) const {
   Interval primary[4];
@@ -30,8 +31,7 @@ void Rasterizer::apply_textures(const State& state, const Fragment& f, Interval 
   for (int u = 0; u < kTextureUnits; u++)
     if ((textures[u] = state.texture.texture_of(u)))
       texels[u] = sampled(*textures[u], f.texture[size_t(u)], state.texture.units[u].environment.lod_bias);
-  double step[4];
-  for (int c = 0; c < 4; c++) step[c] = precision_.half_step(c == 3 && precision_.bits[3] < 2 ? 0 : c);
+  const double step[4] = {step_of(0), step_of(1), step_of(2), step_of(3)};
   for (int u = 0; u < kTextureUnits; u++) {
     if (!textures[u]) continue;
     const TextureObject& t = *textures[u];
@@ -41,8 +41,11 @@ void Rasterizer::apply_textures(const State& state, const Fragment& f, Interval 
   }
 }
 
+double Rasterizer::step_of(int c) const {
+  return precision_.half_step(c == 3 && precision_.bits[3] < 2 ? 0 : c);
+}
+
 void Rasterizer::process_color(const State& state, const Fragment& f, Interval color[4]) const {
-  const auto step_of = [&](int c) { return precision_.half_step(c == 3 && precision_.bits[3] < 2 ? 0 : c); };
   for (int c = 0; c < 4; c++) color[c] = spec::clamped(spec::widened(f.color.primary[c], step_of(c)), 0, 1);
   apply_textures(state, f, color);
   for (int c = 0; c < 4; c++) {
@@ -50,7 +53,7 @@ void Rasterizer::process_color(const State& state, const Fragment& f, Interval c
     const auto stage = [&](Interval value) { return spec::clamped(spec::widened(value, step_of(c)), 0, 1); };
     if (c < 3 && f.color.secondary[c].high > 0) color[c] = stage(color[c] + f.color.secondary[c]);
     if (c < 3 && state.fog.on) {
-      const Interval factor = fog_factor(state.fog, f.fog_distance);
+      const Interval factor = f.fog;
       const double fog = component(state.fog.color, c);
       const Interval near{factor.low * color[c].low + (1 - factor.low) * fog,
                           factor.high * color[c].low + (1 - factor.high) * fog};
@@ -61,6 +64,8 @@ void Rasterizer::process_color(const State& state, const Fragment& f, Interval c
       };
       color[c] = stage(spec::hull(ordered(near), ordered(far)));
     }
+    if (c == 3 && (f.coverage.low != 1 || f.coverage.high != 1))
+      color[c] = stage(color[c] * f.coverage); // 3.11
   }
 }
 

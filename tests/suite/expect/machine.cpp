@@ -33,6 +33,7 @@ std::vector<GLuint> list_offsets(const Call& call) {
 
 Machine::Machine(Expectation& picture, const Precision& precision) : raster_(picture, precision) {
   state_.viewport.box[2] = picture.width, state_.viewport.box[3] = picture.height; // 2.11.1
+  state_.scissor.box[2] = picture.width, state_.scissor.box[3] = picture.height;   // 4.1.2
   for (Interval& white : raster_position_.front.primary) white = 1;                // table 6.6
 }
 
@@ -120,9 +121,15 @@ Expectation expected_picture(const Script& script, int width, int height, const 
   Expectation picture;
   picture.width = width, picture.height = height;
   picture.pixels.assign(size_t(width * height), std::vector<Answer>(1));
+  picture.touched.assign(size_t(width * height), 0), picture.hidden = picture.touched;
   Machine machine(picture, precision);
   for (const Call& call : script.calls) machine.play(call);
   machine.check_reading();
+  // What is drawn later may hide pixels of a line, or have the same color.
+  std::erase_if(picture.witnesses,
+                [&](const Witness& w) { return picture.sum(picture.hidden, w) != w.hidden; });
+  for (Witness& w : picture.witnesses)
+    if (!w.counts || picture.sum(picture.touched, w) != w.touched) w.least = 1, w.most = 1000;
   if (claims) *claims = machine.claims();
   return picture;
 }

@@ -27,7 +27,15 @@ LitVertex Machine::transform(const Vec4& object) const {
   const Interval by_w = v.eye4.w == 0 ? 1 : 1 / v.eye4.w;
   const spec::Vec3Interval eye{row_times(m, 0, object) * by_w, row_times(m, 1, object) * by_w,
                                row_times(m, 2, object) * by_w};
-  v.fog_distance = spec::hull(spec::widened(std::abs(v.eye4.z), 1e-4), spec::length(eye)); // 3.10: either
+  const Interval distance = spec::length(eye);
+  v.fog_distance = state_.fog.source == GL_FOG_COORD
+                       ? current.fog_coordinate
+                       : spec::hull(spec::widened(std::abs(v.eye4.z), 1e-4), distance); // 3.10: either
+  const PointState& p = state_.point;
+  const double d = distance.middle();
+  v.point_size =
+      std::clamp(p.size / std::sqrt(p.attenuation[0] + p.attenuation[1] * d + p.attenuation[2] * d * d),
+                 p.least, p.greatest);
   const Vec3 n = spec::transform_normal(m, current.normal, state_.transform.rescale_normal, false);
   const double accuracy = 4 * kMatrixAccuracy * (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
   spec::Vec3Interval normal{spec::widened(n.x, accuracy), spec::widened(n.y, accuracy),
@@ -64,12 +72,12 @@ void Machine::draw_polygon(const std::vector<int>& corners, int provoking, bool 
   if (!polygon.empty()) raster_.polygon(state_, polygon);
 }
 
-void Machine::draw_line(int from, int to) {
+void Machine::draw_line(int from, int to, Interval along) {
   LitVertex a = vertices_[size_t(from)], b = vertices_[size_t(to)];
   if (state_.lighting.shade_model == GL_FLAT) a.front = b.front;
   if (!clip_line(state_, a, b)) return;
   to_window(a), to_window(b);
-  raster_.line(state_, a, b);
+  raster_.line(state_, a, b, along);
 }
 
 void Machine::end() {
@@ -83,10 +91,19 @@ void Machine::end() {
     for (int i = 0; i + 1 < n; i += 2) draw_line(i, i + 1);
     break;
   case GL_LINE_STRIP:
-  case GL_LINE_LOOP:
-    for (int i = 0; i + 1 < n; i++) draw_line(i, i + 1);
-    if (mode_ == GL_LINE_LOOP && n > 2) draw_line(n - 1, 0);
+  case GL_LINE_LOOP: {
+    Interval along; // each line may have a fragment more or less
+    for (int i = 0; i + 1 < n + (mode_ == GL_LINE_LOOP && n > 2); i++) {
+      const int next = (i + 1) % n;
+      draw_line(i, next, along);
+      if (!state_.line.stippled) continue;
+      LitVertex a = vertices_[size_t(i)], b = vertices_[size_t(next)];
+      to_window(a), to_window(b);
+      const double more = Rasterizer::fragments_of(a, b);
+      along = {along.low + more - 1, along.high + more + 1};
+    }
     break;
+  }
   case GL_TRIANGLES:
     for (int i = 0; i + 2 < n; i += 3) draw_polygon({i, i + 1, i + 2}, 2, true);
     break;

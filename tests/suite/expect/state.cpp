@@ -35,8 +35,12 @@ void restore(State& state, const SavedAttributes& saved) {
       }
     }
   }
-  if (mask & GL_POINT_BIT) state.width.point = from.width.point;
-  if (mask & GL_LINE_BIT) state.width.line = from.width.line;
+  if (mask & GL_STENCIL_BUFFER_BIT) state.stencil = from.stencil;
+  if (mask & GL_SCISSOR_BIT) state.scissor = from.scissor;
+  if (mask & GL_POLYGON_STIPPLE_BIT) state.polygon_stipple = from.polygon_stipple;
+  if (mask & GL_ACCUM_BUFFER_BIT) state.accumulation_clear = from.accumulation_clear;
+  if (mask & GL_POINT_BIT) state.point = from.point;
+  if (mask & GL_LINE_BIT) state.line = from.line;
   if (mask & GL_LIST_BIT) state.list_base = from.list_base;
   if (mask & GL_VIEWPORT_BIT) state.viewport = from.viewport;
   if (mask & GL_ENABLE_BIT) {
@@ -55,6 +59,14 @@ void restore(State& state, const SavedAttributes& saved) {
       std::copy(unit.on, unit.on + kTextureTargets, state.texture.units[u].on);
       for (int i = 0; i < 4; i++) state.texture.units[u].generation[i].on = unit.generation[i].on;
     }
+    state.color_buffer.logic = from.color_buffer.logic, state.stencil.test = from.stencil.test;
+    state.scissor.test = from.scissor.test, state.point.smooth = from.point.smooth;
+    state.line.smooth = from.line.smooth, state.line.stippled = from.line.stippled;
+    state.polygon.smooth = from.polygon.smooth, state.polygon.stippled = from.polygon.stippled;
+    state.polygon.offset_point = from.polygon.offset_point;
+    state.polygon.offset_line = from.polygon.offset_line;
+    state.polygon.offset_fill = from.polygon.offset_fill;
+    state.color_buffer.dither = from.color_buffer.dither;
   }
 }
 

@@ -21,6 +21,7 @@ struct CurrentState {
   Vec4 color{1, 1, 1, 1};
   Vec3 normal{0, 0, 1};
   Vec4 texture_coordinate[kTextureUnits];
+  double fog_coordinate = 0;
   bool edge = true;
   bool color_known = true, normal_known = true, edge_known = true; // not behind an array (2.8)
 };
@@ -42,16 +43,23 @@ struct TransformState {
 struct PolygonState {
   bool cull = false;
   GLenum cull_face = GL_BACK, front_face = GL_CCW, mode[2] = {GL_FILL, GL_FILL}; // of front and back
+  bool smooth = false, stippled = false, offset_point = false, offset_line = false, offset_fill = false;
+  double offset_factor = 0, offset_units = 0;
 };
 struct FogState {
   bool on = false;
   GLenum mode = GL_EXP;
   double density = 1, start = 0, end = 1;
+  GLenum source = GL_FRAGMENT_DEPTH;
   Vec4 color{0, 0, 0, 0};
 };
 struct ColorBufferState {
-  bool alpha_test = false, blend = false;
-  GLenum alpha_function = GL_ALWAYS, source = GL_ONE, destination = GL_ZERO;
+  bool alpha_test = false, blend = false, logic = false, mask[4] = {true, true, true, true}, drawn = true;
+  bool dither = true;
+  GLenum equation = GL_FUNC_ADD, operation = GL_COPY;
+  Vec4 constant{0, 0, 0, 0};
+  GLenum alpha_function = GL_ALWAYS;
+  GLenum source[2] = {GL_ONE, GL_ONE}, destination[2] = {GL_ZERO, GL_ZERO}; // of RGB and of alpha
   double alpha_reference = 0;
   Vec4 clear_color{0, 0, 0, 0};
 };
@@ -64,8 +72,25 @@ struct PixelModeState {
   PixelTransferState transfer;
   double zoom[2] = {1, 1};
 };
-struct WidthState { // of points and lines
-  double point = 1, line = 1;
+struct StencilState {
+  bool test = false;
+  GLenum function = GL_ALWAYS, fail = GL_KEEP, depth_fail = GL_KEEP, depth_pass = GL_KEEP;
+  int reference = 0, clear = 0;
+  unsigned mask = ~0u, write_mask = ~0u;
+};
+struct ScissorState {
+  bool test = false;
+  int box[4] = {0, 0, 0, 0};
+};
+struct PointState {
+  double size = 1, least = 0, greatest = 1e9, attenuation[3] = {1, 0, 0};
+  bool smooth = false;
+};
+struct LineState {
+  double width = 1;
+  bool smooth = false, stippled = false;
+  int stipple_factor = 1;
+  unsigned stipple_pattern = 0xffff;
 };
 
 struct ViewportState {
@@ -81,9 +106,14 @@ struct Attributes {
   FogState fog;
   ColorBufferState color_buffer;
   DepthState depth;
+  StencilState stencil;
+  ScissorState scissor;
+  Vec4 accumulation_clear{0, 0, 0, 0};
+  std::vector<bool> polygon_stipple = std::vector<bool>(1024, true); // bit x + 32 y
   TextureState texture;
   PixelModeState pixel;
-  WidthState width;
+  PointState point;
+  LineState line;
   ViewportState viewport;
   GLuint list_base = 0;
 };

@@ -34,7 +34,7 @@ struct OSMesaSubject final : Subject {
 
   void renew() override {
     if (context) destroy_context(context);
-    context = create_context(GL_RGBA, 24, 8, 0, nullptr);
+    context = create_context(GL_RGBA, 24, 8, 16, nullptr);
     if (!context) throw std::runtime_error("OSMesaCreateContextExt returned NULL");
     if (!make_current(context, buffer.data(), GL_UNSIGNED_BYTE, kWindowWidth, kWindowHeight))
       throw std::runtime_error("OSMesaMakeCurrent returned GL_FALSE");

@@ -201,8 +201,10 @@ std::string c_program(const Test& test, const Script& script, const Verdict* ver
          " is wrong, 0 if not, 2 without a context. Any library of "
          "OSMesa's ABI\n"
          " * can be linked with it, and with -DUSE_EGL any EGL (-lEGL -lGL). */\n" +
-         R"(#define GL_GLEXT_PROTOTYPES
-#include <stdio.h>
+         R"(#include <stdio.h>
+#include <string.h>
+
+#define GL_GLEXT_PROTOTYPES
 #ifdef USE_EGL
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -233,7 +235,7 @@ static unsigned char window[SIZE * SIZE * 4];
   EGLSurface surface = eglCreatePbufferSurface(display, config, size);
   return eglMakeCurrent(display, surface, surface, eglCreateContext(display, config, EGL_NO_CONTEXT, NULL));
 #else
-  OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 0, NULL);
+  OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 16, NULL);
   return context && OSMesaMakeCurrent(context, window, GL_UNSIGNED_BYTE, SIZE, SIZE);
 #endif
 }

@@ -34,11 +34,20 @@ struct Shared {
   char fault[300];
   char vendor[200], renderer[200], version[200], extensions[30000];
   int32_t numbers[8];
+  float widths[4][3]; // least, greatest and step: of points, antialiased points, lines, antialiased lines
   uint32_t reached;
   SharedPicture pictures[1]; // as many as scripts
 };
 
 void copy_text(char* to, size_t size, const char* from) { std::snprintf(to, size, "%s", from ? from : ""); }
+
+/// "1.5 ..." to 15.
+int version_number(const std::string& text) {
+  int major = 0, minor = 0;
+  return std::sscanf(text.c_str(), "%d.%d", &major, &minor) == 2 && major < 10 && minor < 10
+             ? 10 * major + minor
+             : 0;
+}
 
 void ask(const GlTable& gl, Shared& shared) {
   const auto text = [&](GLenum name) { return reinterpret_cast<const char*>(gl.GetString(name)); };
@@ -47,9 +56,17 @@ void ask(const GlTable& gl, Shared& shared) {
   copy_text(shared.renderer, sizeof shared.renderer, text(GL_RENDERER));
   copy_text(shared.version, sizeof shared.version, text(GL_VERSION));
   copy_text(shared.extensions, sizeof shared.extensions, text(GL_EXTENSIONS));
-  const GLenum names[] = {GL_RED_BITS,   GL_GREEN_BITS,   GL_BLUE_BITS,    GL_ALPHA_BITS,
-                          GL_DEPTH_BITS, GL_STENCIL_BITS, GL_SUBPIXEL_BITS};
+  const GLenum names[] = {GL_RED_BITS,   GL_GREEN_BITS,   GL_BLUE_BITS,     GL_ALPHA_BITS,
+                          GL_DEPTH_BITS, GL_STENCIL_BITS, GL_SUBPIXEL_BITS, GL_ACCUM_RED_BITS};
   for (size_t i = 0; i < std::size(names); i++) gl.GetIntegerv(names[i], &shared.numbers[i]);
+  static const GLenum ranges[4] = {GL_ALIASED_POINT_SIZE_RANGE, GL_POINT_SIZE_RANGE,
+                                   GL_ALIASED_LINE_WIDTH_RANGE, GL_LINE_WIDTH_RANGE};
+  static const GLenum steps[4] = {0, GL_POINT_SIZE_GRANULARITY, 0, GL_LINE_WIDTH_GRANULARITY};
+  for (size_t i = 0; i < 4 && gl.GetFloatv; i++) {
+    gl.GetFloatv(i % 2 || version_number(text(GL_VERSION)) >= 12 ? ranges[i] : ranges[i + 1],
+                 shared.widths[i]);
+    if (steps[i]) gl.GetFloatv(steps[i], &shared.widths[i][2]);
+  }
   // Without bits of colors every color would be within half a step.
   if (shared.numbers[0] < 1 || shared.numbers[1] < 1 || shared.numbers[2] < 1)
     throw std::runtime_error("the window has no red, green and blue");
@@ -107,14 +124,6 @@ void draw(const GlTable& gl, const Script& script, SharedPicture& picture) {
   _exit(0); // without the library's destructors
 }
 
-/// "1.5 ..." to 15.
-int version_number(const std::string& text) {
-  int major = 0, minor = 0;
-  return std::sscanf(text.c_str(), "%d.%d", &major, &minor) == 2 && major < 10 && minor < 10
-             ? 10 * major + minor
-             : 0;
-}
-
 std::string text_of(const char* from, size_t size) { return std::string(from, strnlen(from, size)); }
 
 SubjectFacts facts_of(const Shared& s) {
@@ -124,7 +133,16 @@ SubjectFacts facts_of(const Shared& s) {
   f.version_number = version_number(f.version);
   for (int i = 0; i < 4; i++) f.precision.bits[i] = std::clamp(s.numbers[i], 0, 32);
   f.depth_bits = s.numbers[4], f.stencil_bits = s.numbers[5];
-  f.precision.subpixel_bits = s.numbers[6];
+  f.precision.subpixel_bits = s.numbers[6], f.accumulation_bits = s.numbers[7];
+  f.precision.depth_bits = std::clamp(f.depth_bits, 1, 32);
+  f.precision.stencil_bits = std::clamp(f.stencil_bits, 0, 16);
+  f.precision.accumulation_bits = f.accumulation_bits;
+  WidthRange* const ranges[4] = {&f.precision.points, &f.precision.smooth_points, &f.precision.lines,
+                                 &f.precision.smooth_lines};
+  for (int i = 0; i < 4; i++) {
+    const float* w = s.widths[i];
+    if (w[1] >= 1) *ranges[i] = {std::max(double(w[0]), 0.0), double(w[1]), double(w[2])};
+  }
   return f;
 }
 

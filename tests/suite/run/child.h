@@ -15,7 +15,7 @@ struct SubjectFacts {
   std::string vendor, renderer, version, extensions;
   int version_number = 0; // 15 for 1.5
   Precision precision;
-  int depth_bits = 0, stencil_bits = 0;
+  int depth_bits = 0, stencil_bits = 0, accumulation_bits = 0;
 };
 
 struct DrawnPicture {

@@ -47,6 +47,7 @@ std::optional<Script> alpha_test(const Script& body) {
   return with(s, body);
 }
 std::optional<Script> stencil_test(const Script& body) {
+  if (enables(body, GL_STENCIL_TEST)) return {};
   Script s;
   s.StencilFunc(GL_ALWAYS, 0, 255), s.StencilOp(GL_KEEP, GL_KEEP, GL_INCR), s.Enable(GL_STENCIL_TEST);
   return with(s, body);
@@ -58,18 +59,19 @@ std::optional<Script> depth_test(const Script& body) {
   return with(s, body);
 }
 std::optional<Script> blending(const Script& body) {
-  if (enables(body, GL_BLEND)) return {};
+  if (enables(body, GL_BLEND) || enables(body, GL_COLOR_LOGIC_OP)) return {};
   Script s;
   s.BlendFunc(GL_ONE, GL_ZERO), s.Enable(GL_BLEND);
   return with(s, body);
 }
 std::optional<Script> scissor(const Script& body) {
+  if (enables(body, GL_SCISSOR_TEST)) return {};
   Script s;
   s.Scissor(0, 0, kWindowWidth, kWindowHeight), s.Enable(GL_SCISSOR_TEST);
   return with(s, body);
 }
 std::optional<Script> logic_op(const Script& body) {
-  if (enables(body, GL_BLEND)) return {};
+  if (enables(body, GL_BLEND) || enables(body, GL_COLOR_LOGIC_OP)) return {};
   Script s;
   s.LogicOp(GL_COPY), s.Enable(GL_COLOR_LOGIC_OP);
   return with(s, body);
@@ -103,6 +105,7 @@ std::optional<Script> polygon_offset(const Script& body) {
   return with(s, body);
 }
 std::optional<Script> stipples(const Script& body) {
+  if (enables(body, GL_POLYGON_STIPPLE) || enables(body, GL_LINE_STIPPLE)) return {};
   Script s;
   s.PolygonStipple(Memory{GL_UNSIGNED_BYTE, std::vector<double>(128, 255)}), s.Enable(GL_POLYGON_STIPPLE);
   s.LineStipple(1, 0xffff), s.Enable(GL_LINE_STIPPLE);

@@ -51,6 +51,7 @@ bool is_supported(const Need& need, const SubjectFacts& facts) {
 
 std::string missing_buffer(const Script& body, const SubjectFacts& facts) {
   for (const Call& call : body.calls) {
+    if (call.command == Command::Accum && facts.accumulation_bits == 0) return "an accumulation buffer";
     if (call.command != Command::Enable) continue;
     if (call.e(0) == GL_DEPTH_TEST && facts.depth_bits == 0) return "a depth buffer";
     if (call.e(0) == GL_STENCIL_TEST && facts.stencil_bits == 0) return "a stencil buffer";

@@ -3,6 +3,7 @@
 #include "gl/subject.h"
 #include "lighting/chapter.h"
 #include "pixels/chapter.h"
+#include "raster/chapter.h"
 #include "texture/chapter.h"
 #include "vertices/chapter.h"
 
@@ -10,10 +11,8 @@ namespace softgl::suite {
 
 const std::vector<Chapter>& chapters() {
   static const std::vector<Chapter> chapters = {
-      {"lighting", lighting_tests},
-      {"vertices", vertices_tests},
-      {"texture", texture_tests},
-      {"pixels", pixels_tests},
+      {"lighting", lighting_tests}, {"vertices", vertices_tests}, {"texture", texture_tests},
+      {"pixels", pixels_tests},     {"raster", raster_tests},
   };
   return chapters;
 }

@@ -68,11 +68,15 @@ Verdict judge(const Expectation& expected, const std::vector<uint8_t>& color, co
   }
   for (const Witness& witness : expected.witnesses) {
     double nearest = 1e9;
-    int ignored = 0;
-    for (int pixel : witness.pixels)
-      nearest = std::min(nearest, distance(witness.color, &color[size_t(4 * pixel)], precision, &ignored));
-    if (nearest <= kRounding) continue;
+    int ignored = 0, count = 0;
+    for (int pixel : witness.pixels) {
+      const double off = distance(witness.color, &color[size_t(4 * pixel)], precision, &ignored);
+      nearest = std::min(nearest, off), count += off <= kRounding;
+    }
+    if (count >= witness.least && count <= witness.most) continue;
     verdict.wrong_pixels++;
+    // Too many or too few pixels of the right color are less wrong than a color that is not there.
+    if (count > 0) nearest = std::max(nearest, 0.5);
     if (nearest > verdict.difference) {
       verdict.difference = nearest, verdict.component = 0;
       verdict.low = witness.color[0].low * 255, verdict.high = witness.color[0].high * 255;

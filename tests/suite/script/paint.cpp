@@ -74,6 +74,12 @@ void Player::paint(double x, double y, double size, double red, double green, do
   gl_.PopAttrib();
 }
 
+std::vector<GLubyte> Player::read_colors(int x, int y, int width, int height) {
+  std::vector<GLubyte> bytes(size_t(4 * width * height));
+  gl_.ReadPixels(x, y, width, height, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+  return bytes;
+}
+
 void Player::paint_elements(const Call& call, size_t first, const std::vector<std::byte>& bytes,
                             bool swapped) {
   const PixelType& type = pixel_type(call.e(first - 2));
@@ -158,6 +164,32 @@ void Player::paint(const Call& call) {
     paint_elements(call, 7, bytes, call.n(11) != 0);
     break;
   }
+  case Command::PaintQuery: {
+    GLuint count = 0;
+    if (!gl_.GetQueryObjectuiv) return;
+    gl_.GetQueryObjectuiv(GLuint(call.n(0)), GL_QUERY_RESULT, &count);
+    for (int byte = 0; byte < 2; byte++) {
+      const double gray = (count >> 8 * byte & 255) / 255.0;
+      paint(call.n(1) + byte * kPaintedSquare, call.n(2), kPaintedSquare, gray, gray, gray);
+    }
+    break;
+  }
+  case Command::PaintSame: {
+    const std::vector<GLubyte> one = read_colors(n(0), n(1), n(4), n(5)),
+                               other = read_colors(n(2), n(3), n(4), n(5));
+    paint(call.n(6), call.n(7), kPaintedSquare, one != other, one == other, 0);
+    break;
+  }
+  case Command::PaintRising: {
+    bool rises = true;
+    int last = 0;
+    for (int i = 0; i < n(4); i++) {
+      const int red = read_colors(n(0) + i * n(2), n(1) + i * n(3), 1, 1)[0];
+      rises &= red >= last, last = red;
+    }
+    paint(call.n(5), call.n(6), kPaintedSquare, !rises, rises, 0);
+    break;
+  }
   case Command::PaintTexImage: {
     if (!gl_.GetTexImage) return;
     std::vector<std::byte> bytes = untouched_memory(pixel_type(call.e(3)), n(4));
@@ -235,6 +267,23 @@ std::string paint_to_c(const Call& call, const std::string& indent) {
   case Command::PaintTexParameter:
     return judged("GLfloat", "glGetTexParameterfv(" + n(0) + ", " + n(1) + ", answer)", 2);
   case Command::PaintTexEnv: return judged("GLint", "glGetTexEnviv(" + n(0) + ", " + n(1) + ", answer)", 2);
+  case Command::PaintQuery:
+    return indent + "{ GLuint count = 0; glGetQueryObjectuiv(" + n(0) + ", GL_QUERY_RESULT, &count);\n" +
+           indent +
+           "  for (int i = 0; i < 2; i++) { const double gray = (count >> 8 * i & 255) / 255.0; paint(" +
+           n(1) + " + 8 * i, " + n(2) + ", 8, gray, gray, gray); } }\n";
+  case Command::PaintSame:
+    return indent + "{ static GLubyte one[" + n(4) + " * " + n(5) + " * 4], other[sizeof one];\n" + indent +
+           "  glReadPixels(" + n(0) + ", " + n(1) + ", " + n(4) + ", " + n(5) +
+           ", GL_RGBA, GL_UNSIGNED_BYTE, one);\n" + indent + "  glReadPixels(" + n(2) + ", " + n(3) + ", " +
+           n(4) + ", " + n(5) + ", GL_RGBA, GL_UNSIGNED_BYTE, other);\n" + indent +
+           "  const int same = memcmp(one, other, sizeof one) == 0; paint(" + n(6) + ", " + n(7) +
+           ", 8, !same, same, 0); }\n";
+  case Command::PaintRising:
+    return indent + "{ int rises = 1, last = 0;\n" + indent + "  for (int i = 0; i < " + n(4) +
+           "; i++) { GLubyte c[4]; glReadPixels(" + n(0) + " + i * " + n(2) + ", " + n(1) + " + i * " + n(3) +
+           ", 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, c); rises &= c[0] >= last; last = c[0]; }\n" + indent +
+           "  paint(" + n(5) + ", " + n(6) + ", 8, !rises, rises, 0); }\n";
   case Command::PaintPixels: {
     std::string query = "glReadPixels(" + n(0) + ", " + n(1) + ", " + n(2) + ", " + n(3) + ", " + n(4) +
                         ", " + n(5) + ", memory);";

@@ -108,6 +108,7 @@ private:
   void paint(const Call& call);
   bool stack_is_right(GLenum depth, GLenum limit);
   void paint(double x, double y, double size, double red, double green, double blue);
+  std::vector<GLubyte> read_colors(int x, int y, int width, int height);
   void paint_elements(const Call& call, size_t first, const std::vector<std::byte>& bytes, bool swapped);
   void check_error(const Call& call);
   void check_floats(const Call& call);

@@ -46,6 +46,12 @@ std::string mask_bits(GLbitfield bits, bool of_client) {
                                {GL_POLYGON_BIT, "GL_POLYGON_BIT"},
                                {GL_TEXTURE_BIT, "GL_TEXTURE_BIT"},
                                {GL_PIXEL_MODE_BIT, "GL_PIXEL_MODE_BIT"},
+                               {GL_ACCUM_BUFFER_BIT, "GL_ACCUM_BUFFER_BIT"},
+                               {GL_SCISSOR_BIT, "GL_SCISSOR_BIT"},
+                               {GL_POINT_BIT, "GL_POINT_BIT"},
+                               {GL_LINE_BIT, "GL_LINE_BIT"},
+                               {GL_POLYGON_STIPPLE_BIT, "GL_POLYGON_STIPPLE_BIT"},
+                               {GL_FOG_BIT, "GL_FOG_BIT"},
                                {GL_VIEWPORT_BIT, "GL_VIEWPORT_BIT"},
                                {GL_LIST_BIT, "GL_LIST_BIT"}};
   static const Names client = {{GL_CLIENT_PIXEL_STORE_BIT, "GL_CLIENT_PIXEL_STORE_BIT"},
@@ -77,7 +83,8 @@ std::string list(const std::vector<double>& numbers, const char* type, bool real
 
 std::string vector_argument(const Call& call, const Argument& a) {
   const std::string name = facts_of(call.command).name;
-  if (name.ends_with("Textures") && call.arguments.size() == 2) return list(a.numbers, "GLuint", false);
+  if ((name.ends_with("Textures") || name.ends_with("Queries")) && call.arguments.size() == 2)
+    return list(a.numbers, "GLuint", false);
   if (call.command == Command::ClipPlane || name.ends_with("d") || name.ends_with("dv"))
     return list(a.numbers, "GLdouble", true);
   static const std::pair<const char*, const char*> types[] = {
