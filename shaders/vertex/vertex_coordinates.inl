@@ -24,17 +24,19 @@ static inline void eye_depth(const VertexBlock& b, const VertexProgram& p, bool 
   SOFTGL_FOR_LANES(i, n) out[i] = absolute(out[i]);
 }
 
+/// The distance from the eye, whose position an earlier stage made.
+static inline void eye_distance(const VertexBlock& b, float* out, int n) {
+  const float *x = b.lighting.eye[0], *y = b.lighting.eye[1], *z = b.lighting.eye[2];
+  SOFTGL_FOR_LANES(i, n) out[i] = __builtin_sqrtf(dot3(x[i], y[i], z[i], x[i], y[i], z[i]));
+}
+
 /// GL 1.5, 3.10, and GL_NV_fog_distance.
 static inline void fog_distances(VertexBlock& b, const VertexProgram& p, int n) {
   float* out = b.fog;
-  const float *x = b.lighting.eye[0], *y = b.lighting.eye[1], *z = b.lighting.eye[2];
   switch (p.fog_distance) {
   case FogDistance::PlaneAbsolute: return eye_depth(b, p, p.eye_position, out, n);
   case FogDistance::Plane: return eye_z(b, p, p.eye_position, out, n);
-  case FogDistance::Radial: {
-    SOFTGL_FOR_LANES(i, n) out[i] = __builtin_sqrtf(dot3(x[i], y[i], z[i], x[i], y[i], z[i]));
-    return;
-  }
+  case FogDistance::Radial: return eye_distance(b, out, n);
   }
 }
 
@@ -89,7 +91,7 @@ static inline void generate_coordinates(VertexBlock& b, const CoordinateConstant
   }
 }
 
-/// size * rsq(a + d*(b + d*c)), d = |eye z|, clamped (GL 1.5, 3.3).
+/// size * rsq(a + d*(b + d*c)), d = |eye z| or the distance from the eye, clamped (GL 1.5, 3.3).
 static inline void point_sizes(VertexBlock& b, const VertexProgram& p, bool have_eye, int n) {
   const PointConstants& k = p.point;
   float* size = b.point;
@@ -98,7 +100,10 @@ static inline void point_sizes(VertexBlock& b, const VertexProgram& p, bool have
     SOFTGL_FOR_LANES(i, n) size[i] = s;
     return;
   }
-  eye_depth(b, p, have_eye, size, n);
+  if (p.from_eye)
+    eye_distance(b, size, n);
+  else
+    eye_depth(b, p, have_eye, size, n);
   const float ka = k.attenuation[0], kb = k.attenuation[1], kc = k.attenuation[2];
   const float s = k.size, low = k.minimum, high = k.maximum;
   SOFTGL_FOR_LANES(i, n) {

@@ -68,6 +68,8 @@ struct VertexProgram {
   bool depths_from_zero;    // the near plane is z = 0 instead of z = -w
   bool clamp_colors;        // GL_ARB_color_buffer_float
   bool point_attenuated;
+  bool from_eye;   // a point's distance is that from the eye, not the absolute value of z (3.3)
+  bool signed_fog; // fog coordinates may be less than 0 (3.10), and are not made positive
   const TransformConstants* transform;
   const ClipPlaneConstants* clip_planes;                    // null: none enabled
   const LightingConstants* lighting;                        // null: not lit

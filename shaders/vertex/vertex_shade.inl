@@ -115,7 +115,7 @@ static inline void shade_block(VertexBlock& b, const VertexJob& job, uint32_t fi
       broadcast(0.0f, b.fog, n);
     } else if (p.fog_from_attribute) {
       fetch_attribute(job, kFogCoordinate, first, count, n, 1, &b.fog);
-      SOFTGL_FOR_LANES(i, n) b.fog[i] = absolute(b.fog[i]);
+      if (!p.signed_fog) SOFTGL_FOR_LANES(i, n) b.fog[i] = absolute(b.fog[i]);
     } else {
       fog_distances(b, p, n);
     }

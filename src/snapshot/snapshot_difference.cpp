@@ -47,8 +47,8 @@ MEMBERS(PointConstants, size, minimum, maximum, attenuation)
 MEMBERS(PolygonConstants, mode, ccw_is_front, cull_front, cull_back, two_sided, offset, whole)
 MEMBERS(VertexProgram, eye_position, eye_position_late, eye_unit, normal, normal_to_eye, normalize,
         unit_normal, lit, fog, fog_from_attribute, fog_distance, depth_clamp, depths_from_zero, clamp_colors,
-        point_attenuated, transform, clip_planes, lighting, coordinates, reflection_z, point, polygons,
-        line_stipple, stipple_pattern, stipple_factor)
+        point_attenuated, from_eye, signed_fog, transform, clip_planes, lighting, coordinates, reflection_z,
+        point, polygons, line_stipple, stipple_pattern, stipple_factor)
 MEMBERS(ShadedLayout, color, secondary, back_color, back_secondary, point, texcoord, normal, eye, tracked,
         material, slots)
 MEMBERS(LightConstants, positional, attenuated, spot, position, half_vector, attenuation, spot_direction,

@@ -217,6 +217,9 @@ const VertexProgram* make_vertex_program(const Context& c, const SnapshotCache& 
   }
   const PointState& point = s.point;
   p->point_attenuated = cache.layout.point >= 0;
+  p->signed_fog = c.specification_answers;
+  p->from_eye = c.specification_answers && p->point_attenuated;
+  p->eye_position_late |= p->from_eye;
   p->point = {point.size,
               point.size_min,
               point.size_max,
