@@ -11,7 +11,7 @@ namespace softgl::gl {
 void Viewport(Context& c, GLint x, GLint y, GLsizei width, GLsizei height) {
   if (const char* wrong = first_wrong({{"width", width < 0}, {"height", height < 0}}))
     return SOFTGL_FAULT(negative_viewport_silent) ? void() : set_error(c, GL_INVALID_VALUE, wrong);
-  if (SOFTGL_FAULT(viewport_outside_refused) && x < 0) return set_error(c, GL_INVALID_VALUE);
+  if (SOFTGL_FAULT(viewport_outside_refused) && x < 0) return set_error(c, GL_INVALID_VALUE, "x");
   if (SOFTGL_FAULT(viewport_offset_ignored)) x = y = 0;
   // OSMesa 22.3.6 keeps the corner within its viewport bounds range.
   constexpr GLint kBounds = 32768;
