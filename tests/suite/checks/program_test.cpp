@@ -79,6 +79,7 @@ TEST_CASE("a wrong error and a wrong answer give a program of C", "[suite]") {
   struct Wrong {
     const char *fault, *test, *call;
   };
+  const std::string folder = kFolder + "_wrong"; // the test above runs at the same time
   for (const Wrong& w :
        {Wrong{"negative_viewport_silent", "vertices.errors.viewport", "expectError(GL_INVALID_VALUE);"},
         Wrong{"depth_range_not_clamped", "vertices.matrices.depth_range_clamped",
@@ -86,25 +87,25 @@ TEST_CASE("a wrong error and a wrong answer give a program of C", "[suite]") {
         Wrong{"planes_not_restored", "vertices.clipping.planes_saved", "expectIsEnabled(GL_CLIP_PLANE1"},
         Wrong{"viewport_outside_refused", "vertices.matrices.viewport_outside", "glViewport(-60"}}) {
     INFO(w.fault);
-    std::filesystem::remove_all(kFolder);
-    std::filesystem::create_directories(kFolder);
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
     setenv("SOFTGL_SEEDED_FAULT", w.fault, 1), setenv("SOFTGL_ISA", "baseline", 1);
     CHECK(status_of(kProgram + " --gl osmesa:" SOFTGL_TEST_FAULTY_LIBRARY " --levels plain --filter " +
-                    w.test + " --report " + kFolder) == 1);
-    const std::string text = read(kFolder + "/" + w.test + ".c");
+                    w.test + " --report " + folder) == 1);
+    const std::string text = read(folder + "/" + w.test + ".c");
     CHECK_THAT(text, Catch::Contains(w.call) && !Catch::Contains("Not all calls"));
     CHECK(std::count(text.begin(), text.end(), '\n') < 85);
-    const std::string build = "cd " + kFolder +
+    const std::string build = "cd " + folder +
                               " && cc -std=c99 -Wall -Werror -I" SOFTGL_TEST_SOURCE_DIR "/include " + w.test +
                               ".c -o ";
     const auto linked = [](const std::string& library) {
       return library + " -Wl,-rpath," + std::filesystem::path(library).parent_path().string();
     };
     REQUIRE(status_of(build + "wrong " + linked(SOFTGL_TEST_FAULTY_LIBRARY)) == 0);
-    CHECK(status_of(kFolder + "/wrong") == 1);
+    CHECK(status_of(folder + "/wrong") == 1);
     unsetenv("SOFTGL_SEEDED_FAULT"), unsetenv("SOFTGL_ISA");
     REQUIRE(status_of(build + "right " + linked(SOFTGL_TEST_LIBRARY)) == 0);
-    CHECK(status_of(kFolder + "/right") == 0); // what it shows is the fault's
+    CHECK(status_of(folder + "/right") == 0); // what it shows is the fault's
   }
 }
 

@@ -78,6 +78,9 @@ void Machine::draw_image(const PixelImage& image) {
         break;
       case PixelKind::Depth: raster_.pixel(state_, x, y, at, pixel.c[0]); break;
       case PixelKind::Stencil:
+        if (pixel.c[0].low != pixel.c[0].high) throw std::logic_error("a stencil value that is not known");
+        raster_.stencil(state_, x, y, int(pixel.c[0].low));
+        break;
       case PixelKind::Index: throw std::logic_error("an image of indexes");
       }
     }

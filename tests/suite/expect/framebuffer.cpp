@@ -79,6 +79,18 @@ void Rasterizer::pixel(const State& state, int x, int y, const LitVertex& at, In
   fragment(state, x, y, f);
 }
 
+void Rasterizer::stencil(const State& state, int x, int y, int value) {
+  if (x < 0 || y < 0 || x >= picture_.width || y >= picture_.height) return;
+  if (!in_scissor(state.scissor, x, y)) return;
+  const int bits = int(state.stencil.write_mask) & ((1 << precision_.stencil_bits) - 1);
+  answers_.clear();
+  for (Answer answer : picture_.pixels[size_t(y * picture_.width + x)]) {
+    answer.stencil = (value & bits) | (answer.stencil & ~bits);
+    add_answer(answers_, answer);
+  }
+  picture_.pixels[size_t(y * picture_.width + x)].swap(answers_);
+}
+
 PixelImage Rasterizer::read(int left, int bottom, int width, int height, PixelKind kind) const {
   PixelImage image{kind, width, height, 1, {}};
   for (int y = bottom; y < bottom + height; y++)

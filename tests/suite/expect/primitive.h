@@ -64,6 +64,8 @@ public:
   void point(const State& state, const LitVertex& vertex, Interval offset = 0);
   /// A fragment of a bitmap or an image: the color and texture coordinates of the raster position.
   void pixel(const State& state, int x, int y, const LitVertex& at, Interval depth);
+  /// A pixel of an image of stencil values: no fragment, so only scissor box and mask matter (4.3.1).
+  void stencil(const State& state, int x, int y, int value);
   /// What 4.3.2 reads.
   PixelImage read(int x, int y, int width, int height, PixelKind kind) const;
   /// A square of one color, whatever the state is.

@@ -12,6 +12,7 @@ std::vector<Test> pixel_format_tests();
 std::vector<Test> pixel_store_tests();
 std::vector<Test> pixel_draw_tests();
 std::vector<Test> pixel_read_tests();
+std::vector<Test> pixel_stencil_tests();
 std::vector<Test> pixel_error_tests();
 
 } // namespace softgl::suite
