@@ -43,10 +43,11 @@ void collect_colors(PartSamples& samples, const ExchangePlan& plan, const Ranks&
   else if (ranks.rank() < plan.active()) {
     const Piece piece = plan.final_piece(ranks.rank());
     std::vector<uint32_t> words(piece.last - piece.first);
-    std::memcpy(words.data(), samples.colors.data() + 4 * piece.first, 4 * words.size());
+    if (!words.empty()) std::memcpy(words.data(), samples.colors.data() + 4 * piece.first, 4 * words.size());
     messages.push_back({0, std::move(words)});
   }
   ranks.exchange(messages, senders, [&](const Ranks::Message& message) {
+    if (message.words.empty()) return; // a rank without pixels
     std::memcpy(samples.colors.data() + 4 * plan.final_piece(message.rank).first, message.words.data(),
                 4 * message.words.size());
   });
