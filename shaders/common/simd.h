@@ -280,6 +280,37 @@ SOFTGL_INLINE IntV load_halves(const uint16_t* p) {
 }
 #endif
 
+/// How many lanes there are in front of the first that equals one before it.
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+SOFTGL_INLINE int distinct_lanes(IntV v) {
+  const __m512i earlier = _mm512_conflict_epi32((__m512i)v);
+  return __builtin_ctz(uint32_t(_mm512_test_epi32_mask(earlier, earlier)) | 1u << kWidth);
+}
+#else
+SOFTGL_INLINE int distinct_lanes(IntV v) {
+  // Rotated by up to half of the lanes each one meets all others.
+#if defined(__AVX2__)
+  auto rotated = [&](int by) __attribute__((always_inline)) {
+    const __m256i lane =
+        _mm256_and_si256(_mm256_add_epi32(_mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7), _mm256_set1_epi32(by)),
+                         _mm256_set1_epi32(7));
+    return (IntV)_mm256_permutevar8x32_epi32((__m256i)v, lane);
+  };
+  const IntV equal = (v == rotated(1)) | (v == rotated(2)) | (v == rotated(3)) | (v == rotated(4));
+#else
+  const IntV equal = (v == (IntV)_mm_shuffle_epi32((__m128i)v, _MM_SHUFFLE(0, 3, 2, 1))) |
+                     (v == (IntV)_mm_shuffle_epi32((__m128i)v, _MM_SHUFFLE(1, 0, 3, 2)));
+#endif
+  if (!sign_bits(equal)) return kWidth;
+  int32_t lane[kWidth];
+  memcpy(lane, &v, sizeof v);
+  for (int i = 1; i < kWidth; ++i)
+    for (int k = 0; k < i; ++k)
+      if (lane[k] == lane[i]) return i;
+  return kWidth;
+}
+#endif
+
 /// Every even lane twice, every odd lane twice.
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 SOFTGL_INLINE FloatV even_lanes(FloatV v) { return (FloatV)_mm512_moveldup_ps((__m512)v); }

@@ -10,8 +10,9 @@ namespace softgl {
 
 struct FragmentConstants; // fragment_constants.h
 
-/// Texture coordinates of one unit, already divided by q, and their differences in the fragment's 2x2 quad
-/// (right minus left and lower minus upper, both from the quad's top left pixel).
+/// Texture coordinates of one unit, already divided by q, and their differences in the fragment's 2x2 quad:
+/// right minus left and lower minus upper, both from the quad's top left pixel; of cube maps those of the
+/// fragment's own row and column.
 struct BlockCoordinates {
   float s[kLanes], t[kLanes], r[kLanes];
   float ds_dx[kLanes], dt_dx[kLanes], dr_dx[kLanes];

@@ -8,15 +8,6 @@
 namespace softgl {
 namespace SOFTGL_ISA {
 
-/// Source fragments and the gathered pixels under them. Colors of Rgba8 and Rgb565 surfaces are RGBA8 words
-/// here.
-struct alignas(64) MergeBlock {
-  int32_t lanes; // a multiple of 16
-  uint32_t live[kLanes];
-  uint32_t depth[kLanes], color[kLanes];          // source
-  uint32_t depth_stencil[kLanes], target[kLanes]; // destination, in and out
-};
-
 /// Depths have at most 24 bits, or those of floats that are not negative: so signed comparison serves.
 SOFTGL_INLINE IntV compare_words(Compare function, IntV value, IntV other) {
   switch (function) {
@@ -75,7 +66,11 @@ struct Merger {
   SOFTGL_MEMBER IntV depth_stencil(IntV live, IntV z, uint32_t* place) const {
     if (!tests) return live;
     if (program.writes_stencil) return store_stencils(live, z, place);
-    if (floats) return float_depth_stencil(live, z, place);
+    return floats ? float_depth_stencil(live, z, place) : word_depth_stencil(live, z, place);
+  }
+
+  /// Of words with a depth and a stencil value each.
+  SOFTGL_MEMBER IntV word_depth_stencil(IntV live, IntV z, uint32_t* place) const {
     const Compare depth_function = Compare(key.depth_function);
     IntV words = load(place);
     const IntV depth = words & 0xffffff;

@@ -25,7 +25,8 @@ struct FragmentProgram {
                      // textures)
   uint8_t lod_units; // units whose stages read differences of coordinates across a 2x2 quad, to find a level
                      // or a filter
-  bool writes_depth; // a stage sets the depth, which cannot be tested before
+  uint8_t cube_units;  // units with cube maps: those differences are of the pixel's own row and column
+  bool writes_depth;   // a stage sets the depth, which cannot be tested before
   bool writes_stencil; // instead of a depth a fragment has a stencil value, which is stored without any test
   bool bounds_depth;   // fragments where the stored depth is out of bounds die (GL_EXT_depth_bounds_test)
   bool reads_quads;    // a stage looks at the other pixels of its 2x2 quad: blocks must have whole ones

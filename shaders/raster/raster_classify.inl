@@ -2,6 +2,7 @@
 #pragma once
 
 #include "shaders/raster/raster_snap.inl"
+#include "shaders/raster/sample_points.h"
 
 namespace softgl {
 namespace SOFTGL_ISA {
@@ -70,8 +71,8 @@ static void classify_triangles(const RasterDraw& draw, const TriangleInput& in, 
       }
     }
     if (alive == 0) continue;
-    const uint32_t small =
-        draw.small ? alive & sign_bits(extent_fits & (w < kSmallBox) & (h < kSmallBox)) : 0;
+    const int32_t box = draw.small ? kSmallBox : kSeenBox;
+    const uint32_t small = alive & sign_bits(extent_fits & (w < box) & (h < box));
     if (small) {
       beyond |= uint64_t(small & sign_bits((w >= kTinyBox) | (h >= kTinyBox))) << base;
       box_pixels += multiply(w + 1, h + 1) & mask_of_bits(small);
@@ -109,7 +110,7 @@ SOFTGL_INLINE uint64_t box_pixels(int32_t w, int32_t h) {
 }
 
 /// Finds the pixels of the small triangles of a tiny batch: bit 8 * dy + dx of their boxes. Those without any
-/// are small no more.
+/// are small no more. Of pixels with samples one is enough.
 static void cover_tiny(const RasterDraw& draw, const SnappedBatch& batch, int count, TriangleOutput& out) {
   const EdgeRule rule(*draw.raster);
   const uint64_t small_before = out.small;
@@ -129,21 +130,30 @@ static void cover_tiny(const RasterDraw& draw, const SnappedBatch& batch, int co
     for (int k = 0; k < 3; ++k) x[k] -= column << 8, y[k] -= row << 8;
     const IntV x0 = choose(negative, x[1], x[0]), y0 = choose(negative, y[1], y[0]),
                x1 = choose(negative, x[0], x[1]), y1 = choose(negative, y[0], y[1]);
-    EdgeV e0 = edge_of(x0, y0, x1, y1, rule), e1 = edge_of(x1, y1, x[2], y[2], rule),
-          e2 = edge_of(x[2], y[2], x0, y0, rule);
+    const EdgeV edge[3] = {edge_of(x0, y0, x1, y1, rule), edge_of(x1, y1, x[2], y[2], rule),
+                           edge_of(x[2], y[2], x0, y0, rule)};
     int columns = 1, rows = 1;
     while (columns < kTinyBox && sign_bits((w >= columns) & mine)) ++columns;
     while (rows < kTinyBox && sign_bits((h >= rows) & mine)) ++rows;
     IntV mask[2] = {zero, zero};
-    for (int dy = 0; dy < rows; ++dy) {
-      UintV r0 = e0.c, r1 = e1.c, r2 = e2.c;
-      UintV bits = UintV{}; // bit dx, counted from the top
-      for (int dx = 0; dx < columns; ++dx) {
-        bits = (bits >> 1) | (~(r0 | r1 | r2) & 0x80000000u);
-        r0 -= e0.a, r1 -= e1.a, r2 -= e2.a;
+    for (int sample = 0; sample < (draw.raster->per_sample ? kSamples : 1); ++sample) {
+      UintV first[3];
+      for (int k = 0; k < 3; ++k) {
+        first[k] = edge[k].c;
+        if (draw.raster->per_sample)
+          first[k] += (UintV)((IntV)edge[k].b >> 8) * uint32_t(kSampleY[sample]) -
+                      (UintV)((IntV)edge[k].a >> 8) * uint32_t(kSampleX[sample]);
       }
-      mask[dy >> 2] |= (IntV)((bits >> (32 - columns)) << (8 * (dy & 3)));
-      e0.c += e0.b, e1.c += e1.b, e2.c += e2.b;
+      for (int dy = 0; dy < rows; ++dy) {
+        UintV r0 = first[0], r1 = first[1], r2 = first[2];
+        UintV bits = UintV{}; // bit dx, counted from the top
+        for (int dx = 0; dx < columns; ++dx) {
+          bits = (bits >> 1) | (~(r0 | r1 | r2) & 0x80000000u);
+          r0 -= edge[0].a, r1 -= edge[1].a, r2 -= edge[2].a;
+        }
+        mask[dy >> 2] |= (IntV)((bits >> (32 - columns)) << (8 * (dy & 3)));
+        for (int k = 0; k < 3; ++k) first[k] += edge[k].b;
+      }
     }
     store(out.rows0to3 + base, mask[0]), store(out.rows4to7 + base, mask[1]);
     for (uint32_t bits = small & sign_bits(clipped); bits; bits &= bits - 1) {

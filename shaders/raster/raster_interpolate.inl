@@ -10,41 +10,54 @@ SOFTGL_INLINE FloatV at(const Plane& p, FloatV x, FloatV y) {
   return splat(p.gy) * y + (splat(p.gx) * x + splat(p.a));
 }
 
-/// Differences across each 2x2 quad of a strip of 8x2 pixels, the same in all four lanes of a quad.
-SOFTGL_INLINE void quad_differences(const float* value, float* dx, float* dy) {
+/// Which differences across 2x2 quads a unit's stages read. OfQuad: the same in all four lanes of a quad,
+/// from its top left pixel. OfLane: of the lane's own row and column.
+enum class Differences : uint8_t { None, OfQuad, OfLane };
+
+/// Differences across each 2x2 quad of a strip of 8x2 pixels.
+template <Differences Kind> SOFTGL_INLINE void quad_differences(const float* value, float* dx, float* dy) {
+  constexpr bool kOfQuad = Kind == Differences::OfQuad;
   if constexpr (kWidth == 16) {
     const FloatV v = load(value), even = even_lanes(v), x = odd_lanes(v) - even;
-    alignas(64) float corner[16], across[16];
-    store(corner, even), store(across, x);
+    alignas(64) float from[16], across[16];
+    store(from, kOfQuad ? even : v), store(across, x);
+    if constexpr (!kOfQuad) store(dx, x);
     for (int i = 0; i < 8; ++i) {
-      dx[i] = dx[i + 8] = across[i];
-      dy[i] = dy[i + 8] = corner[i + 8] - corner[i];
+      if constexpr (kOfQuad) dx[i] = dx[i + 8] = across[i];
+      dy[i] = dy[i + 8] = from[i + 8] - from[i];
     }
   } else {
     for (int i = 0; i < 8; i += kWidth) {
       const FloatV top = load(value + i), bottom = load(value + 8 + i), corner = even_lanes(top);
-      const FloatV x = odd_lanes(top) - corner, y = even_lanes(bottom) - corner;
-      store(dx + i, x), store(dx + 8 + i, x);
+      const FloatV x = odd_lanes(top) - corner;
+      const FloatV y = kOfQuad ? even_lanes(bottom) - corner : bottom - top;
+      store(dx + i, x), store(dx + 8 + i, kOfQuad ? x : odd_lanes(bottom) - even_lanes(bottom));
       store(dy + i, y), store(dy + 8 + i, y);
     }
   }
 }
 
-/// What is read of a unit's coordinates: s and t, or s, t and r; and their differences across 2x2 quads.
+/// What is read of a unit's coordinates: s and t, or s, t and r; and their differences.
 struct CoordinatesRead {
   int count;
-  bool differences;
+  Differences differences;
 };
 SOFTGL_INLINE CoordinatesRead coordinates_read(const FragmentProgram& program, int unit) {
-  return {program.r_units >> unit & 1 ? 3 : 2, (program.lod_units >> unit & 1) != 0};
+  return {program.r_units >> unit & 1 ? 3 : 2, !(program.lod_units >> unit & 1) ? Differences::None
+                                               : program.cube_units >> unit & 1 ? Differences::OfLane
+                                                                                : Differences::OfQuad};
 }
 
 /// Sets the differences of a strip's coordinates.
-SOFTGL_INLINE void strip_differences(BlockCoordinates& t, int lane, int count) {
+SOFTGL_INLINE void strip_differences(BlockCoordinates& t, int lane, CoordinatesRead read) {
   const float* value[3] = {t.s, t.t, t.r};
   float* dx[3] = {t.ds_dx, t.dt_dx, t.dr_dx};
   float* dy[3] = {t.ds_dy, t.dt_dy, t.dr_dy};
-  for (int k = 0; k < count; ++k) quad_differences(value[k] + lane, dx[k] + lane, dy[k] + lane);
+  for (int k = 0; k < read.count; ++k)
+    if (read.differences == Differences::OfQuad)
+      quad_differences<Differences::OfQuad>(value[k] + lane, dx[k] + lane, dy[k] + lane);
+    else
+      quad_differences<Differences::OfLane>(value[k] + lane, dx[k] + lane, dy[k] + lane);
 }
 
 SOFTGL_INLINE float* lanes_of(FragmentBlock& block, const Varying& v, int component) {
@@ -105,8 +118,8 @@ template <bool FromCorner> static void interpolate_block(const RasterDraw& draw,
       const FloatV rq = splat(1.0f) / (at(q[3], vx, vy) * vw);
       for (int k = 0; k < read.count; ++k) store(value[k] + i, (at(q[k], vx, vy) * vw) * rq);
     }
-    if (!read.differences) continue;
-    for (int i = first; i < end; i += kStripLanes) strip_differences(t, i, read.count);
+    if (read.differences == Differences::None) continue;
+    for (int i = first; i < end; i += kStripLanes) strip_differences(t, i, read);
   }
 }
 
@@ -128,19 +141,38 @@ SOFTGL_INLINE void coordinates_at(BlockCoordinates& t, int lane, CoordinatesRead
 SOFTGL_INLINE void interpolate_unit(BlockCoordinates& t, int lane, CoordinatesRead read, const PlaneV& w,
                                     const PlaneV q[4], IntV px, IntV py) {
   coordinates_at(t, lane, read, w, q, to_float(px), to_float(py));
-  if (!read.differences) return;
+  if (read.differences == Differences::None) return;
   float* dx[3] = {t.ds_dx, t.dt_dx, t.dr_dx};
   float* dy[3] = {t.ds_dy, t.dt_dy, t.dr_dy};
   const FloatV one = splat(1.0f);
   const FloatV x0 = to_float(px & ~1), y0 = to_float(py & ~1), x1 = x0 + 1.0f, y1 = y0 + 1.0f;
-  const FloatV w00 = one / value_at(w, x0, y0), w10 = one / value_at(w, x1, y0),
-               w01 = one / value_at(w, x0, y1);
-  const FloatV q00 = one / (value_at(q[3], x0, y0) * w00), q10 = one / (value_at(q[3], x1, y0) * w10),
-               q01 = one / (value_at(q[3], x0, y1) * w01);
+  struct Place {
+    FloatV x, y, w, q;
+  };
+  auto place = [&](FloatV x, FloatV y) __attribute__((always_inline)) {
+    const FloatV w_there = one / value_at(w, x, y);
+    return Place{x, y, w_there, one / (value_at(q[3], x, y) * w_there)};
+  };
+  auto value = [&](int k, const Place& p) __attribute__((always_inline)) {
+    return (value_at(q[k], p.x, p.y) * p.w) * p.q;
+  };
+  if (read.differences == Differences::OfLane) {
+    const IntV odd_x = (px & 1) != 0, odd_y = (py & 1) != 0;
+    const Place beside = place(choose(odd_x, x0, x1), to_float(py)),
+                below = place(to_float(px), choose(odd_y, y0, y1));
+    const float* here[3] = {t.s, t.t, t.r};
+    for (int k = 0; k < read.count; ++k) {
+      const FloatV v = load(here[k] + lane), h = value(k, beside), l = value(k, below);
+      store(dx[k] + lane, choose(odd_x, v, h) - choose(odd_x, h, v));
+      store(dy[k] + lane, choose(odd_y, v, l) - choose(odd_y, l, v));
+    }
+    return;
+  }
+  const Place corner = place(x0, y0), right = place(x1, y0), lower = place(x0, y1);
   for (int k = 0; k < read.count; ++k) {
-    const FloatV v00 = (value_at(q[k], x0, y0) * w00) * q00;
-    store(dx[k] + lane, (value_at(q[k], x1, y0) * w10) * q10 - v00);
-    store(dy[k] + lane, (value_at(q[k], x0, y1) * w01) * q01 - v00);
+    const FloatV v = value(k, corner);
+    store(dx[k] + lane, value(k, right) - v);
+    store(dy[k] + lane, value(k, lower) - v);
   }
 }
 
@@ -189,7 +221,7 @@ interpolate_lanes(const RasterDraw& draw, const RasterPrimitive* const* primitiv
       const PlaneV unit_w = plane_of_w(draw, u, w);
       if constexpr (Quads) {
         for (int r = 0; r < kRows; ++r) coordinates_at(t, i + 8 * r, read, unit_w, q, x[r], y[r]);
-        if (read.differences) strip_differences(t, i & ~(kStripLanes - 1), read.count);
+        if (read.differences != Differences::None) strip_differences(t, i & ~(kStripLanes - 1), read);
       } else {
         interpolate_unit(t, i, read, unit_w, q, load(block.x + i), load(block.y + i));
       }

@@ -7,33 +7,51 @@
 namespace softgl {
 namespace SOFTGL_ISA {
 
-/// Merges `count` fragments that share no pixel; depth, color and live of m are set.
-static void merge_fragments(const TileTarget& tile, const FragmentProgram& program, const uint32_t* pixel,
-                            int32_t count, MergeBlock& m) {
-  const bool words = ColorFormat(program.key.color_format) == ColorFormat::Rgba8;
-  auto* color = static_cast<uint32_t*>(tile.color);
-  auto* halves = static_cast<uint16_t*>(tile.color);
-  m.lanes = (count + 15) & ~15;
-  for (int32_t i = 0; i < count; ++i)
-    m.target[i] = words ? color[pixel[i]] : expand_565(uint32_t(halves[pixel[i]]));
-  if (tile.depth_stencil)
-    for (int32_t i = 0; i < count; ++i) m.depth_stencil[i] = tile.depth_stencil[pixel[i]];
-  for (int32_t i = count; i < m.lanes; ++i)
-    m.live[i] = m.color[i] = m.target[i] = m.depth[i] = m.depth_stencil[i] = 0;
+/// Merges fragments with a tile's pixels, in order: as many at a time as a vector has lanes, less where two
+/// lie on one pixel.
+static void merge_fragments(const TileTarget& tile, const FragmentProgram& program,
+                            const SmallFragments& fragments, int32_t count) {
   const Merger merger{program};
-  for (int i = 0; i < m.lanes; i += kWidth) {
-    const IntV live = merger.depth_stencil(load(m.live + i), load(m.depth + i), m.depth_stencil + i);
+  const bool writes_depth = program.key.depth_write || program.key.stencil;
+  const bool words = ColorFormat(program.key.color_format) == ColorFormat::Rgba8;
+  auto* colors = static_cast<uint32_t*>(tile.color);
+  auto* halves = static_cast<uint16_t*>(tile.color);
+  for (int32_t first = 0; first < count;) {
+    alignas(64) uint16_t pixel[kWidth];
+    alignas(64) uint32_t depth[kWidth], color[kWidth], there[kWidth];
+    // Lanes behind the last fragment repeat the first, and so are left out.
+    const int32_t left = count - first;
+    if (left >= kWidth) {
+      memcpy(pixel, fragments.pixel + first, sizeof pixel);
+      store(depth, load(fragments.depth + first)), store(color, load(fragments.color + first));
+    } else {
+      for (int k = 0; k < kWidth; ++k) {
+        const int32_t i = first + (k < left ? k : 0);
+        pixel[k] = fragments.pixel[i], depth[k] = fragments.depth[i], color[k] = fragments.color[i];
+      }
+    }
+    const int lanes = distinct_lanes(load_halves(pixel));
+    first += lanes;
+    IntV live = mask_of_bits((1u << lanes) - 1);
+    if (tile.depth_stencil && merger.tests) {
+      uint32_t* place = tile.depth_stencil;
+      store(there, load_words([&](int k) __attribute__((always_inline)) { return place + pixel[k]; }));
+      live = merger.word_depth_stencil(live, load(depth), there);
+      if (writes_depth)
+        for (int k = 0; k < lanes; ++k) place[pixel[k]] = there[k];
+      if (!any(live)) continue;
+    }
     if (tile.samples) *tile.samples += count_lanes(live);
-    merger.color(live, load(m.color + i), m.target + i);
+    if (words) {
+      store(there, load_words([&](int k) __attribute__((always_inline)) { return colors + pixel[k]; }));
+      merger.color(live, load(color), there);
+      for (int k = 0; k < lanes; ++k) colors[pixel[k]] = there[k];
+    } else {
+      for (int k = 0; k < kWidth; ++k) there[k] = expand_565(uint32_t(halves[pixel[k]]));
+      merger.color(live, load(color), there);
+      for (int k = 0; k < lanes; ++k) halves[pixel[k]] = uint16_t(cut_565(there[k]));
+    }
   }
-  for (int32_t i = 0; i < count; ++i) {
-    if (words)
-      color[pixel[i]] = m.target[i];
-    else
-      halves[pixel[i]] = uint16_t(cut_565(m.target[i]));
-  }
-  if (tile.depth_stencil && (program.key.depth_write || program.key.stencil))
-    for (int32_t i = 0; i < count; ++i) tile.depth_stencil[pixel[i]] = m.depth_stencil[i];
 }
 
 /// Primitives at most so wide and high are shaded with lane = fragment, packed densely: measured on 10-pixel
@@ -42,13 +60,13 @@ constexpr int kDenseBox = 16;
 /// The same where the lanes of whole 2x2 quads are needed.
 constexpr int kQuadsBox = 32;
 
-/// Fragments of several small primitives of one draw, no two on the same pixel, on their way through the
-/// program: one a lane, or by quads, of which lanes may be dead. The lanes of a quad lie as in a strip.
+/// Fragments of several small primitives of one draw, in order, on their way through the program: one a lane,
+/// or by quads, of which lanes may be dead. The lanes of a quad lie as in a strip; so of two on one pixel the
+/// later one has the higher lane, too.
 struct PackedBatch {
   int32_t lanes = 0; // or four times the quads
-  uint32_t pixel[kLanes];
+  uint16_t pixel[kLanes];
   const RasterPrimitive* primitive[kLanes];
-  uint64_t used[kTilePixels / 64] = {}; // pixels of the batch, by 8x8 block
 };
 
 /// The first lane of quad n of a block.
@@ -83,19 +101,17 @@ static void run_packed(const RasterDraw& draw, const TileTarget& tile, FragmentB
     interpolate_lanes<false>(draw, batch.primitive, block);
   const FragmentProgram& program = *draw.program;
   run_stages(program, block);
-  MergeBlock m;
+  alignas(64) uint32_t color[kLanes];
   for (int i = 0; i < block.lanes; i += kWidth)
-    store(m.color + i, pack_color(load(block.color[0] + i), load(block.color[1] + i),
-                                  load(block.color[2] + i), load(block.color[3] + i)));
+    store(color + i, pack_color(load(block.color[0] + i), load(block.color[1] + i), load(block.color[2] + i),
+                                load(block.color[3] + i)));
   int32_t count = 0;
   for (int i = 0; i < block.lanes; ++i) {
-    m.color[count] = m.color[i], m.depth[count] = block.depth[i], batch.pixel[count] = batch.pixel[i];
-    m.live[count] = ~uint32_t(0);
+    color[count] = color[i], block.depth[count] = block.depth[i], batch.pixel[count] = batch.pixel[i];
     count += block.live[i] != 0;
   }
-  merge_fragments(tile, program, batch.pixel, count, m);
+  merge_fragments(tile, program, {batch.pixel, block.depth, color}, count);
   batch.lanes = 0;
-  memset(batch.used, 0, sizeof batch.used);
 }
 
 /// The depths of the pixels `covered` of a block, and which of them pass depth and stencil test if those are
@@ -151,16 +167,13 @@ template <bool Depth, int Edges> static void packed_primitive(const RasterDraw& 
       if constexpr (Depth) live = test_block(draw, tile, p, bx, by, live, depth);
       if (!live) continue;
       const int first = pixel_in_tile(bx, by);
-      uint64_t& used = batch.used[first >> 6];
-      if (used & live) run_packed(draw, tile, block, batch);
-      used |= live;
       auto put = [&](int lane, int bit) __attribute__((always_inline)) {
         block.x[lane] = tile.x + bx + (bit & 7);
         block.y[lane] = tile.y + by + (bit >> 3);
         const auto mask = uint32_t(mask_of(live >> bit & 1));
         block.live[lane] = mask;
         if constexpr (Depth) block.depth[lane] = depth[bit] & mask;
-        batch.pixel[lane] = uint32_t(first + bit);
+        batch.pixel[lane] = uint16_t(first + bit);
         batch.primitive[lane] = &p;
       };
       const int step = draw.quads ? 4 : 1;
@@ -173,10 +186,7 @@ template <bool Depth, int Edges> static void packed_primitive(const RasterDraw& 
           put(batch.lanes, bit);
         }
         batch.lanes += step;
-        if (batch.lanes == kLanes) {
-          run_packed(draw, tile, block, batch);
-          used |= live; // what follows of this block, and more than that
-        }
+        if (batch.lanes == kLanes) run_packed(draw, tile, block, batch);
       }
     }
 }

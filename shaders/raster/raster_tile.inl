@@ -77,24 +77,7 @@ static void tile_fragments(const TileTarget& tile, const RasterDraw& draw, const
       merge([](uint32_t word, uint32_t stored) { return word > stored; });
     return;
   }
-  uint64_t used[kTilePixels / 64] = {}; // pixels of the batch being gathered
-  uint32_t pixel[kLanes];
-  MergeBlock m;
-  int32_t n = 0;
-  auto finish = [&] {
-    merge_fragments(tile, program, pixel, n, m);
-    for (int32_t i = 0; i < n; ++i) used[pixel[i] >> 6] = 0;
-    n = 0;
-  };
-  for (int32_t i = 0; i < count; ++i) {
-    const uint32_t at = fragments.pixel[i];
-    const uint64_t bit = uint64_t(1) << (at & 63);
-    if (n == kLanes || (used[at >> 6] & bit)) finish();
-    used[at >> 6] |= bit;
-    pixel[n] = at, m.depth[n] = fragments.depth[i], m.color[n] = fragments.color[i], m.live[n] = ~uint32_t(0);
-    ++n;
-  }
-  if (n) finish();
+  merge_fragments(tile, program, fragments, count);
 }
 
 /// Shades small triangles and merges their fragments, in order.

@@ -148,9 +148,10 @@ static void prepare_triangles(const RasterDraw& draw, const TriangleInput& in, T
   SnappedBatch batch;
   classify_triangles(draw, in, batch, out);
   out.run_count = 0;
-  if (!out.tiny) return;
+  if (draw.small ? !out.tiny : !out.small) return;
   cover_tiny(draw, batch, in.count, out);
-  TinyBatch(draw, in, out).run(scratch);
+  if (draw.small) return TinyBatch(draw, in, out).run(scratch);
+  out.large |= out.small, out.small = 0, out.tiny = false;
 }
 
 } // namespace SOFTGL_ISA

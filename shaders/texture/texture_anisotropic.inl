@@ -147,9 +147,8 @@ static inline int32_t greatest(const StripOfLanes& e, const int32_t* numbers, co
 }
 
 /// Adds the texels under the ellipses, row by row. r is the third texture coordinate.
-static inline void sum_ellipses(const StripOfLanes& e, const TextureUnitConstants& t,
-                                const LevelImages& images, const float* r, const Ellipses& ellipses,
-                                EllipseSums& sum) {
+static inline void sum_ellipses(const StripOfLanes& e, const TextureUnitConstants& t, ImageOfEach images,
+                                const float* r, const Ellipses& ellipses, EllipseSums& sum) {
   const bool three = t.shape == TextureShape::ThreeD;
   alignas(64) int32_t x[kLanes], y[kLanes], z[kLanes], all[kStripLanes], in_row[kStripLanes],
       takes[kStripLanes];
@@ -191,7 +190,7 @@ static inline void sum_ellipses(const StripOfLanes& e, const TextureUnitConstant
       SOFTGL_FOR_LANES(e, i) s[i] = float(ellipses.u0[i] + column) / float(images.width[i]);
       float_nearest_axis(e, t, 0, s, images.width, x);
       find_texels(e, images, texel_rows, x, at);
-      fetch_texels(e, t, at, texel);
+      fetch_texels(e, t, images, at, texel);
       for (int k = 0; k < 4; ++k) SOFTGL_FOR_LANES(e, i)
       sum.v[k][i] = select(takes[i], sum.v[k][i] + texel.v[k][i] * weight[i], sum.v[k][i]);
       SOFTGL_FOR_LANES(e, i) sum.weight[i] += keep(takes[i], weight[i]);
@@ -213,7 +212,7 @@ static inline void sample_anisotropic(const FragmentBlock& block, const BlockCoo
     for (int i = strip; i < strip + kStripLanes; ++i)
       images.set(i - strip, t.level[level[i]], t.shape == TextureShape::Cube ? face_of(c, i) : 0);
     EllipseSums sum;
-    sum_ellipses(e, t, images, c.r + strip, ellipses, sum);
+    sum_ellipses(e, t, images.view(), c.r + strip, ellipses, sum);
     for (int i = strip; i < strip + kStripLanes; ++i) {
       empty[i] = int32_t(block.live[i]) & mask_of(sum.weight[i - strip] == 0.0f);
       any_empty |= empty[i];

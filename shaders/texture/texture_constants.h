@@ -62,6 +62,14 @@ struct TextureUnitConstants {
   uint8_t compare_function; // GL_NEVER .. GL_ALWAYS as 0 .. 7
   uint8_t depth_components; // bit k: component k is the depth; those that are not are 0, alpha is 1
   float color[4];           // of the environment
+
+  /// Sampling reads the differences of coordinates across a 2x2 quad, to find a level or a filter.
+  bool reads_differences() const { return mip != TextureMip::None || mixes_filters() || anisotropic; }
+  /// Sampling looks at the other pixels of a 2x2 quad, whose lanes of a cube map may lie on several faces.
+  bool reads_quads() const {
+    return shape == TextureShape::Cube && (mixes_filters() || seamless || anisotropic);
+  }
+  bool mixes_filters() const { return min_linear != mag_linear; }
 };
 
 } // namespace softgl

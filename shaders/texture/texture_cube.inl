@@ -2,6 +2,8 @@
 // it.
 #pragma once
 
+#include <type_traits>
+
 #include "shaders/fragment/fragment_constants.h"
 #include "shaders/texture/texture_constants.h"
 #include "shaders/texture/texture_lanes.inl"
@@ -9,8 +11,7 @@
 namespace softgl {
 namespace SOFTGL_ISA {
 
-/// Blocks of programs with cube maps are strips of 8x2 pixels; the lanes of the quad of a lane are first, +1,
-/// +8, +9.
+/// Of programs that read quads: the lanes of the quad of a lane are first, +1, +8, +9.
 static inline int32_t first_of_quad(int32_t lane) { return lane & ~9; }
 
 /// What choose_face leaves in r.
@@ -29,38 +30,25 @@ struct MajorAxis {
 
 static inline float flip(int32_t sign, float v) { return bits_float(float_bits(v) ^ sign); }
 
-/// The differences on the face come from those of s, t and r: those of the lane's own row and column of its
-/// quad, because the quad may lie on several faces. Without mipmaps, when they only choose between two
-/// filters, the quad's first lane decides for all.
+/// The differences of s, t and r become those of the coordinates on the face. They are those of the lane's
+/// own row and column of its quad, because the quad may lie on several faces. Without mipmaps, when they only
+/// choose between two filters, the quad's first lane decides for all.
 static void choose_face(FragmentBlock& block, const FragmentConstants& constants, int unit) {
   const TextureUnitConstants& t = *constants.texture[unit];
   BlockCoordinates& c = block.unit[unit];
   const int32_t minus = int32_t(0x80000000u);
-  const bool whole_quad = t.mip == TextureMip::None;
-  alignas(64) float face_s[kLanes], face_t[kLanes], face[kLanes], differences_x[3][kLanes],
-      differences_y[3][kLanes];
-  const float* const coordinate[3] = {c.s, c.t, c.r};
-  for (int k = 0; k < 3; ++k) {
-    const float* __restrict v = coordinate[k];
-    for (int32_t i = 0; i < kLanes; i += 2) differences_x[k][i] = differences_x[k][i + 1] = v[i + 1] - v[i];
-    for (int32_t row = 0; row < block.lanes; row += 16)
-      for (int32_t i = row; i < row + 8; ++i) differences_y[k][i] = differences_y[k][i + 8] = v[i + 8] - v[i];
-  }
-  SOFTGL_FOR_LANES(block, i) {
-    const float v[3] = {c.s[i], c.t[i], c.r[i]};
-    const MajorAxis major(v[0], v[1], v[2]);
-    const float axis = major(v[0], v[1], v[2]);
-    const int32_t sign = float_bits(axis) & minus;
-    auto across = [&](const float* a) { return major(flip(sign ^ minus, a[2]), a[0], flip(sign, a[0])); };
-    auto down = [&](const float* a) { return major(-a[1], flip(sign, a[2]), -a[1]); };
-    face[i] = major(0, 2, 4) + keep(sign >> 31, 1.0f);
-    const float inverse = 1.0f / axis, half = 0.5f * inverse;
-    const float sc = across(v), tc = down(v);
-    const int32_t no_axis = mask_of(axis == 0.0f);
-    face_s[i] = select(no_axis, 0.5f, sc * absolute(half) + 0.5f);
-    face_t[i] = select(no_axis, 0.5f, tc * absolute(half) + 0.5f);
-    const float dx[3] = {differences_x[0][i], differences_x[1][i], differences_x[2][i]};
-    const float dy[3] = {differences_y[0][i], differences_y[1][i], differences_y[2][i]};
+  auto faces = [&](auto with_differences)
+      __attribute__((always_inline)){SOFTGL_FOR_LANES(block, i){const float v[3] = {c.s[i], c.t[i], c.r[i]};
+  const MajorAxis major(v[0], v[1], v[2]);
+  const float axis = major(v[0], v[1], v[2]);
+  const int32_t sign = float_bits(axis) & minus;
+  auto across = [&](const float* a) { return major(flip(sign ^ minus, a[2]), a[0], flip(sign, a[0])); };
+  auto down = [&](const float* a) { return major(-a[1], flip(sign, a[2]), -a[1]); };
+  const float inverse = 1.0f / axis, half = 0.5f * inverse;
+  const float sc = across(v), tc = down(v);
+  if constexpr (with_differences) {
+    const float dx[3] = {c.ds_dx[i], c.dt_dx[i], c.dr_dx[i]};
+    const float dy[3] = {c.ds_dy[i], c.dt_dy[i], c.dr_dy[i]};
     const float growth_x = major(dx[0], dx[1], dx[2]) * inverse,
                 growth_y = major(dy[0], dy[1], dy[2]) * inverse;
     c.ds_dx[i] = (across(dx) - growth_x * sc) * half;
@@ -68,14 +56,21 @@ static void choose_face(FragmentBlock& block, const FragmentConstants& constants
     c.ds_dy[i] = (across(dy) - growth_y * sc) * half;
     c.dt_dy[i] = (down(dy) - growth_y * tc) * half;
   }
-  for (int32_t i = 0; i < block.lanes; ++i) {
-    c.s[i] = face_s[i], c.t[i] = face_t[i], c.r[i] = face[i];
-    if (!whole_quad) continue;
-    const int32_t first = first_of_quad(i);
-    c.ds_dx[i] = c.ds_dx[first], c.dt_dx[i] = c.dt_dx[first];
-    c.ds_dy[i] = c.ds_dy[first], c.dt_dy[i] = c.dt_dy[first];
-  }
+  const int32_t no_axis = mask_of(axis == 0.0f);
+  c.s[i] = select(no_axis, 0.5f, sc * absolute(half) + 0.5f);
+  c.t[i] = select(no_axis, 0.5f, tc * absolute(half) + 0.5f);
+  c.r[i] = major(0, 2, 4) + keep(sign >> 31, 1.0f);
 }
+}; // namespace SOFTGL_ISA
+if (!t.reads_differences()) return faces(std::false_type{});
+faces(std::true_type{});
+if (t.mip != TextureMip::None) return;
+for (int32_t i = 0; i < block.lanes; ++i) {
+  const int32_t first = first_of_quad(i);
+  c.ds_dx[i] = c.ds_dx[first], c.dt_dx[i] = c.dt_dx[first];
+  c.ds_dy[i] = c.ds_dy[first], c.dt_dy[i] = c.dt_dy[first];
+}
+} // namespace softgl
 
 } // namespace SOFTGL_ISA
 } // namespace softgl

@@ -20,6 +20,27 @@ struct FloatTexels {
   alignas(64) float v[4][kLanes];
 };
 
+/// What is the same for all lanes.
+template <class T> struct SameForAll {
+  T value;
+  SOFTGL_MEMBER T operator[](int32_t) const { return value; }
+  SOFTGL_MEMBER T& operator[](int32_t) { return value; }
+};
+
+/// Images that lanes look at: the texels and the size of each lane's. Views, to be passed by value: then the
+/// compiler sees that no store changes a size.
+struct OneImage {
+  SameForAll<const unsigned char*> texels;
+  SameForAll<int32_t> width, height, depth, row, slice;
+
+  explicit OneImage(const TextureLevel& l)
+      : texels{l.face[0]}, width{l.width}, height{l.height}, depth{l.depth}, row{l.row}, slice{l.slice} {}
+};
+struct ImageOfEach {
+  const unsigned char* const* texels;
+  const int32_t *width, *height, *depth, *row, *slice;
+};
+
 /// The images that a block's lanes look at, one a lane.
 struct LevelImages {
   const TextureLevel* level[kLanes];
@@ -33,26 +54,36 @@ struct LevelImages {
     width[lane] = l.width, height[lane] = l.height, depth[lane] = l.depth;
     row[lane] = l.row, slice[lane] = l.slice;
   }
+  ImageOfEach view() const { return {texels, width, height, depth, row, slice}; }
 };
 
-/// Level `levels` + `add` of each lane, at most the last one. That all live lanes look at one level is the
-/// usual case; lanes that are dead follow them.
-static inline void find_images(const FragmentBlock& block, const BlockCoordinates& c,
-                               const TextureUnitConstants& t, const int32_t* levels, int add,
-                               LevelImages& out) {
+/// Level `number` or, if there are not so many, the last one.
+static inline const TextureLevel& level_number(const TextureUnitConstants& t, int32_t number) {
+  return t.level[number > t.last_level ? t.last_level : number];
+}
+
+/// The level that all live lanes look at, which is the usual case; or -1. Lanes that are dead follow them.
+static inline int32_t level_of_all(const FragmentBlock& block, const int32_t* levels) {
   int first = 0;
   while (first < block.lanes - 1 && block.live[first] == 0) ++first;
   const int32_t reference = levels[first];
   int32_t differs = 0;
   SOFTGL_FOR_LANES(block, i) differs |= (levels[i] ^ reference) & int32_t(block.live[i]);
-  const auto level_at = [&](int32_t l) { return &t.level[l + add > t.last_level ? t.last_level : l + add]; };
+  return differs == 0 ? reference : -1;
+}
+
+/// Level `levels` + `add` of each lane, or of all, `level`, unless that is -1.
+static inline void find_images(const FragmentBlock& block, const BlockCoordinates& c,
+                               const TextureUnitConstants& t, int32_t level, const int32_t* levels, int add,
+                               LevelImages& out) {
   const bool cube = t.shape == TextureShape::Cube;
-  if (differs == 0) {
-    const TextureLevel& level = *level_at(reference);
-    SOFTGL_FOR_LANES(block, i) out.set(i, level, 0);
-    for (int32_t i = 0; cube && i < block.lanes; ++i) out.texels[i] = level.face[face_of(c, i)];
+  if (level >= 0) {
+    const TextureLevel& image = level_number(t, level + add);
+    SOFTGL_FOR_LANES(block, i) out.set(i, image, 0);
+    for (int32_t i = 0; cube && i < block.lanes; ++i) out.texels[i] = image.face[face_of(c, i)];
   } else {
-    for (int32_t i = 0; i < block.lanes; ++i) out.set(i, *level_at(levels[i]), cube ? face_of(c, i) : 0);
+    for (int32_t i = 0; i < block.lanes; ++i)
+      out.set(i, level_number(t, levels[i] + add), cube ? face_of(c, i) : 0);
   }
 }
 
@@ -68,8 +99,8 @@ struct TexelRows {
 };
 
 /// Rows (y, z); both are null where the shape of the texture has no such axis.
-template <class Lanes> static inline void find_rows(const Lanes& block, const LevelImages& images,
-                                                    const int32_t* y, const int32_t* z, TexelRows& out) {
+template <class Lanes, class Images> static inline void
+find_rows(const Lanes& block, Images images, const int32_t* y, const int32_t* z, TexelRows& out) {
   if (y) {
     SOFTGL_FOR_LANES(block, i) {
       out.inside[i] = mask_of(uint32_t(y[i]) < uint32_t(images.height[i]));
@@ -84,18 +115,17 @@ template <class Lanes> static inline void find_rows(const Lanes& block, const Le
     }
 }
 
-/// Which texels a block's lanes take: number `index` at `texels`. Those outside their image are the border.
+/// Which texels a block's lanes take: number `index` of their images. Those outside their image are the
+/// border.
 struct TexelPlaces {
-  const unsigned char* const* texels;
   alignas(64) uint32_t index[kLanes];
   alignas(64) int32_t inside[kLanes];
 };
 
 /// Texels x of rows.
-template <class Lanes> static inline void find_texels(const Lanes& block, const LevelImages& images,
-                                                      const TexelRows& rows, const int32_t* __restrict x,
-                                                      TexelPlaces& out) {
-  out.texels = images.texels;
+template <class Lanes, class Images>
+static inline void find_texels(const Lanes& block, Images images, const TexelRows& rows,
+                               const int32_t* __restrict x, TexelPlaces& out) {
   SOFTGL_FOR_LANES(block, i) {
     const int32_t inside = mask_of(uint32_t(x[i]) < uint32_t(images.width[i])) & rows.inside[i];
     out.inside[i] = inside;
@@ -104,21 +134,22 @@ template <class Lanes> static inline void find_texels(const Lanes& block, const 
 }
 
 /// The words of texels that have one.
-template <class Lanes>
-static inline void fetch_words(const Lanes& block, const TexelPlaces& at, int32_t* __restrict word) {
+template <class Lanes, class Images> static inline void
+fetch_words(const Lanes& block, Images images, const TexelPlaces& at, int32_t* __restrict word) {
   for (int32_t i = 0; i < block.lanes; i += kWidth) {
     const auto place = [&](int k) __attribute__((always_inline)) {
-      return at.texels[i + k] + size_t(at.index[i + k]) * 4;
+      return images.texels[i + k] + size_t(at.index[i + k]) * 4;
     };
     store(word + i, load_words(place));
   }
 }
 
 /// The depths of texels; the border outside.
-template <class Lanes> static inline void fetch_depths(const Lanes& block, const TextureUnitConstants& t,
-                                                       const TexelPlaces& at, float* __restrict out) {
+template <class Lanes, class Images>
+static inline void fetch_depths(const Lanes& block, const TextureUnitConstants& t, Images images,
+                                const TexelPlaces& at, float* __restrict out) {
   alignas(64) int32_t word[kLanes];
-  fetch_words(block, at, word);
+  fetch_words(block, images, at, word);
   const float border = t.border[0];
   const auto decode = [&](auto depth) {
     SOFTGL_FOR_LANES(block, i) out[i] = select(at.inside[i], depth(uint32_t(word[i])), border);
@@ -132,10 +163,10 @@ template <class Lanes> static inline void fetch_depths(const Lanes& block, const
 }
 
 /// Component k of texels of four bytes: decoder(k)(byte).
-template <class Lanes, class Decoder>
-static inline void fetch_bytes(const Lanes& block, const TexelPlaces& at, FloatTexels& out, Decoder decoder) {
+template <class Lanes, class Images, class Decoder> static inline void
+fetch_bytes(const Lanes& block, Images images, const TexelPlaces& at, FloatTexels& out, Decoder decoder) {
   alignas(64) int32_t word[kLanes];
-  fetch_words(block, at, word);
+  fetch_words(block, images, at, word);
   for (int k = 0; k < 4; ++k) {
     const auto decode = decoder(k);
     SOFTGL_FOR_LANES(block, i) out.v[k][i] = decode(int32_t(uint32_t(word[i]) >> 8 * k & 255));
@@ -143,13 +174,13 @@ static inline void fetch_bytes(const Lanes& block, const TexelPlaces& at, FloatT
 }
 
 /// Component k of texels of four halves: decoder(k)(half as it is in the lower 16 bits).
-template <class Lanes, class Decoder> static inline void
-fetch_halves(const Lanes& block, const TexelPlaces& at, FloatTexels& out, Decoder decoder) {
+template <class Lanes, class Images, class Decoder> static inline void
+fetch_halves(const Lanes& block, Images images, const TexelPlaces& at, FloatTexels& out, Decoder decoder) {
   alignas(64) int32_t word[2][kLanes];
   for (int32_t i = 0; i < block.lanes; i += kWidth) {
     IntV first, second;
     const auto place = [&](int k) __attribute__((always_inline)) {
-      return at.texels[i + k] + size_t(at.index[i + k]) * 8;
+      return images.texels[i + k] + size_t(at.index[i + k]) * 8;
     };
     load_pairs(place, first, second);
     store(word[0] + i, first), store(word[1] + i, second);
@@ -161,28 +192,29 @@ fetch_halves(const Lanes& block, const TexelPlaces& at, FloatTexels& out, Decode
 }
 
 /// The texels as floats; the border outside.
-template <class Lanes> static inline void fetch_texels(const Lanes& block, const TextureUnitConstants& t,
-                                                       const TexelPlaces& at, FloatTexels& out) {
+template <class Lanes, class Images>
+static inline void fetch_texels(const Lanes& block, const TextureUnitConstants& t, Images images,
+                                const TexelPlaces& at, FloatTexels& out) {
   switch (t.texel) {
   case TextureTexel::Rgba8:
-    fetch_bytes(block, at, out, [&](int k) {
+    fetch_bytes(block, images, at, out, [&](int k) {
       return [shift = t.shift[k], scale = t.scale[k]](int32_t v) { return float(v >> shift) * scale; };
     });
     break;
   case TextureTexel::Srgb8:
-    fetch_bytes(block, at, out, [&](int k) {
+    fetch_bytes(block, images, at, out, [&](int k) {
       return [linear = k == 3, scale = t.scale[3]](int32_t v) {
         return linear ? float(v) * scale : srgb_to_linear(float(v));
       };
     });
     break;
   case TextureTexel::Rgba16:
-    fetch_halves(block, at, out, [&](int k) {
+    fetch_halves(block, images, at, out, [&](int k) {
       return [scale = t.scale[k]](uint32_t v) { return float(int32_t(v & 0xffff)) * scale; };
     });
     break;
   case TextureTexel::Signed16:
-    fetch_halves(block, at, out, [&](int k) {
+    fetch_halves(block, images, at, out, [&](int k) {
       return
           [scale = t.scale[k]](uint32_t v) { return maximum(float(int32_t(v << 16) >> 16) * scale, -1.0f); };
     });
@@ -191,14 +223,14 @@ template <class Lanes> static inline void fetch_texels(const Lanes& block, const
     for (int32_t i = 0; i < block.lanes; i += kWidth) {
       FloatV v[4];
       const auto place = [&](int k) __attribute__((always_inline)) {
-        return reinterpret_cast<const float*>(at.texels[i + k]) + size_t(at.index[i + k]) * 4;
+        return reinterpret_cast<const float*>(images.texels[i + k]) + size_t(at.index[i + k]) * 4;
       };
       load_transposed(place, v);
       for (int k = 0; k < 4; ++k) store(out.v[k] + i, v[k]);
     }
     break;
   default:
-    fetch_depths(block, t, at, out.v[0]);
+    fetch_depths(block, t, images, at, out.v[0]);
     for (int k = 1; k < 4; ++k) SOFTGL_FOR_LANES(block, i) out.v[k][i] = k < 3 ? out.v[0][i] : 1.0f;
   }
   int32_t outside = 0;

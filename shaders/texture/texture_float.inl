@@ -24,9 +24,9 @@ static inline __attribute__((always_inline)) void floor_axis(FloatAxis& out, int
   out.weight[i] = u - floor_of(u);
 }
 
+template <class Sizes>
 static inline void float_linear_axis(const FragmentBlock& block, const TextureUnitConstants& t, int axis,
-                                     const float* __restrict coordinate, const int32_t* __restrict sizes,
-                                     FloatAxis& out) {
+                                     const float* __restrict coordinate, Sizes sizes, FloatAxis& out) {
   const auto scale = [&](int32_t i) { return t.counts_texels ? 1.0f : float(sizes[i]); };
   switch (t.wrap[axis]) {
   case TextureWrap::RepeatPowerOfTwo:
@@ -78,9 +78,9 @@ static inline void float_linear_axis(const FragmentBlock& block, const TextureUn
   }
 }
 
-template <class Lanes>
+template <class Lanes, class Sizes>
 static inline void float_nearest_axis(const Lanes& block, const TextureUnitConstants& t, int axis,
-                                      const float* __restrict coordinate, const int32_t* __restrict sizes,
+                                      const float* __restrict coordinate, Sizes sizes,
                                       int32_t* __restrict out) {
   const float below_one = 0.999999940395355224609375f;
   const auto scale = [&](int32_t i) { return t.counts_texels ? 1.0f : float(sizes[i]); };
@@ -115,23 +115,23 @@ static inline void lerp_lanes(const FragmentBlock& block, int components, const 
 }
 
 /// The texels between which a linear filter interpolates, and what it does with them, axis by axis.
-struct LinearFilter {
+template <class Images> struct LinearFilter {
   const FragmentBlock& block;
   const BlockCoordinates& c;
   const TextureUnitConstants& t;
-  const LevelImages& images;
+  Images images;
   int axes, components;
   FloatAxis axis[3];
 
   LinearFilter(const FragmentBlock& block_, const BlockCoordinates& c_, const TextureUnitConstants& t_,
-               const LevelImages& images_)
+               Images images_)
       : block(block_), c(c_), t(t_), images(images_), axes(t_.shape == TextureShape::OneD     ? 1
                                                            : t_.shape == TextureShape::ThreeD ? 3
                                                                                               : 2),
         components(t_.compares ? 1 : 4) {
-    const float* coordinate[3] = {c.s, c.t, c.r};
-    const int32_t* sizes[3] = {images.width, images.height, images.depth};
-    for (int a = 0; a < axes; ++a) float_linear_axis(block, t, a, coordinate[a], sizes[a], axis[a]);
+    float_linear_axis(block, t, 0, c.s, images.width, axis[0]);
+    if (axes > 1) float_linear_axis(block, t, 1, c.t, images.height, axis[1]);
+    if (axes > 2) float_linear_axis(block, t, 2, c.r, images.depth, axis[2]);
   }
 
   /// Along x.
@@ -143,16 +143,16 @@ struct LinearFilter {
     find_rows(block, images, y, z, rows);
     find_texels(block, images, rows, axis[0].first, at);
     if (!t.compares) {
-      fetch_texels(block, t, at, out);
+      fetch_texels(block, t, images, at, out);
       find_texels(block, images, rows, axis[0].second, at);
-      fetch_texels(block, t, at, next);
+      fetch_texels(block, t, images, at, next);
       lerp_lanes(block, components, axis[0].weight, next, out);
       return;
     }
     // The comparisons are filtered, as masked weights (OSMesa 22.3.6).
-    compare_texels(block, c, t, at, out.v[0]);
+    compare_texels(block, c, t, images, at, out.v[0]);
     find_texels(block, images, rows, axis[0].second, at);
-    compare_texels(block, c, t, at, next.v[0]);
+    compare_texels(block, c, t, images, at, next.v[0]);
     const float* __restrict weight = axis[0].weight;
     SOFTGL_FOR_LANES(block, i)
     out.v[0][i] =
@@ -177,43 +177,45 @@ struct LinearFilter {
   }
 };
 
-/// `nearest`, if there is one: lanes whose linear filter takes the texel of the greater weight alone.
-static inline void sample_float_level(const FragmentBlock& block, const BlockCoordinates& c,
-                                      const TextureUnitConstants& t, const int32_t* levels, int add,
-                                      bool linear, const int32_t* nearest, FloatTexels& out) {
+template <class Images, class WithBorder>
+static inline void sample_nearest(const FragmentBlock& block, const BlockCoordinates& c,
+                                  const TextureUnitConstants& t, Images images, WithBorder with_border,
+                                  FloatTexels& out) {
   if (block.lanes <= 0) __builtin_unreachable(); // the arrays below are filled
-  LevelImages images;
-  find_images(block, c, t, levels, add, images);
-  if (!linear) {
-    alignas(64) int32_t x[kLanes], y[kLanes], z[kLanes];
-    const bool two = t.shape != TextureShape::OneD, three = t.shape == TextureShape::ThreeD;
-    float_nearest_axis(block, t, 0, c.s, images.width, x);
-    if (two) float_nearest_axis(block, t, 1, c.t, images.height, y);
-    if (three) float_nearest_axis(block, t, 2, c.r, images.depth, z);
-    if (t.bordered) {
-      number_from_border(block, images.width, x);
-      if (two) number_from_border(block, images.height, y);
-      if (three) number_from_border(block, images.depth, z);
-      take_in_border(block, t, images);
-    }
-    TexelRows rows;
-    TexelPlaces at;
-    find_rows(block, images, two ? y : nullptr, three ? z : nullptr, rows);
-    find_texels(block, images, rows, x, at);
-    if (!t.compares) return fetch_texels(block, t, at, out);
-    compare_texels(block, c, t, at, out.v[0]);
-    for (int k = 1; k < 4; ++k) SOFTGL_FOR_LANES(block, i) out.v[k][i] = out.v[0][i];
-    return;
+  alignas(64) int32_t x[kLanes], y[kLanes], z[kLanes];
+  const bool two = t.shape != TextureShape::OneD, three = t.shape == TextureShape::ThreeD;
+  float_nearest_axis(block, t, 0, c.s, images.width, x);
+  if (two) float_nearest_axis(block, t, 1, c.t, images.height, y);
+  if (three) float_nearest_axis(block, t, 2, c.r, images.depth, z);
+  if (t.bordered) {
+    number_from_border(block, images.width, x);
+    if (two) number_from_border(block, images.height, y);
+    if (three) number_from_border(block, images.depth, z);
+    images = with_border();
   }
-  if (t.seamless) return sample_seamless_level(block, c, t, images, nearest, out);
+  TexelRows rows;
+  TexelPlaces at;
+  find_rows(block, images, two ? y : nullptr, three ? z : nullptr, rows);
+  find_texels(block, images, rows, x, at);
+  if (!t.compares) return fetch_texels(block, t, images, at, out);
+  compare_texels(block, c, t, images, at, out.v[0]);
+  for (int k = 1; k < 4; ++k) SOFTGL_FOR_LANES(block, i) out.v[k][i] = out.v[0][i];
+}
+
+/// `nearest`, if there is one: lanes whose linear filter takes the texel of the greater weight alone.
+template <class Images, class WithBorder>
+static inline void sample_linear(const FragmentBlock& block, const BlockCoordinates& c,
+                                 const TextureUnitConstants& t, Images images, WithBorder with_border,
+                                 const int32_t* nearest, FloatTexels& out) {
   LinearFilter filter(block, c, t, images);
   if (t.bordered) {
-    const int32_t* sizes[3] = {images.width, images.height, images.depth};
-    for (int a = 0; a < filter.axes; ++a) {
-      number_from_border(block, sizes[a], filter.axis[a].first);
-      number_from_border(block, sizes[a], filter.axis[a].second);
-    }
-    take_in_border(block, t, images);
+    number_from_border(block, images.width, filter.axis[0].first);
+    number_from_border(block, images.width, filter.axis[0].second);
+    if (filter.axes > 1) number_from_border(block, images.height, filter.axis[1].first);
+    if (filter.axes > 1) number_from_border(block, images.height, filter.axis[1].second);
+    if (filter.axes > 2) number_from_border(block, images.depth, filter.axis[2].first);
+    if (filter.axes > 2) number_from_border(block, images.depth, filter.axis[2].second);
+    filter.images = with_border();
   }
   for (int a = 0; nearest && a < filter.axes; ++a) {
     float* __restrict weight = filter.axis[a].weight;
@@ -223,6 +225,33 @@ static inline void sample_float_level(const FragmentBlock& block, const BlockCoo
     }
   }
   filter.filter(out);
+}
+
+static inline void sample_float_level(const FragmentBlock& block, const BlockCoordinates& c,
+                                      const TextureUnitConstants& t, const int32_t* levels, int add,
+                                      bool linear, const int32_t* nearest, FloatTexels& out) {
+  if (block.lanes <= 0) __builtin_unreachable(); // the arrays below are filled
+  const int32_t level = level_of_all(block, levels);
+  auto sample = [&](auto images, auto with_border) __attribute__((always_inline)) {
+    linear ? sample_linear(block, c, t, images, with_border, nearest, out)
+           : sample_nearest(block, c, t, images, with_border, out);
+  };
+  if (level >= 0 && t.shape != TextureShape::Cube) {
+    const OneImage image(level_number(t, level + add));
+    sample(image, [&] {
+      OneImage wider = image;
+      take_in_border(1, t, wider);
+      return wider;
+    });
+    return;
+  }
+  LevelImages images;
+  find_images(block, c, t, level, levels, add, images);
+  if (linear && t.seamless) return sample_seamless_level(block, c, t, images, nearest, out);
+  sample(images.view(), [&] {
+    take_in_border(block.lanes, t, images);
+    return images.view();
+  });
 }
 
 static inline void sample_float_levels(const FragmentBlock& block, const BlockCoordinates& c,

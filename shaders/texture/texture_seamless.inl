@@ -64,14 +64,15 @@ static inline void fetch_seamless(const FragmentBlock& block, const BlockCoordin
                                   const FloatAxis& x, const FloatAxis& y, const int32_t* beside,
                                   FloatTexels out[4]) {
   const unsigned char* texels[kLanes];
+  ImageOfEach elsewhere = images.view();
+  elsewhere.texels = texels;
   TexelRows rows;
   TexelPlaces at;
   for (int n = 0; n < 4; ++n) {
     const int32_t *column = n & 1 ? x.second : x.first, *row = n & 2 ? y.second : y.first;
-    find_rows(block, images, row, nullptr, rows);
-    find_texels(block, images, rows, column, at);
+    find_rows(block, images.view(), row, nullptr, rows);
+    find_texels(block, images.view(), rows, column, at);
     SOFTGL_FOR_LANES(block, i) at.inside[i] = -1;
-    at.texels = texels;
     SOFTGL_FOR_LANES(block, i) texels[i] = images.texels[i];
     for (int32_t i = 0; i < block.lanes; i += kWidth)
       for (uint32_t lanes = sign_bits(load(beside + i) & load(block.live + i)); lanes != 0;
@@ -81,7 +82,7 @@ static inline void fetch_seamless(const FragmentBlock& block, const BlockCoordin
         texels[lane] = images.level[lane]->face[from.face];
         at.index[lane] = uint32_t(from.y * images.row[lane] + from.x);
       }
-    fetch_texels(block, t, at, out[n]);
+    fetch_texels(block, t, elsewhere, at, out[n]);
   }
 }
 

@@ -12,11 +12,12 @@ static inline float compared_r(const TextureUnitConstants& t, float r) {
 }
 
 /// 1 where r passes the comparison with the texel or the border, else 0.
-static inline void compare_texels(const FragmentBlock& block, const BlockCoordinates& c,
-                                  const TextureUnitConstants& t, const TexelPlaces& at,
-                                  float* __restrict out) {
+template <class Images> static inline void compare_texels(const FragmentBlock& block,
+                                                          const BlockCoordinates& c,
+                                                          const TextureUnitConstants& t, Images images,
+                                                          const TexelPlaces& at, float* __restrict out) {
   alignas(64) float texel[kLanes];
-  fetch_depths(block, t, at, texel);
+  fetch_depths(block, t, images, at, texel);
   const auto compare = [&](auto test) {
     SOFTGL_FOR_LANES(block, i) out[i] = keep(mask_of(test(compared_r(t, c.r[i]), texel[i])), 1.0f);
   };

@@ -246,12 +246,6 @@ bool reads_r(const TextureUnitConstants& t) {
   return t.shape == TextureShape::ThreeD || t.shape == TextureShape::Cube || t.compares;
 }
 
-/// Of cube maps choose_face finds the differences.
-bool reads_differences(const TextureUnitConstants& t) {
-  return t.shape != TextureShape::Cube &&
-         (t.mip != TextureMip::None || t.min_linear != t.mag_linear || t.anisotropic);
-}
-
 } // namespace
 
 void append_texture_stages(Context& c, Arena& arena, FragmentProgram& program, FragmentConstants& constants) {
@@ -273,11 +267,12 @@ void append_texture_stages(Context& c, Arena& arena, FragmentProgram& program, F
     simple &= is_modulate(chain.unit[u], u, base[u]) || is_replace(chain.unit[u], u);
     constants.texture[u] = units[u];
     if (units[u]->shape == TextureShape::Cube) {
-      program.reads_quads = true;
+      program.cube_units = uint8_t(program.cube_units | 1u << u);
       program.add(kernels.choose_face, u);
     }
+    program.reads_quads |= units[u]->reads_quads();
     if (reads_r(*units[u])) program.r_units = uint8_t(program.r_units | 1u << u);
-    if (reads_differences(*units[u])) program.lod_units = uint8_t(program.lod_units | 1u << u);
+    if (units[u]->reads_differences()) program.lod_units = uint8_t(program.lod_units | 1u << u);
   }
   auto fused = [&](int u) {
     return simple && fixed[u] && is_modulate(chain.unit[u], u, base[u]) && takes(FastPath::FusedTextures);

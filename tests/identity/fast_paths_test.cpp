@@ -98,7 +98,8 @@ void draw_textures(const Gl& gl) {
   gl.DeleteTextures(1, &texture);
 }
 
-/// Small and large triangles with a cube map.
+/// Small and large triangles with a cube map, whose lanes stand alone, or look at their quads where there are
+/// no seams.
 void draw_cube_map(const Gl& gl) {
   GLuint texture;
   gl.GenTextures(1, &texture);
@@ -110,12 +111,17 @@ void draw_cube_map(const Gl& gl) {
                   GL_UNSIGNED_BYTE, texels.data() + 4 * face);
   gl.TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   gl.Enable(GL_TEXTURE_CUBE_MAP);
-  gl.Begin(GL_TRIANGLE_STRIP);
-  for (int i = 0; i < 40; ++i) {
-    const float x = i < 30 ? 0.02f * float(i) - 0.9f : 0.1f * float(i - 30) - 0.3f, y = i & 1 ? 0.9f : 0.8f;
-    gl.TexCoord3f(x, y - 0.85f, 0.3f - x), gl.Vertex3f(x, y, -0.95f);
+  for (const float top : {0.9f, 0.75f}) {
+    if (top < 0.9f) gl.Enable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    gl.Begin(GL_TRIANGLE_STRIP);
+    for (int i = 0; i < 40; ++i) {
+      const float x = i < 30 ? 0.02f * float(i) - 0.9f : 0.1f * float(i - 30) - 0.3f,
+                  y = i & 1 ? top : top - 0.1f;
+      gl.TexCoord3f(x, y - top + 0.05f, 0.3f - x), gl.Vertex3f(x, y, -0.95f);
+    }
+    gl.End();
   }
-  gl.End();
+  gl.Disable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   gl.Disable(GL_TEXTURE_CUBE_MAP);
   gl.DeleteTextures(1, &texture);
 }
