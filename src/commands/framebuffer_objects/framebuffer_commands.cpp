@@ -12,7 +12,7 @@ namespace {
 using Object = std::shared_ptr<FramebufferObject>;
 
 /// Null: the window.
-void bind(Context& c, const Object& object, bool draw, bool read) {
+void bind_framebuffer(Context& c, const Object& object, bool draw, bool read) {
   const bool changes = (draw && c.bindings.draw != object) || (read && c.bindings.read != object);
   if (!changes) {
     // What was done to shared images by other contexts is seen from here on.
@@ -26,15 +26,16 @@ void bind(Context& c, const Object& object, bool draw, bool read) {
   framebuffers_changed(c);
 }
 
-void bind(Context& c, GLenum target, GLuint name, bool any_name) {
+void bind_framebuffer(Context& c, GLenum target, GLuint name, bool any_name) {
   const bool draw = target == GL_FRAMEBUFFER || target == GL_DRAW_FRAMEBUFFER,
              read = target == GL_FRAMEBUFFER || target == GL_READ_FRAMEBUFFER;
   if (!draw && !read) return set_error(c, GL_INVALID_ENUM, "target");
-  if (name == 0) return bind(c, Object(), draw, read);
+  if (name == 0) return bind_framebuffer(c, Object(), draw, read);
   if (!any_name && !c.framebuffer_objects.used(name)) return set_error(c, GL_INVALID_OPERATION);
-  bind(c,
-       c.framebuffer_objects.find_or_create(name, [&] { return std::make_shared<FramebufferObject>(name); }),
-       draw, read);
+  bind_framebuffer(
+      c,
+      c.framebuffer_objects.find_or_create(name, [&] { return std::make_shared<FramebufferObject>(name); }),
+      draw, read);
 }
 
 } // namespace
@@ -49,7 +50,7 @@ void DeleteFramebuffers(Context& c, GLsizei n, const GLuint* framebuffers) {
   for (GLsizei i = 0; i < n; ++i) {
     if (framebuffers[i] == 0) continue;
     if (const Object object = c.framebuffer_objects.find(framebuffers[i]))
-      bind(c, nullptr, object == c.bindings.draw, object == c.bindings.read);
+      bind_framebuffer(c, nullptr, object == c.bindings.draw, object == c.bindings.read);
     c.framebuffer_objects.erase(framebuffers[i]);
   }
 }
@@ -58,9 +59,13 @@ GLboolean IsFramebuffer(Context& c, GLuint framebuffer) {
   return framebuffer != 0 && c.framebuffer_objects.find(framebuffer) ? GL_TRUE : GL_FALSE;
 }
 
-void BindFramebuffer(Context& c, GLenum target, GLuint framebuffer) { bind(c, target, framebuffer, false); }
+void BindFramebuffer(Context& c, GLenum target, GLuint framebuffer) {
+  bind_framebuffer(c, target, framebuffer, false);
+}
 /// GL_EXT_framebuffer_object takes names that nobody has generated.
-void BindFramebufferEXT(Context& c, GLenum target, GLuint framebuffer) { bind(c, target, framebuffer, true); }
+void BindFramebufferEXT(Context& c, GLenum target, GLuint framebuffer) {
+  bind_framebuffer(c, target, framebuffer, true);
+}
 
 GLenum CheckFramebufferStatus(Context& c, GLenum target) {
   if (target != GL_FRAMEBUFFER && target != GL_DRAW_FRAMEBUFFER && target != GL_READ_FRAMEBUFFER)

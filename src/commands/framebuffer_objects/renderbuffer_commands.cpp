@@ -33,7 +33,7 @@ GLboolean IsRenderbuffer(Context& c, GLuint renderbuffer) {
 
 namespace {
 
-void bind(Context& c, GLenum target, GLuint name, bool any_name) {
+void bind_renderbuffer(Context& c, GLenum target, GLuint name, bool any_name) {
   if (target != GL_RENDERBUFFER) return set_error(c, GL_INVALID_ENUM, "target");
   if (name == 0) {
     c.bindings.renderbuffer = nullptr;
@@ -47,11 +47,11 @@ void bind(Context& c, GLenum target, GLuint name, bool any_name) {
 } // namespace
 
 void BindRenderbuffer(Context& c, GLenum target, GLuint renderbuffer) {
-  bind(c, target, renderbuffer, false);
+  bind_renderbuffer(c, target, renderbuffer, false);
 }
 /// GL_EXT_framebuffer_object takes names that nobody has generated.
 void BindRenderbufferEXT(Context& c, GLenum target, GLuint renderbuffer) {
-  bind(c, target, renderbuffer, true);
+  bind_renderbuffer(c, target, renderbuffer, true);
 }
 
 void RenderbufferStorageMultisample(Context& c, GLenum target, GLsizei samples, GLenum internalformat,
