@@ -134,7 +134,7 @@ static void multisampled_primitive(const RasterDraw& draw, const TileTarget& til
                                    FragmentBlock& block, SampleBatch& batch) {
   const SampleCoverage<Edges> coverage(draw, p, tile);
   const RasterConstants& r = *draw.raster;
-  const uint64_t* stipple = p.edges == 3 ? r.stipple : nullptr; // triangles only: not lines and points
+  const uint64_t* stipple = Edges == 3 ? r.stipple : nullptr; // triangles only: not lines and points
   const float scale = depth_scale(draw.program->key);
   const bool floats = DepthFormat(draw.program->key.depth_format) == DepthFormat::Z32F;
   const int32_t x0 = p.x0 > tile.x ? p.x0 - tile.x : 0, y0 = p.y0 > tile.y ? p.y0 - tile.y : 0;

@@ -1,7 +1,6 @@
 #include "command/batch.h"
 
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -16,6 +15,7 @@
 #include "command/batch_jobs.h"
 #include "command/picture_run.h"
 #include "command/sandbox_paths.h"
+#include "common/elapsed_time.h"
 #include "common/file_writer.h"
 #include "common/program_error.h"
 #include "common/progress.h"
@@ -26,9 +26,6 @@
 
 namespace softgl::cli {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 // The most memory that the process has had in use since start(). The kernel's files are opened before the
 // sandbox.
@@ -115,7 +112,7 @@ public:
       signal = run_jobs(killed_, plan, dropped);
     }
     for (const size_t job : dropped) remove_unfinished(jobs_[job].files);
-    print_summary(since(start), signal);
+    print_summary(seconds_since(start), signal);
     if (signal) return 128 + signal;
     if (exit_code_ == kSuccess && !report_.fault().empty()) return kCannotWrite;
     return exit_code_;
@@ -206,7 +203,7 @@ private:
       answer.last = true; // a process that has lost much memory in pieces has less for the next job
     } catch (const std::exception& error) { fail(kCannotRead, job.model + ": " + error.what()); }
     start_time_limit(0);
-    result.milliseconds = 1e3 * since(start);
+    result.milliseconds = 1e3 * seconds_since(start);
     result.peak_memory = memory_.bytes();
     answer.text = as_text(result);
     return answer;

@@ -1,13 +1,13 @@
 #include "command/compare.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <set>
 
 #include "command/compare_report.h"
 #include "command/report.h"
+#include "common/elapsed_time.h"
 #include "common/file_writer.h"
 #include "common/parallel.h"
 #include "common/program_error.h"
@@ -18,9 +18,6 @@ namespace softgl::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
-
-double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 void write_text(const std::string& path, const std::string& text) {
   GrowingArray<uint8_t> bytes;
@@ -55,7 +52,7 @@ public:
           compare(options_.first, options_.second, options_.second, options_.difference, options_.sheet));
     if (!options_.junit.empty()) write_text(options_.junit, as_junit(results_));
     print(folders);
-    if (options_.stats) print_stats(since(start));
+    if (options_.stats) print_stats(seconds_since(start));
     return code();
   }
 
@@ -74,14 +71,14 @@ private:
       result.outcome = PairResult::kUnreadable;
       result.sentence = error.what();
     }
-    result.seconds = since(start);
+    result.seconds = seconds_since(start);
     return result;
   }
 
   void compare_files(PairResult& result, const std::string& difference, const std::string& sheet) const {
     auto start = Clock::now();
     const PictureSamples a = read_picture(result.first), b = read_picture(result.second);
-    result.read_seconds = since(start);
+    result.read_seconds = seconds_since(start);
     const auto refuse_size = [&](const PictureSamples& other, const char* what) {
       result.outcome = PairResult::kOtherSize;
       result.sentence = size_of(a) + " against " + size_of(other) + what;
@@ -95,7 +92,7 @@ private:
     if (mask_.width) rules.mask = &mask_;
     start = Clock::now();
     Comparison& numbers = result.numbers = compare_pictures(a, b, rules);
-    result.compare_seconds = since(start);
+    result.compare_seconds = seconds_since(start);
     start = Clock::now();
     result.width = a.width;
     result.height = a.height;
@@ -104,7 +101,7 @@ private:
     if (wanted && !difference.empty()) write_picture(difference, draw_differences(a, numbers));
     if (wanted && !sheet.empty()) write_picture(sheet, compose(result, a, b));
     numbers.verdicts = {};
-    result.write_seconds = since(start);
+    result.write_seconds = seconds_since(start);
   }
 
   // The parts are summed up over threads, the total is of a clock.

@@ -1,7 +1,6 @@
 #include "command/picture_run.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <mutex>
 #include <new>
@@ -12,6 +11,7 @@
 #include "command/picture_inputs.h"
 #include "command/picture_plan.h"
 #include "command/prepared_model.h"
+#include "common/elapsed_time.h"
 #include "common/parallel.h"
 #include "common/program_error.h"
 #include "common/progress.h"
@@ -21,9 +21,6 @@
 
 namespace softgl::cli {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 // A model's part of the run.
 struct Outcome {
@@ -87,7 +84,7 @@ private:
     } catch (const ProgramError& error) { outcome.error = error; } catch (const std::bad_alloc&) {
       outcome.error.emplace(kCannotRead, plan_.models[model] + ": not enough memory");
     }
-    outcome.times.total = since(start);
+    outcome.times.total = seconds_since(start);
     end_model(outcome);
     if (outcome.error && !options_.keep_going) throw *outcome.error;
   }
@@ -137,7 +134,7 @@ private:
       outcome.times.upload += upload;
       outcome.times.draw += drawing;
       outcome.times.average += average;
-      outcome.times.write += since(write_start);
+      outcome.times.write += seconds_since(write_start);
       progress_.step();
     };
     const auto draw_and_go_on = [&](size_t i, unsigned worker) {

@@ -1,10 +1,10 @@
 #include "command/prepared_model.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include "command/model_loader.h"
 #include "common/compressed_text.h"
+#include "common/elapsed_time.h"
 #include "image/srgb.h"
 #include "mesh/edge_table.h"
 #include "mesh/face_triangulation.h"
@@ -12,9 +12,6 @@
 
 namespace softgl::cli {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 void replace(const MaterialOptions::Reflectance& chosen, float* reflectance) {
   if (chosen) std::copy(chosen->begin(), chosen->end(), reflectance);
@@ -125,7 +122,7 @@ PreparedModel prepare_model(const std::string& path, const ProgramOptions& optio
                             Warnings& warnings, Warnings& notes, RunTimes& times) {
   const auto start = Clock::now();
   ReadModel read = read_model(path, options, threads, warnings, notes);
-  times.read += since(start);
+  times.read += seconds_since(start);
   const auto prepare_start = Clock::now();
   PreparedModel prepared = prepare_model(read, bounds_of(read.loaded.model), options, warnings);
   if (prepared.up == UpAxis::kAuto) prepared.up = guess_up_axis(prepared, read.text, warnings, notes);
@@ -133,7 +130,7 @@ PreparedModel prepare_model(const std::string& path, const ProgramOptions& optio
   add_edges(options.render.lines, read.loaded.edges, prepared);
   if (options.render.srgb) decode_colors(prepared.mesh, prepared.materials);
   prepared.frame.positions.release(); // the mesh has its own
-  times.prepare += since(prepare_start);
+  times.prepare += seconds_since(prepare_start);
   return prepared;
 }
 

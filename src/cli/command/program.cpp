@@ -1,6 +1,5 @@
 #include "command/program.h"
 
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -18,6 +17,7 @@
 #include "command/sandbox_paths.h"
 #include "command/window_start.h"
 #include "common/compressed_text.h"
+#include "common/elapsed_time.h"
 #include "common/file_writer.h"
 #include "common/program_error.h"
 #include "common/time_limit.h"
@@ -72,16 +72,16 @@ private:
   // --stats of a command that reads at most one model: reading, preparing, and all the rest under the given
   // name.
   int measured(int (Program::*command)(), const char* rest, bool to_errors) {
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = Clock::now();
     const int code = (this->*command)();
     if (!options_.stats) return code;
-    const std::chrono::duration<double> total = std::chrono::steady_clock::now() - start;
+    const double total = seconds_since(start);
     const double known = times_.read + times_.prepare;
     print_text("{\n" +
                    usage_as_json({{"read", times_.read},
                                   {"prepare", times_.prepare},
-                                  {rest, total.count() - known},
-                                  {"total", total.count()}}) +
+                                  {rest, total - known},
+                                  {"total", total}}) +
                    "\n}\n",
                to_errors ? stderr : stdout);
     return code;
@@ -95,11 +95,11 @@ private:
   }
 
   int info() {
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = Clock::now();
     const SourceText text = open_text(options_.models.front(), options_.limits.input_bytes);
     RemarkList remarks;
     LoadedModel loaded = load_model(text, threads(), remarks, warnings_, notes_, options_.limits.load);
-    times_.read = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    times_.read = seconds_since(start);
     const ModelFrame frame = frame_model(loaded.model);
     note_bounds(frame, loaded.report);
     loaded.report.area = surface_area(loaded.model);

@@ -1,7 +1,6 @@
 #include "mpi/mpi_program.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -14,6 +13,7 @@
 #include "command/camera_file.h"
 #include "command/picture_inputs.h"
 #include "command/picture_plan.h"
+#include "common/elapsed_time.h"
 #include "common/file_writer.h"
 #include "image/image_writer.h"
 #include "mpi/compositor.h"
@@ -28,8 +28,6 @@
 namespace softgl::cli {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 // What the first rank says while others wait: a line for each step of a run that takes its time.
 class StepLines {
 public:
@@ -37,7 +35,7 @@ public:
       : ranks_(ranks), verbose_(options.verbose), quiet_(options.quiet) {}
 
   void done(const std::string& what) {
-    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    const double seconds = seconds_since(start_);
     if (!ranks_.is_first() || quiet_ || !(verbose_ || seconds > 2)) return;
     std::fprintf(stderr, "softgl-mpi: %s after %.1f s\n", what.c_str(), seconds);
   }

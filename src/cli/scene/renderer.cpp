@@ -1,9 +1,9 @@
 #include "scene/renderer.h"
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 
+#include "common/elapsed_time.h"
 #include "image/sample_average.h"
 #include "image/srgb.h"
 #include "scene/data_pass.h"
@@ -17,11 +17,6 @@
 
 namespace softgl::cli {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 // Alpha alone.
 template <class Colors> FloatPicture coverage_of(const Colors& picture, float largest) {

@@ -1,12 +1,12 @@
 #include "view/view_session.h"
 
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <new>
 
 #include "command/picture_inputs.h"
 #include "command/picture_plan.h"
+#include "common/elapsed_time.h"
 #include "common/file_writer.h"
 #include "view/view_arguments.h"
 #include "view/view_motion.h"
@@ -15,8 +15,6 @@ namespace softgl::cli {
 namespace {
 
 constexpr size_t kModelsKept = 2; // to and fro between two kinds of shading takes no reading
-
-using Clock = std::chrono::steady_clock;
 
 } // namespace
 
@@ -121,7 +119,7 @@ RenderResult ViewSession::render(ProgramOptions& options, const Reduction& reduc
   const size_t sentences = model.warnings.sentences().size(), notices = model.warnings.notices().size();
   const auto start = Clock::now();
   RenderResult result = model.renderer->draw(camera, render, model.warnings);
-  seconds_ = std::chrono::duration<double>(Clock::now() - start).count();
+  seconds_ = seconds_since(start);
   if (!options.quiet) say(model.warnings, sentences, notices);
   state_ = apply(std::move(state_), seen);
   arguments_ = to_arguments(state_); // the same, unless another axis is up than before
