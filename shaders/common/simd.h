@@ -311,6 +311,13 @@ SOFTGL_INLINE int distinct_lanes(IntV v) {
 }
 #endif
 
+/// Floats from p on: of eight each twice where a vector has sixteen lanes.
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+SOFTGL_INLINE FloatV load_row(const float* p) { return (FloatV)_mm512_broadcast_f32x8(_mm256_loadu_ps(p)); }
+#else
+SOFTGL_INLINE FloatV load_row(const float* p) { return load(p); }
+#endif
+
 /// Every even lane twice, every odd lane twice.
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 SOFTGL_INLINE FloatV even_lanes(FloatV v) { return (FloatV)_mm512_moveldup_ps((__m512)v); }

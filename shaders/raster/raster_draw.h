@@ -44,6 +44,7 @@ struct RasterDraw {
   bool opaque;         // alpha is 1 at all vertices, so it is 1 / w times w everywhere, which rounds to 255
   bool direct;         // no stage runs, RGBA8: blocks of pixels bypass the FragmentBlock
   bool early_depth;    // a fragment's depth can be tested before its stages run
+  bool final_depth;    // and written, too: nothing tests it again
   bool whole_blocks;   // no edge is looked at in blocks that lie inside all of them
   uint32_t color_mask; // of an RGBA8 word
   uint64_t* samples;   // DrawRecord::samples

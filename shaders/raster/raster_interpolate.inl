@@ -15,26 +15,18 @@ SOFTGL_INLINE FloatV at(const Plane& p, FloatV x, FloatV y) {
 enum class Differences : uint8_t { None, OfQuad, OfLane };
 
 /// Differences across each 2x2 quad of a strip of 8x2 pixels.
-template <Differences Kind> SOFTGL_INLINE void quad_differences(const float* value, float* dx, float* dy) {
+template <Differences Kind> SOFTGL_INLINE void differences_of(const float* value, float* dx, float* dy) {
   constexpr bool kOfQuad = Kind == Differences::OfQuad;
-  if constexpr (kWidth == 16) {
-    const FloatV v = load(value), even = even_lanes(v), x = odd_lanes(v) - even;
-    alignas(64) float from[16], across[16];
-    store(from, kOfQuad ? even : v), store(across, x);
-    if constexpr (!kOfQuad) store(dx, x);
-    for (int i = 0; i < 8; ++i) {
-      if constexpr (kOfQuad) dx[i] = dx[i + 8] = across[i];
-      dy[i] = dy[i + 8] = from[i + 8] - from[i];
-    }
-  } else {
-    for (int i = 0; i < 8; i += kWidth) {
-      const FloatV top = load(value + i), bottom = load(value + 8 + i), corner = even_lanes(top);
-      const FloatV x = odd_lanes(top) - corner;
-      const FloatV y = kOfQuad ? even_lanes(bottom) - corner : bottom - top;
-      store(dx + i, x), store(dx + 8 + i, kOfQuad ? x : odd_lanes(bottom) - even_lanes(bottom));
-      store(dy + i, y), store(dy + 8 + i, y);
-    }
+  for (int i = 0; i < 8; i += kWidth) {
+    const FloatV top = load_row(value + i), bottom = load_row(value + 8 + i), corner = even_lanes(top);
+    const FloatV x = odd_lanes(top) - corner;
+    const FloatV y = kOfQuad ? even_lanes(bottom) - corner : bottom - top;
+    store(dx + i, x), store(dy + i, y); // of both rows if there are sixteen lanes
+    if constexpr (kWidth <= 8) store(dx + 8 + i, x), store(dy + 8 + i, y);
   }
+  if constexpr (!kOfQuad)
+    for (int i = 0; i < 16; i += kWidth)
+      store(dx + i, odd_lanes(load(value + i)) - even_lanes(load(value + i)));
 }
 
 /// What is read of a unit's coordinates: s and t, or s, t and r; and their differences.
@@ -48,16 +40,21 @@ SOFTGL_INLINE CoordinatesRead coordinates_read(const FragmentProgram& program, i
                                                                                 : Differences::OfQuad};
 }
 
-/// Sets the differences of a strip's coordinates.
-SOFTGL_INLINE void strip_differences(BlockCoordinates& t, int lane, CoordinatesRead read) {
-  const float* value[3] = {t.s, t.t, t.r};
-  float* dx[3] = {t.ds_dx, t.dt_dx, t.dr_dx};
-  float* dy[3] = {t.ds_dy, t.dt_dy, t.dr_dy};
-  for (int k = 0; k < read.count; ++k)
-    if (read.differences == Differences::OfQuad)
-      quad_differences<Differences::OfQuad>(value[k] + lane, dx[k] + lane, dy[k] + lane);
-    else
-      quad_differences<Differences::OfLane>(value[k] + lane, dx[k] + lane, dy[k] + lane);
+/// Sets the differences of the coordinates of strips, lanes [first, end).
+SOFTGL_INLINE void strip_differences(BlockCoordinates& t, int first, int end, CoordinatesRead read) {
+  auto all = [&](auto quad_differences) __attribute__((always_inline)) {
+    for (int i = first; i < end; i += kStripLanes) {
+      quad_differences(t.s + i, t.ds_dx + i, t.ds_dy + i);
+      quad_differences(t.t + i, t.dt_dx + i, t.dt_dy + i);
+      if (read.count > 2) quad_differences(t.r + i, t.dr_dx + i, t.dr_dy + i);
+    }
+  };
+  if (read.differences == Differences::OfQuad)
+    all([](const float* v, float* dx, float* dy)
+            __attribute__((always_inline)) { differences_of<Differences::OfQuad>(v, dx, dy); });
+  if (read.differences == Differences::OfLane)
+    all([](const float* v, float* dx, float* dy)
+            __attribute__((always_inline)) { differences_of<Differences::OfLane>(v, dx, dy); });
 }
 
 SOFTGL_INLINE float* lanes_of(FragmentBlock& block, const Varying& v, int component) {
@@ -118,8 +115,7 @@ template <bool FromCorner> static void interpolate_block(const RasterDraw& draw,
       const FloatV rq = splat(1.0f) / (at(q[3], vx, vy) * vw);
       for (int k = 0; k < read.count; ++k) store(value[k] + i, (at(q[k], vx, vy) * vw) * rq);
     }
-    if (read.differences == Differences::None) continue;
-    for (int i = first; i < end; i += kStripLanes) strip_differences(t, i, read);
+    strip_differences(t, first, end, read);
   }
 }
 
@@ -221,7 +217,8 @@ interpolate_lanes(const RasterDraw& draw, const RasterPrimitive* const* primitiv
       const PlaneV unit_w = plane_of_w(draw, u, w);
       if constexpr (Quads) {
         for (int r = 0; r < kRows; ++r) coordinates_at(t, i + 8 * r, read, unit_w, q, x[r], y[r]);
-        if (read.differences != Differences::None) strip_differences(t, i & ~(kStripLanes - 1), read);
+        const int strip = i & ~(kStripLanes - 1);
+        strip_differences(t, strip, strip + kStripLanes, read);
       } else {
         interpolate_unit(t, i, read, unit_w, q, load(block.x + i), load(block.y + i));
       }

@@ -61,7 +61,7 @@ static void run_samples(const RasterDraw& draw, const TileTarget& tile, Fragment
   else
     interpolate_strips<false>(draw, batch.pixels, block);
   run_stages(*draw.program, block);
-  merge_samples(draw, tile, block, batch);
+  merge_samples(draw, merged_tile(draw, tile), block, batch);
   batch.pixels.strips = 0;
 }
 
@@ -141,6 +141,7 @@ static void multisampled_primitive(const RasterDraw& draw, const TileTarget& til
   const int32_t x1 = p.x1 < tile.x + kTileSize ? p.x1 - tile.x : kTileSize,
                 y1 = p.y1 < tile.y + kTileSize ? p.y1 - tile.y : kTileSize;
   const Compare function = Compare(draw.program->key.depth_function);
+  const bool writes = draw.final_depth && draw.program->key.depth_write;
   for (int by = y0 & ~7; by < y1; by += 8) {
     for (int bx = x0 & ~7; bx < x1; bx += 8) {
       if (coverage.misses_block(bx, by)) continue;
@@ -177,11 +178,13 @@ static void multisampled_primitive(const RasterDraw& draw, const TileTarget& til
             }
             for (int s = 0; s < kSamples; ++s) {
               if (r.per_sample) z = depth(float(kSampleX[s]) / 256, float(kSampleY[s]) / 256);
-              store(batch.depth[s] + at_lane, z);
+              if (!draw.final_depth) store(batch.depth[s] + at_lane, z);
               if (!draw.early_depth) continue;
-              const IntV stored = load(tile.depth_stencil + s * kTilePixels + pixel + i * kWidth) & 0xffffff;
-              live[s] &= ~(~sign_bits(compare_words(function, z, stored)) << (i * kWidth) &
-                           ((2u << (kWidth - 1)) - 1) << (i * kWidth));
+              uint32_t* place = tile.depth_stencil + s * kTilePixels + pixel + i * kWidth;
+              const IntV there = load(place), passes = compare_words(function, z, there & 0xffffff);
+              if (writes)
+                store(place, choose(passes & mask_of_bits(live[s] >> (i * kWidth)) & 0xffffff, z, there));
+              live[s] &= ~(~sign_bits(passes) << (i * kWidth) & ((2u << (kWidth - 1)) - 1) << (i * kWidth));
             }
           }
         }

@@ -54,6 +54,12 @@ static void merge_fragments(const TileTarget& tile, const FragmentProgram& progr
   }
 }
 
+/// The tile as the end of a fragment sees it: without depths that are tested and written before.
+SOFTGL_INLINE TileTarget merged_tile(const RasterDraw& draw, TileTarget tile) {
+  if (draw.final_depth) tile.depth_stencil = nullptr;
+  return tile;
+}
+
 /// Primitives at most so wide and high are shaded with lane = fragment, packed densely: measured on 10-pixel
 /// textured triangles, strips leave five of six lanes dead.
 constexpr int kDenseBox = 16;
@@ -110,12 +116,13 @@ static void run_packed(const RasterDraw& draw, const TileTarget& tile, FragmentB
     color[count] = color[i], block.depth[count] = block.depth[i], batch.pixel[count] = batch.pixel[i];
     count += block.live[i] != 0;
   }
-  merge_fragments(tile, program, {batch.pixel, block.depth, color}, count);
+  merge_fragments(merged_tile(draw, tile), program, {batch.pixel, block.depth, color}, count);
   batch.lanes = 0;
 }
 
 /// The depths of the pixels `covered` of a block, and which of them pass depth and stencil test if those are
-/// early. Depths of vectors without a covered pixel are not set.
+/// early; then they are written if nothing tests them again. Depths of vectors without a covered pixel are
+/// not set.
 SOFTGL_INLINE uint64_t test_block(const RasterDraw& draw, const TileTarget& tile, const RasterPrimitive& p,
                                   int bx, int by, uint64_t covered, uint32_t* depth) {
   constexpr uint64_t kAll = (uint64_t(1) << (kWidth - 1) << 1) - 1;
@@ -123,7 +130,8 @@ SOFTGL_INLINE uint64_t test_block(const RasterDraw& draw, const TileTarget& tile
   const Compare function = Compare(key.depth_function);
   const float scale = depth_scale(key);
   const bool floats = DepthFormat(key.depth_format) == DepthFormat::Z32F, early = draw.early_depth;
-  const uint32_t* stored = tile.depth_stencil + pixel_in_tile(bx, by);
+  const bool writes = draw.final_depth && key.depth_write;
+  uint32_t* stored = tile.depth_stencil + pixel_in_tile(bx, by);
   const FragmentConstants& k = *draw.program->constants;
   const BlockPlane plane = block_plane(p.plane[kPlaneZ], tile.x + bx);
   const FloatV offset = splat(p.depth_offset);
@@ -142,6 +150,8 @@ SOFTGL_INLINE uint64_t test_block(const RasterDraw& draw, const TileTarget& tile
                               splat(int32_t(k.stencil_reference & k.stencil_value_mask)),
                               (IntV)((UintV)there >> 24) & int32_t(k.stencil_value_mask));
     live &= ~(uint64_t(~sign_bits(passes) & uint32_t(kAll)) << i);
+    if (writes)
+      store(stored + i, choose(passes & mask_of_bits(uint32_t(covered >> i)) & 0xffffff, word, there));
   }
   return live;
 }

@@ -97,7 +97,7 @@ static void run_strips(const RasterDraw& draw, const TileTarget& tile, FragmentB
   if (batch.strips == 0) return;
   interpolate_strips(draw, batch, block);
   run_stages(*draw.program, block);
-  merge_strips(draw, tile, block, batch);
+  merge_strips(draw, merged_tile(draw, tile), block, batch);
   batch.strips = 0;
 }
 

@@ -31,6 +31,8 @@ constexpr const char* kNames[] = {
     "opaque_colors",
     // Depth is tested before stages run; else after them alone.
     "early_depth",
+    // Where no stage drops fragments, depth is written then, too; else it is tested again when colors are.
+    "final_depth",
     // Fragments in shadow whose alpha becomes 0 are dropped before texturing ends; else by the alpha test.
     "early_alpha",
     // Finished fragments compare whole words of depth and stencil; else they are merged.

@@ -21,6 +21,7 @@ enum class FastPath : uint32_t {
   WholeBlocks,
   OpaqueColors,
   EarlyDepth,
+  FinalDepth,
   EarlyAlpha,
   DepthWords,
   WaitingClears,
