@@ -9,7 +9,6 @@
 #include <atomic>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 
 using namespace softgl::test;
 namespace fs = std::filesystem;
@@ -27,10 +26,7 @@ const std::string kBoxes =
 std::string folder() { return output_folder("batch"); }
 
 std::string write(const std::string& name, const std::string& text) {
-  const std::string path = folder() + name;
-  fs::create_directories(fs::path(path).parent_path());
-  std::ofstream(path, std::ios::binary) << text;
-  return path;
+  return write_bytes(folder() + name, text);
 }
 
 std::string boxes(const std::string& name = "boxes.obj") {

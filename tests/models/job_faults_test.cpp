@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <poll.h>
@@ -30,15 +29,10 @@ namespace {
 std::string folder() { return output_folder("job_faults"); }
 
 std::string write(const std::string& name, const std::string& text) {
-  fs::create_directories(fs::path(folder() + name).parent_path());
-  std::ofstream(folder() + name, std::ios::binary) << text;
-  return folder() + name;
+  return write_bytes(folder() + name, text);
 }
 
-std::string model(const std::string& name, int height = 1) {
-  return write(name, "v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv 0 " + std::to_string(height) +
-                         " 0\nf 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
-}
+std::string model(const std::string& name, int height = 1) { return write(name, pyramid(height)); }
 
 // Whoever reads it waits for ever.
 std::string endless(const std::string& name) {

@@ -27,16 +27,10 @@ namespace {
 std::string folder() { return output_folder("jobs"); }
 
 std::string write(const std::string& name, const std::string& text) {
-  fs::create_directories(fs::path(folder() + name).parent_path());
-  std::ofstream(folder() + name, std::ios::binary) << text;
-  return folder() + name;
+  return write_bytes(folder() + name, text);
 }
 
-// A pyramid whose height tells it from others.
-std::string model(const std::string& name, int height = 1) {
-  return write(name, "v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv 0 " + std::to_string(height) +
-                         " 0\nf 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
-}
+std::string model(const std::string& name, int height = 1) { return write(name, pyramid(height)); }
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 

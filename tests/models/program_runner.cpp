@@ -24,6 +24,17 @@ std::string read_bytes(const std::string& path) {
   return bytes.str();
 }
 
+std::string write_bytes(const std::string& path, const std::string& bytes) {
+  std::filesystem::create_directories(std::filesystem::path(path).parent_path());
+  std::ofstream(path, std::ios::binary) << bytes;
+  return path;
+}
+
+std::string pyramid(int height) {
+  return "v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv 0 " + std::to_string(height) +
+         " 0\nf 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n";
+}
+
 std::string output_folder(const std::string& name) {
   static struct Folders {
     std::set<std::string> made;

@@ -41,5 +41,10 @@ TestPicture parse_ppm(const std::string& bytes);
 TestPicture read_ppm(const std::string& path);
 
 std::string read_bytes(const std::string& path);
+// Makes the file's folder, too. Returns the path.
+std::string write_bytes(const std::string& path, const std::string& bytes);
+
+// An OBJ model: a pyramid whose height tells it from others.
+std::string pyramid(int height);
 
 } // namespace softgl::test

@@ -2,8 +2,6 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "models/program_runner.h"
@@ -15,9 +13,7 @@ namespace {
 std::string folder() { return output_folder("settings"); }
 
 std::string write(const std::string& name, const std::string& text) {
-  std::filesystem::create_directories(std::filesystem::path(folder() + name).parent_path());
-  std::ofstream(folder() + name, std::ios::binary) << text;
-  return folder() + name;
+  return write_bytes(folder() + name, text);
 }
 
 std::string model() { return write("quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"); }

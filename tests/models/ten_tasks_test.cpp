@@ -2,7 +2,6 @@
 #include <catch2/catch.hpp>
 
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -71,10 +70,7 @@ public:
   const std::string folder;
 
 private:
-  void write(const std::string& name, const std::string& text) const {
-    fs::create_directories(fs::path(folder + name).parent_path());
-    std::ofstream(folder + name, std::ios::binary) << text;
-  }
+  void write(const std::string& name, const std::string& text) const { write_bytes(folder + name, text); }
 };
 
 size_t different_pixels(const TestPicture& a, const TestPicture& b) {
