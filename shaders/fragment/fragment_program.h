@@ -4,6 +4,7 @@
 #include "shaders/fragment/fragment_block.h"
 #include "shaders/fragment/fragment_constants.h"
 #include "shaders/fragment/fragment_key.h"
+#include "shaders/fragment/pixel_image.h"
 
 namespace softgl {
 
@@ -28,11 +29,15 @@ struct FragmentProgram {
   uint8_t cube_units;  // units with cube maps: those differences are of the pixel's own row and column
   bool writes_depth;   // a stage sets the depth, which cannot be tested before
   bool writes_stencil; // instead of a depth a fragment has a stencil value, which is stored without any test
-  bool drops;          // a stage lets fragments die: the alpha test, a bitmap, coverage
   bool bounds_depth;   // fragments where the stored depth is out of bounds die (GL_EXT_depth_bounds_test)
   bool reads_quads;    // a stage looks at the other pixels of its 2x2 quad: blocks must have whole ones
   Coverage coverage;   // of antialiased primitives; else None
 
+  /// A stage lets fragments die.
+  bool drops() const {
+    return Compare(key.alpha_function) != Compare::Always || coverage != Coverage::None ||
+           (constants->image && constants->image->kind == PixelElement::Bit);
+  }
   void add(FragmentStage stage, int32_t unit = 0) { step[step_count++] = {stage, unit}; }
 };
 

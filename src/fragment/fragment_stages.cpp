@@ -28,17 +28,15 @@ void append_fragment_stages(FragmentProgram& program, bool clamp, bool clamp_sum
   case FogMode::Exp2: program.add(k.fog_exp2); break;
   }
   if (clamp) program.add(k.clamp_color);
-  if (static_cast<Compare>(key.alpha_function) == Compare::Always) return;
-  program.drops = true;
-  program.add(stores_alpha_bytes(program) ? k.alpha_test_8 : k.alpha_test_float,
-              static_cast<int32_t>(key.alpha_function));
+  if (static_cast<Compare>(key.alpha_function) != Compare::Always)
+    program.add(stores_alpha_bytes(program) ? k.alpha_test_8 : k.alpha_test_float,
+                static_cast<int32_t>(key.alpha_function));
 }
 
 FragmentProgram with_coverage(const FragmentProgram& program, Coverage coverage) {
   const RasterKernels& k = *kernels().raster;
   FragmentProgram smooth = program;
   smooth.coverage = coverage;
-  smooth.drops = true;
   const bool tests = static_cast<Compare>(program.key.alpha_function) != Compare::Always;
   if (tests) --smooth.step_count;
   smooth.add(coverage == Coverage::Point  ? k.point_coverage

@@ -191,7 +191,6 @@ const FragmentProgram* make_fragment_program(Context& context, Arena& arena, con
   if (image) {
     k.image = image;
     program.writes_depth = image->kind == PixelElement::Depth;
-    program.drops = image->kind == PixelElement::Bit;
     program.add(kernels().raster->image[int(image->kind)]);
   }
   const DepthLimits limits = depth_limits(context);

@@ -34,7 +34,7 @@ MEMBERS(FragmentConstants, fog_color, fog_scale, fog_offset, alpha_reference, al
         least_depth, greatest_depth, least_bound, greatest_bound, lighting, texture, combiner, image)
 MEMBERS(FragmentStep, stage, unit)
 MEMBERS(FragmentProgram, key, constants, step_count, step, r_units, lod_units, cube_units, writes_depth,
-        writes_stencil, drops, bounds_depth, reads_quads, coverage)
+        writes_stencil, bounds_depth, reads_quads, coverage)
 MEMBERS(SmoothPrograms, point, line, polygon)
 MEMBERS(RasterConstants, x0, y0, x1, y1, cull, back, flat, two_sided, offset, point_sprite, sprite_units,
         sprite_lower_left, top_edge_rule, per_sample, sample_mask, alpha_to_coverage, alpha_to_one, samples,
