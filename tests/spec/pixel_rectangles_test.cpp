@@ -66,6 +66,14 @@ TEST_CASE("Each bitmap is drawn with the state it met, and all of them where the
   gl.ColorMask(0, 0, 0, 0);
   gl.Bitmap(8, 1, 4, 0, 0, 0, bits);
   CHECK(reds(gl, 14, 0, 8) == std::vector<int>{0, 0, 0, 0, 0, 0, 51, 51});
+  gl.ColorMask(1, 1, 1, 1);
+  gl.Enable(GL_FOG); // black
+  gl.Fogi(GL_FOG_MODE, GL_LINEAR);
+  gl.Fogf(GL_FOG_START, -1); // half of the color is left at a distance of 0
+  gl.WindowPos2i(40, 0);
+  gl.Bitmap(8, 1, 0, 0, 0, 0, bits);
+  gl.Fogf(GL_FOG_START, -3);
+  CHECK(reds(gl, 40, 0, 1) == std::vector<int>{26});
 }
 
 TEST_CASE("A bitmap moves the raster position, with and without bits", "[spec][pixels]") {
