@@ -2,8 +2,6 @@
 // it.
 #pragma once
 
-#include <type_traits>
-
 #include "shaders/fragment/fragment_constants.h"
 #include "shaders/texture/texture_constants.h"
 #include "shaders/texture/texture_lanes.inl"
@@ -30,47 +28,51 @@ struct MajorAxis {
 
 static inline float flip(int32_t sign, float v) { return bits_float(float_bits(v) ^ sign); }
 
-/// The differences of s, t and r become those of the coordinates on the face. They are those of the lane's
-/// own row and column of its quad, because the quad may lie on several faces. Without mipmaps, when they only
-/// choose between two filters, the quad's first lane decides for all.
+/// s, t and r become a face and coordinates on it; if they are read, the differences of s, t and r become
+/// those of the coordinates.
+template <bool ReadsDifferences>
+static inline void find_faces(const FragmentBlock& block, BlockCoordinates& c) {
+  const int32_t minus = int32_t(0x80000000u);
+  SOFTGL_FOR_LANES(block, i) {
+    const float v[3] = {c.s[i], c.t[i], c.r[i]};
+    const MajorAxis major(v[0], v[1], v[2]);
+    const float axis = major(v[0], v[1], v[2]);
+    const int32_t sign = float_bits(axis) & minus;
+    auto across = [&](const float* a) { return major(flip(sign ^ minus, a[2]), a[0], flip(sign, a[0])); };
+    auto down = [&](const float* a) { return major(-a[1], flip(sign, a[2]), -a[1]); };
+    const float inverse = 1.0f / axis, half = 0.5f * inverse;
+    const float sc = across(v), tc = down(v);
+    if constexpr (ReadsDifferences) {
+      const float dx[3] = {c.ds_dx[i], c.dt_dx[i], c.dr_dx[i]};
+      const float dy[3] = {c.ds_dy[i], c.dt_dy[i], c.dr_dy[i]};
+      const float growth_x = major(dx[0], dx[1], dx[2]) * inverse,
+                  growth_y = major(dy[0], dy[1], dy[2]) * inverse;
+      c.ds_dx[i] = (across(dx) - growth_x * sc) * half;
+      c.dt_dx[i] = (down(dx) - growth_x * tc) * half;
+      c.ds_dy[i] = (across(dy) - growth_y * sc) * half;
+      c.dt_dy[i] = (down(dy) - growth_y * tc) * half;
+    }
+    const int32_t no_axis = mask_of(axis == 0.0f);
+    c.s[i] = select(no_axis, 0.5f, sc * absolute(half) + 0.5f);
+    c.t[i] = select(no_axis, 0.5f, tc * absolute(half) + 0.5f);
+    c.r[i] = major(0, 2, 4) + keep(sign >> 31, 1.0f);
+  }
+}
+
+/// Differences are those of the lane's own row and column of its quad, because the quad may lie on several
+/// faces. Without mipmaps, when they only choose between two filters, the quad's first lane decides for all.
 static void choose_face(FragmentBlock& block, const FragmentConstants& constants, int unit) {
   const TextureUnitConstants& t = *constants.texture[unit];
   BlockCoordinates& c = block.unit[unit];
-  const int32_t minus = int32_t(0x80000000u);
-  auto faces = [&](auto with_differences)
-      __attribute__((always_inline)){SOFTGL_FOR_LANES(block, i){const float v[3] = {c.s[i], c.t[i], c.r[i]};
-  const MajorAxis major(v[0], v[1], v[2]);
-  const float axis = major(v[0], v[1], v[2]);
-  const int32_t sign = float_bits(axis) & minus;
-  auto across = [&](const float* a) { return major(flip(sign ^ minus, a[2]), a[0], flip(sign, a[0])); };
-  auto down = [&](const float* a) { return major(-a[1], flip(sign, a[2]), -a[1]); };
-  const float inverse = 1.0f / axis, half = 0.5f * inverse;
-  const float sc = across(v), tc = down(v);
-  if constexpr (with_differences) {
-    const float dx[3] = {c.ds_dx[i], c.dt_dx[i], c.dr_dx[i]};
-    const float dy[3] = {c.ds_dy[i], c.dt_dy[i], c.dr_dy[i]};
-    const float growth_x = major(dx[0], dx[1], dx[2]) * inverse,
-                growth_y = major(dy[0], dy[1], dy[2]) * inverse;
-    c.ds_dx[i] = (across(dx) - growth_x * sc) * half;
-    c.dt_dx[i] = (down(dx) - growth_x * tc) * half;
-    c.ds_dy[i] = (across(dy) - growth_y * sc) * half;
-    c.dt_dy[i] = (down(dy) - growth_y * tc) * half;
+  if (!t.reads_differences()) return find_faces<false>(block, c);
+  find_faces<true>(block, c);
+  if (t.mip != TextureMip::None) return;
+  for (int32_t i = 0; i < block.lanes; ++i) {
+    const int32_t first = first_of_quad(i);
+    c.ds_dx[i] = c.ds_dx[first], c.dt_dx[i] = c.dt_dx[first];
+    c.ds_dy[i] = c.ds_dy[first], c.dt_dy[i] = c.dt_dy[first];
   }
-  const int32_t no_axis = mask_of(axis == 0.0f);
-  c.s[i] = select(no_axis, 0.5f, sc * absolute(half) + 0.5f);
-  c.t[i] = select(no_axis, 0.5f, tc * absolute(half) + 0.5f);
-  c.r[i] = major(0, 2, 4) + keep(sign >> 31, 1.0f);
 }
-}; // namespace SOFTGL_ISA
-if (!t.reads_differences()) return faces(std::false_type{});
-faces(std::true_type{});
-if (t.mip != TextureMip::None) return;
-for (int32_t i = 0; i < block.lanes; ++i) {
-  const int32_t first = first_of_quad(i);
-  c.ds_dx[i] = c.ds_dx[first], c.dt_dx[i] = c.dt_dx[first];
-  c.ds_dy[i] = c.ds_dy[first], c.dt_dy[i] = c.dt_dy[first];
-}
-} // namespace softgl
 
 } // namespace SOFTGL_ISA
 } // namespace softgl

@@ -209,12 +209,12 @@ static inline void sample_linear(const FragmentBlock& block, const BlockCoordina
                                  const int32_t* nearest, FloatTexels& out) {
   LinearFilter filter(block, c, t, images);
   if (t.bordered) {
-    number_from_border(block, images.width, filter.axis[0].first);
-    number_from_border(block, images.width, filter.axis[0].second);
-    if (filter.axes > 1) number_from_border(block, images.height, filter.axis[1].first);
-    if (filter.axes > 1) number_from_border(block, images.height, filter.axis[1].second);
-    if (filter.axes > 2) number_from_border(block, images.depth, filter.axis[2].first);
-    if (filter.axes > 2) number_from_border(block, images.depth, filter.axis[2].second);
+    auto number = [&](int axis, auto sizes) {
+      if (axis >= filter.axes) return;
+      number_from_border(block, sizes, filter.axis[axis].first);
+      number_from_border(block, sizes, filter.axis[axis].second);
+    };
+    number(0, images.width), number(1, images.height), number(2, images.depth);
     filter.images = with_border();
   }
   for (int a = 0; nearest && a < filter.axes; ++a) {
