@@ -23,9 +23,10 @@ struct TriangleOutput;
 /// Eye space to shaded vertices (vertex_kernels.cpp).
 struct VertexKernels {
   const char* isa;
-  /// Vertices [first, first + count) to `out` (layout.slots each) and `mask`.
-  void (*shade)(const VertexJob& job, uint32_t first, uint32_t count, ShadedVertices::Slot* out,
-                uint16_t* mask);
+  /// Vertices [first, first + count) to `out` (layout.slots each) and `mask`. With `leave_clipped`, where all
+  /// of them lie outside of one clipping plane, only `mask` is set. Gives the bits of such planes, or else 0.
+  uint16_t (*shade)(const VertexJob& job, uint32_t first, uint32_t count, ShadedVertices::Slot* out,
+                    uint16_t* mask, bool leave_clipped);
 };
 
 /// Window space to pixels (raster_kernels.cpp).

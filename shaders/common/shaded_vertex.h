@@ -48,6 +48,7 @@ struct ShadedVertices {
   Slot* slot;
   uint16_t* clip_mask;
   uint32_t first, count;
+  bool clipped = false; // all of them by one plane: then only their masks are set
 };
 
 } // namespace softgl

@@ -67,8 +67,9 @@ static inline void store_lighting_inputs(VertexBlock& b, const VertexJob& job, u
   }
 }
 
-static inline void shade_block(VertexBlock& b, const VertexJob& job, uint32_t first, int count,
-                               ShadedVertices::Slot* out, uint16_t* mask) {
+/// Only the masks are set where the vertices have one of the clip bits `common`; gives those bits.
+static inline uint32_t shade_block(VertexBlock& b, const VertexJob& job, uint32_t first, int count,
+                                   ShadedVertices::Slot* out, uint16_t* mask, uint32_t common) {
   const VertexProgram& p = *job.program;
   const ShadedLayout& layout = job.layout;
   const int slots = layout.slots;
@@ -78,9 +79,11 @@ static inline void shade_block(VertexBlock& b, const VertexJob& job, uint32_t fi
   fetch_attribute(job, kPosition, first, count, n, 4, b.position);
   transform_points(b.position, p.transform->mvp, b.clip, n);
   clip_masks(b, p, n);
+  for (int i = 0; i < count; ++i) mask[i] = uint16_t(b.mask[i]);
+  for (int i = 0; common && i < count; ++i) common &= uint32_t(b.mask[i]);
+  if (common) return common;
   window_positions(b, *p.transform, n);
   store_slot(b.window[0], b.window[1], b.window[2], b.window[3], out, slots, count);
-  for (int i = 0; i < count; ++i) mask[i] = uint16_t(b.mask[i]);
 
   if (p.eye_position || p.eye_position_late)
     transform_points(b.position, p.transform->modelview, b.lighting.eye, n);
@@ -146,19 +149,20 @@ static inline void shade_block(VertexBlock& b, const VertexJob& job, uint32_t fi
     point_sizes(b, p, p.eye_position || p.eye_position_late, n);
     store_slot(b.point, b.point, b.point, b.point, out + layout.point, slots, count);
   }
+  return 0;
 }
 
-static void shade_vertices(const VertexJob& job, uint32_t first, uint32_t count, ShadedVertices::Slot* out,
-                           uint16_t* mask) {
+static uint16_t shade_vertices(const VertexJob& job, uint32_t first, uint32_t count,
+                               ShadedVertices::Slot* out, uint16_t* mask, bool leave_clipped) {
   VertexBlock block;
-  while (count) {
-    const uint32_t n = count < uint32_t(kLanes) ? count : uint32_t(kLanes);
-    shade_block(block, job, first, int(n), out, mask);
-    first += n;
-    count -= n;
-    out += n * job.layout.slots;
-    mask += n;
+  uint32_t common = leave_clipped && !SOFTGL_FAULT(points_not_clipped) ? 0xffff : 0;
+  for (uint32_t i = 0; i < count;) {
+    const uint32_t n = count - i < uint32_t(kLanes) ? count - i : uint32_t(kLanes);
+    const bool left = common && i > 0;
+    common = shade_block(block, job, first + i, int(n), out + size_t(i) * job.layout.slots, mask + i, common);
+    i = left && !common ? 0 : i + n; // the blocks before this one are seen, too
   }
+  return uint16_t(common);
 }
 
 } // namespace SOFTGL_ISA

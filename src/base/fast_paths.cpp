@@ -43,6 +43,7 @@ constexpr const char* kNames[] = {
     "hiding_clears",
     // Vertices are shaded with the portion of the frame that reads them; else all before.
     "ordered_vertices",
+    "clipped_draws",
     // Long frames are cut into rounds; else the lists of all their draws are made first.
     "rounds",
     // A tile is copied to the caller's buffer when it is drawn; else after all have been.

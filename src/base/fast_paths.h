@@ -27,6 +27,7 @@ enum class FastPath : uint32_t {
   WaitingClears,
   HidingClears,
   OrderedVertices,
+  ClippedDraws,
   Rounds,
   EarlyCopies,
   JoinedVertices,

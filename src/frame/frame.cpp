@@ -25,7 +25,6 @@ namespace {
 // Work is cut by these constants only, never by the number of threads, so that bins and bits do not depend on
 // it.
 constexpr uint32_t kPortionSteps = 2048; // assembly steps (or vertices) of a portion
-constexpr uint32_t kShadeChunk = 2048;   // vertices shaded at a time; a multiple of 64
 constexpr uint32_t kSmallDraw =
     1024; // draws of up to so many steps and vertices are shaded inside their portion
 // Steps whose bins are in memory at the same time. The first frames have little memory, which takes longer to
@@ -51,7 +50,7 @@ public:
   FrameWork(Frame& frame, const Surface& surface, const TileReader* reader)
       : frame_(frame), surface_(surface), reader_(reader),
         tiles_(size_t(surface.tiles_x) * size_t(surface.tiles_y)), head_(frame.plan_->head),
-        tail_(frame.plan_->tail), busy_(frame.plan_->busy), shade_(frame.plan_->shade),
+        tail_(frame.plan_->tail), busy_(frame.plan_->busy), vertices_(frame.plan_->vertices),
         pieces_(frame.plan_->pieces), portions_(frame.plan_->portions) {
     frame.plan_->begin(tiles_);
   }
@@ -97,13 +96,13 @@ private:
     const RasterDraw* raster = shared_raster_draw(draw);
     if (steps <= kSmallDraw && call.vertex_count <= kSmallDraw) {
       const bool before = !draw.rectangle && !takes(FastPath::OrderedVertices);
-      pieces_.push_back({&draw, raster, before ? shade_before(draw) : nullptr, 0, 0, 0});
+      pieces_.push_back({&draw, raster, before ? vertices_.add(draw, frame_.arena_) : nullptr, 0, 0, 0});
       count_steps(static_cast<uint32_t>(std::max<uint64_t>(steps, call.vertex_count)));
       return;
     }
     close_portion();
     const bool in_order = reads_in_order(draw) && takes(FastPath::OrderedVertices);
-    const ShadedVertices* vertices = in_order ? nullptr : shade_before(draw);
+    const ShadedVertices* vertices = in_order ? nullptr : vertices_.add(draw, frame_.arena_);
     for (uint32_t i = 0; i < call.primitive_count; ++i) {
       const uint32_t count = assembly_steps(call.primitives[i]);
       for (uint32_t first = 0; first < count;) {
@@ -135,17 +134,6 @@ private:
     return raster;
   }
 
-  /// Plans the shading of all vertices of a draw before its primitives are assembled.
-  const ShadedVertices* shade_before(const DrawRecord& draw) {
-    const DrawCall& call = draw.call;
-    const ShadedVertices* vertices =
-        allocate_vertices(draw, call.first_vertex, call.vertex_count, frame_.arena_);
-    for (uint32_t first = 0; first < call.vertex_count; first += kShadeChunk)
-      shade_.push_back(
-          {&draw, vertices, call.first_vertex + first, std::min(kShadeChunk, call.vertex_count - first)});
-    return vertices;
-  }
-
   void count_steps(uint32_t steps) {
     open_steps_ += steps;
     round_steps_ += steps;
@@ -163,10 +151,7 @@ private:
       (*frame_.workers_)[i].arena.reset();
       (*frame_.workers_)[i].vertices.reset();
     }
-    pool.run(shade_.size(), [this](size_t i, int) {
-      const ShadeChunk& c = shade_[i];
-      shade_vertices(*c.draw, c.first, c.count, *c.vertices);
-    });
+    vertices_.shade();
     pool.run(portions_.size(),
              [this](size_t i, int worker) { bin(portions_[i], (*frame_.workers_)[worker]); });
     join();
@@ -186,7 +171,6 @@ private:
       std::sort(busy_.begin(), busy_.end());
       pool.run(busy_.size(), [&](size_t i, int worker) { execute(busy_[i], worker); });
     }
-    shade_.clear();
     portions_.clear();
     pieces_.clear();
     busy_.clear();
@@ -203,9 +187,17 @@ private:
       SOFTGL_ASSERT(elements.count && uint64_t(elements.first) + elements.count <= range.count);
       first = range.first + elements.first, count = elements.count;
     }
-    const ShadedVertices* vertices = allocate_vertices(*piece.draw, first, count, arena);
-    shade_vertices(*piece.draw, first, count, *vertices);
-    return vertices;
+    return shade_vertices_of_piece(*piece.draw, first, count, arena);
+  }
+
+  static void assemble_piece(const Piece& piece, const ShadedVertices& vertices, Arena& arena,
+                             PrimitiveSink& sink) {
+    const DrawCall& call = piece.draw->call;
+    if (piece.count)
+      return assemble(*piece.draw, vertices, call.primitives[piece.primitive], piece.first, piece.count,
+                      arena, sink);
+    for (uint32_t k = 0; k < call.primitive_count; ++k)
+      assemble(*piece.draw, vertices, call.primitives[k], 0, assembly_steps(call.primitives[k]), arena, sink);
   }
 
   void bin(Portion& portion, Frame::Workers::Worker& worker) {
@@ -219,17 +211,9 @@ private:
         binner.rectangle(*piece.draw->rectangle);
         continue;
       }
-      const DrawCall& call = piece.draw->call;
       const Arena::Mark mark = worker.vertices.mark();
       const ShadedVertices* vertices = piece.vertices ? piece.vertices : shade_piece(piece, worker.vertices);
-      if (piece.count) {
-        assemble(*piece.draw, *vertices, call.primitives[piece.primitive], piece.first, piece.count,
-                 worker.arena, binner);
-      } else {
-        for (uint32_t k = 0; k < call.primitive_count; ++k)
-          assemble(*piece.draw, *vertices, call.primitives[k], 0, assembly_steps(call.primitives[k]),
-                   worker.arena, binner);
-      }
+      if (!vertices->clipped) assemble_piece(piece, *vertices, worker.arena, binner);
       if (!binner.keeps_vertices()) worker.vertices.rewind(mark); // the next piece's stay in the cache
     }
     const auto& touched = worker.lists.finish();
@@ -293,7 +277,7 @@ private:
   const size_t tiles_;
   std::vector<TileChunk*>&head_, &tail_;
   std::vector<uint32_t>& busy_;
-  std::vector<ShadeChunk>& shade_;
+  PlannedVertices& vertices_;
   std::vector<Piece>& pieces_;
   std::vector<Portion>& portions_;
   const DrawRecord* latest_ = nullptr; // whose RasterDraw is

@@ -7,6 +7,7 @@
 #include "draw/clear_record.h"
 #include "draw/draw_record.h"
 #include "frame/frame.h"
+#include "frame/planned_vertices.h"
 #include "raster/tile_list.h"
 #include "shaders/raster/raster_draw.h"
 
@@ -18,12 +19,6 @@ struct Piece {
   const RasterDraw* raster;
   const ShadedVertices* vertices;   // null: they are shaded with the piece
   uint32_t primitive, first, count; // count 0: the whole draw
-};
-
-struct ShadeChunk {
-  const DrawRecord* draw;
-  const ShadedVertices* vertices;
-  uint32_t first, count;
 };
 
 /// What one worker does at a time: pieces, or a clear.
@@ -39,7 +34,7 @@ struct Portion {
 struct Frame::Plan {
   std::vector<TileChunk*> head, tail; // of each tile's list; null: it is empty
   std::vector<uint32_t> busy;         // tiles with work
-  std::vector<ShadeChunk> shade;
+  PlannedVertices vertices;
   std::vector<Piece> pieces;
   std::vector<Portion> portions;
 
@@ -47,7 +42,7 @@ struct Frame::Plan {
   void begin(size_t tiles) {
     head.assign(tiles, nullptr);
     tail.assign(tiles, nullptr);
-    busy.clear(), shade.clear(), pieces.clear(), portions.clear();
+    busy.clear(), vertices.clear(), pieces.clear(), portions.clear();
   }
   /// Gives the memory back.
   void release() { *this = {}; }

@@ -47,44 +47,47 @@ private:
   uint32_t mask(uint32_t v) const { return vertices_.clip_mask[v - vertices_.first]; }
 
   template <class Elements> void triangles(const Elements& e, uint32_t step, uint32_t steps) {
-    const bool quads = range_.mode == GL_QUADS || range_.mode == GL_QUAD_STRIP;
-    const uint32_t batch_steps = quads ? kAssemblyBatch / 2 : kAssemblyBatch;
     const bool right_first = range_.mode == GL_QUAD_STRIP && !strip_clipped(e);
+    const bool by_batches = draw_.diagonal == Diagonal::Unclipped02 && range_.mode == GL_QUADS;
     bool from_1_to_3 = draw_.diagonal == Diagonal::From1To3;
     AssembledTriangles batch;
-    for (uint32_t part = 0; steps > 0; step += part, steps -= part) {
-      part = std::min(steps, batch_steps);
-      if (draw_.diagonal == Diagonal::Unclipped02 && range_.mode == GL_QUADS) {
+    for (uint32_t part = steps; steps > 0; step += part, steps -= part) {
+      if (by_batches) {
         const uint32_t first = 4 * step / kBatchVertices * kBatchVertices;
         from_1_to_3 = any_clipped(e, first, std::min(range_.count, first + kBatchVertices));
-        part = std::min(part, (first + kBatchVertices) / 4 - step);
+        part = std::min(steps, (first + kBatchVertices) / 4 - step);
       }
-      auto for_each = [&](auto emit) {
-        if (first_provokes_) return for_each_triangle_of_first(range_.mode, e, step, part, emit);
-        if (SOFTGL_FAULT(polygon_color_of_last) && range_.mode == GL_POLYGON)
-          return for_each_triangle(GL_TRIANGLE_FAN, from_1_to_3, right_first, e, step, part, emit);
-        return for_each_triangle(range_.mode, from_1_to_3, right_first, e, step, part, emit);
+      int32_t count = batch.count; // in a register
+      const auto put =
+          [&, vertices = vertices_, slots = size_t(slots_) ](int, uint32_t v0, uint32_t v1, uint32_t v2)
+              __attribute__((always_inline)) {
+        const uint32_t i0 = v0 - vertices.first, i1 = v1 - vertices.first, i2 = v2 - vertices.first;
+        const uint32_t m0 = vertices.clip_mask[i0], m1 = vertices.clip_mask[i1], m2 = vertices.clip_mask[i2];
+        if (m0 | m1 | m2) {
+          if (m0 & m1 & m2) return;
+          batch.count = count;
+          add_clipped(batch, v0, v1, v2);
+          count = batch.count;
+          return;
+        }
+        if (count == kAssemblyBatch) {
+          hand_over(batch, count);
+          count = 0;
+        }
+        batch.corner[0][count] = vertices.slot + i0 * slots,
+        batch.corner[1][count] = vertices.slot + i1 * slots,
+        batch.corner[2][count] = vertices.slot + i2 * slots;
+        ++count;
       };
-      // One pass for the corners and for what clips them: of lists of indices GCC makes vectors that are
-      // slower (frames of meshes 4 to 8 %).
-      uint32_t any = 0;
-      batch.count = for_each(
-          [&, vertices = vertices_, slots = size_t(slots_)](int i, uint32_t v0, uint32_t v1, uint32_t v2) {
-            v0 -= vertices.first, v1 -= vertices.first, v2 -= vertices.first;
-            any |= uint32_t(vertices.clip_mask[v0]) | vertices.clip_mask[v1] | vertices.clip_mask[v2];
-            batch.corner[0][i] = vertices.slot + v0 * slots, batch.corner[1][i] = vertices.slot + v1 * slots,
-            batch.corner[2][i] = vertices.slot + v2 * slots;
-          });
-      if (any) {
-        batch.count = 0;
-        for_each([&](int, uint32_t v0, uint32_t v1, uint32_t v2) {
-          clip_triangle(v0, v1, v2, 7, [&](const Slot* a, const Slot* b, const Slot* c, uint32_t, int) {
-            add_triangle(batch, a, b, c);
-          });
-        });
-      }
-      if (batch.count) sink_.triangles(draw_, batch);
+      if (first_provokes_)
+        for_each_triangle_of_first(range_.mode, e, step, part, put);
+      else if (SOFTGL_FAULT(polygon_color_of_last) && range_.mode == GL_POLYGON)
+        for_each_triangle(GL_TRIANGLE_FAN, from_1_to_3, right_first, e, step, part, put);
+      else
+        for_each_triangle(range_.mode, from_1_to_3, right_first, e, step, part, put);
+      batch.count = count;
     }
+    if (batch.count) sink_.triangles(draw_, batch);
   }
 
   /// True if a vertex of the strip is clipped; not asked of strips longer than OSMesa's batches. OSMesa draws
@@ -101,15 +104,21 @@ private:
     return any != 0;
   }
 
-  void add_triangle(AssembledTriangles& batch, const Slot* a, const Slot* b, const Slot* c) {
-    if (batch.count == kAssemblyBatch) {
-      sink_.triangles(draw_, batch);
-      batch.count = 0;
-    }
-    batch.corner[0][batch.count] = a;
-    batch.corner[1][batch.count] = b;
-    batch.corner[2][batch.count] = c;
-    ++batch.count;
+  __attribute__((noinline)) void hand_over(AssembledTriangles& batch, int32_t count) {
+    batch.count = count;
+    sink_.triangles(draw_, batch);
+    batch.count = 0;
+  }
+
+  /// The parts that clipping leaves of a triangle.
+  void add_clipped(AssembledTriangles& batch, uint32_t v0, uint32_t v1, uint32_t v2) {
+    clip_triangle(v0, v1, v2, 7, [&](const Slot* a, const Slot* b, const Slot* c, uint32_t, int) {
+      if (batch.count == kAssemblyBatch) hand_over(batch, kAssemblyBatch);
+      batch.corner[0][batch.count] = a;
+      batch.corner[1][batch.count] = b;
+      batch.corner[2][batch.count] = c;
+      ++batch.count;
+    });
   }
 
   /// Calls emit(a, b, c, edges, part) with the corners of the triangle, or of the parts 0, 1, ... that

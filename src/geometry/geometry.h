@@ -26,7 +26,10 @@ ElementRange elements_of_steps(const DrawRecord& draw, const PrimitiveRange& ran
 ShadedVertices* allocate_vertices(const DrawRecord& draw, uint32_t first, uint32_t count, Arena& arena);
 /// Shades vertices [first, first + count) of the draw into `out`, whose own first and count describe its
 /// memory. `first` lies a multiple of 64 behind out.first. Safe from several threads for disjoint ranges.
-void shade_vertices(const DrawRecord& draw, uint32_t first, uint32_t count, const ShadedVertices& out);
+/// With `leave_clipped` vertices that all lie outside of one clipping plane only get their masks: no
+/// primitive of such vertices alone is seen (GL 1.5, 2.12). Gives the bits of those planes, or else 0.
+uint16_t shade_vertices(const DrawRecord& draw, uint32_t first, uint32_t count, const ShadedVertices& out,
+                        bool leave_clipped = false);
 
 /// Assembles, clips and hands over steps [first_step, first_step + step_count) of a primitive, in drawing
 /// order. Vertices made by clipping are taken from `arena`. The last batch of a call may be partly filled.

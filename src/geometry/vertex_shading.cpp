@@ -27,13 +27,14 @@ ShadedVertices* allocate_vertices(const DrawRecord& draw, uint32_t first, uint32
   return v;
 }
 
-void shade_vertices(const DrawRecord& draw, uint32_t first, uint32_t count, const ShadedVertices& out) {
+uint16_t shade_vertices(const DrawRecord& draw, uint32_t first, uint32_t count, const ShadedVertices& out,
+                        bool leave_clipped) {
   const VertexJob job = make_vertex_job(draw);
   const uint32_t offset = first - out.first;
   SOFTGL_ASSERT(first >= out.first && offset % 64 == 0 && uint64_t(offset) + count <= out.count);
   SOFTGL_ASSERT(first >= draw.call.first_vertex && uint64_t(first) + count <= job.end);
-  kernels().vertex->shade(job, first, count, out.slot + size_t(offset) * draw.layout.slots,
-                          out.clip_mask + offset);
+  return kernels().vertex->shade(job, first, count, out.slot + size_t(offset) * draw.layout.slots,
+                                 out.clip_mask + offset, leave_clipped);
 }
 
 } // namespace softgl

@@ -198,6 +198,35 @@ void draw_lines(const Gl& gl) {
   gl.PopMatrix();
 }
 
+/// Strips of 6000 vertices that begin far outside of the view and end outside or inside, from arrays in
+/// order, by indices, and the last of them in immediate mode: vertices that one plane clips are in blocks and
+/// chunks of their own, on whose border is a triangle that is cut.
+void draw_clipped(const Gl& gl) {
+  constexpr GLsizei kCount = 6000;
+  for (const float end : {-1.5f, 0.9f}) {
+    for (int along = 0; along < 2; ++along) { // the left plane, the lower one
+      std::vector<float> position, color;
+      std::vector<GLushort> index;
+      for (int i = 0; i < kCount; ++i) {
+        const float x = end - 0.004f * float(kCount - 1 - i), y = float(i % 7) / 7 - 0.4f;
+        position.insert(position.end(), {along ? y : x, along ? x : y, 0.1f - float(i % 5) / 5});
+        color.insert(color.end(), {float(i % 3) / 2, float(i % 11) / 10, 0.4f});
+        index.push_back(GLushort(i));
+      }
+      gl.EnableClientState(GL_VERTEX_ARRAY), gl.EnableClientState(GL_COLOR_ARRAY);
+      gl.VertexPointer(3, GL_FLOAT, 0, position.data());
+      gl.ColorPointer(3, GL_FLOAT, 0, color.data());
+      gl.DrawArrays(GL_TRIANGLE_STRIP, 0, kCount);
+      gl.DrawElements(GL_TRIANGLE_STRIP, kCount, GL_UNSIGNED_SHORT, index.data());
+      gl.DisableClientState(GL_COLOR_ARRAY), gl.DisableClientState(GL_VERTEX_ARRAY);
+      gl.Begin(GL_TRIANGLE_STRIP);
+      for (size_t i = kCount - 700; i < kCount; ++i)
+        gl.Color3fv(&color[3 * i]), gl.Vertex3f(position[3 * i], position[3 * i + 1], -0.97f);
+      gl.End();
+    }
+  }
+}
+
 /// Letters, and a bitmap across tiles and the window's border.
 void draw_bitmaps(const Gl& gl) {
   std::vector<GLubyte> bits(40 * 300);
@@ -228,6 +257,7 @@ void draw_everything(Stage& s) {
   draw_opaque(gl);
   draw_points(gl);
   draw_lines(gl);
+  draw_clipped(gl);
   draw_bitmaps(gl);
   gl.Finish();
   std::vector<GLubyte> pixels(size_t(s.width) * size_t(s.height) * 4);
