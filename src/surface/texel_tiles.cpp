@@ -13,6 +13,10 @@ namespace {
 using WholeRun = std::integral_constant<int, 8>; // pixels of a block's row
 constexpr int kRun = WholeRun::value;
 
+/// Rows of a texture are far from each other, and mostly not in the cache when a tile is stored: so many rows
+/// ahead they are fetched (9.3 % of a frame of MuJoCo with shadows before, 7.5 % since; 2: no gain, 8: as 4).
+constexpr size_t kRowsAhead = 4;
+
 /// Calls visit(x, y, first of up to 8 neighbors in the tile, how many) for all pixels of the tile. Of a whole
 /// run the compiler knows the length: storing the depths of shadow maps took 11 % of a frame of MuJoCo, then
 /// 7 %.
@@ -84,6 +88,7 @@ void store_tile(RenderPlane& p, TextureImage& image, int z, uint32_t tile) {
   const int depth_bits = image.format->bits[0];
   for_each_run(p, tile, [&](int x, int y, size_t at, auto count) {
     unsigned char* texels = image.at(x, y, z);
+    __builtin_prefetch(texels + kRowsAhead * image.row_bytes, 1);
     const unsigned char* from =
         words.waits ? reinterpret_cast<const unsigned char*>(same) : pixels + at * size_t(p.pixel_bytes());
     if (p.format.is_color()) {
