@@ -71,7 +71,7 @@ static void classify_triangles(const RasterDraw& draw, const TriangleInput& in, 
       }
     }
     if (alive == 0) continue;
-    const int32_t box = draw.small ? kSmallBox : kSeenBox;
+    const int32_t box = draw.small ? kSmallBox : draw.drops_uncovered ? kSeenBox : 0;
     const uint32_t small = alive & sign_bits(extent_fits & (w < box) & (h < box));
     if (small) {
       beyond |= uint64_t(small & sign_bits((w >= kTinyBox) | (h >= kTinyBox))) << base;

@@ -40,6 +40,7 @@ struct RasterDraw {
                             // interpolated
   bool facing;              // the block's `back` is filled
   bool small;               // triangles of few pixels are shaded with lane = fragment; not stippled ones
+  bool drops_uncovered;     // else those of very few pixels that cover none are not set up
   bool quads;               // those whose stages look at other pixels of a 2x2 quad: with four lanes = quad
   bool opaque;         // alpha is 1 at all vertices, so it is 1 / w times w everywhere, which rounds to 255
   bool direct;         // no stage runs, RGBA8: blocks of pixels bypass the FragmentBlock

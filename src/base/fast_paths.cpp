@@ -43,7 +43,10 @@ constexpr const char* kNames[] = {
     "hiding_clears",
     // Vertices are shaded with the portion of the frame that reads them; else all before.
     "ordered_vertices",
+    // Vertices that one plane clips, all of a draw or a portion, are not shaded.
     "clipped_draws",
+    // Where no triangle is shaded as a small one, those of few pixels that cover none are not set up.
+    "uncovered_triangles",
     // Long frames are cut into rounds; else the lists of all their draws are made first.
     "rounds",
     // A tile is copied to the caller's buffer when it is drawn; else after all have been.

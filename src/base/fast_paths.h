@@ -28,6 +28,7 @@ enum class FastPath : uint32_t {
   HidingClears,
   OrderedVertices,
   ClippedDraws,
+  UncoveredTriangles,
   Rounds,
   EarlyCopies,
   JoinedVertices,

@@ -102,6 +102,7 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
   const bool packed = (format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565) && !key.encoded &&
                       !d.program->writes_depth && !d.raster->stipple && !strips;
   d.small = packed && !d.program->reads_quads && is_enabled(FastPath::Small);
+  d.drops_uncovered = !d.small && takes(FastPath::UncoveredTriangles);
   d.quads = packed && d.program->reads_quads && takes(FastPath::Quads);
   d.direct = draw.fragment->step_count == 0 && !d.raster->stipple && format == ColorFormat::Rgba8 &&
              !key.encoded && !strips && !draw.fragment->bounds_depth &&
