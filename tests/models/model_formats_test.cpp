@@ -159,6 +159,8 @@ TEST_CASE("model formats: black under a picture", "[models][formats]") {
   CHECK(has(draw("k.obj", model, {"-v"}).errors,
             "k.mtl: material \"m\" has a picture and Kd 0 0 0; drawn as Kd 1 1 1"));
   CHECK(draw("k.obj", model).errors.empty());
+  CHECK(green("newmtl m\nKd 0 0 0\nmap_Kd missing.png\n") > 100);
+  CHECK(green("newmtl m\nKd 0 0 0\nmap_Kd missing.png\n", {"--strict-mtl"}) < 5);
   CHECK(green("newmtl m\nKd 0 0 0\n") < 5); // without a picture black is black
 }
 

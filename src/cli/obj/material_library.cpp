@@ -87,7 +87,7 @@ private:
       finish_material();
       current_.emplace();
       current_->name = std::string(arguments_);
-      has_ambient_ = false;
+      has_ambient_ = has_picture_ = false;
       dissolve_.reset();
       transparency_.reset();
       illumination_ = 2;
@@ -116,7 +116,7 @@ private:
     else if (is("illum"))
       illumination_model();
     else if (is("map_Kd"))
-      map(current_->diffuse_map);
+      has_picture_ = true, map(current_->diffuse_map);
     else if (is("map_d") || is("map_opacity"))
       map(current_->opacity_map);
     else
@@ -241,8 +241,9 @@ private:
     if (!current_) return;
     Material& material = *current_;
     const float* diffuse = material.diffuse;
-    if (!strict_ && !material.diffuse_map.file.empty() && diffuse[0] + diffuse[1] + diffuse[2] == 0) {
-      // Exporters that write a picture leave the color at 0, and mean the picture.
+    if (!strict_ && has_picture_ && diffuse[0] + diffuse[1] + diffuse[2] == 0) {
+      // Exporters that write a picture leave the color at 0, and mean the picture. Where that is missing a
+      // black model would show nothing.
       std::fill_n(material.diffuse, 3, 1.0f);
       if (material.ambient[0] + material.ambient[1] + material.ambient[2] == 0) has_ambient_ = false;
       if (notes.count("black under a picture"))
@@ -269,7 +270,7 @@ private:
   const char* statement_ = nullptr;
   std::string_view key_, arguments_;
   std::optional<Material> current_;
-  bool has_ambient_ = false;
+  bool has_ambient_ = false, has_picture_ = false; // which may be missing
   std::optional<float> dissolve_, transparency_;
   int illumination_ = 2;
   int missing_pictures_ = 0;
