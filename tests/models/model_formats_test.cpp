@@ -164,6 +164,41 @@ TEST_CASE("model formats: black under a picture", "[models][formats]") {
   CHECK(green("newmtl m\nKd 0 0 0\n") < 5); // without a picture black is black
 }
 
+TEST_CASE("model formats: alpha of a diffuse picture", "[models][formats]") {
+  const auto picture = [](const std::string& name, std::initializer_list<uint8_t> alpha) {
+    cli::Picture p;
+    p.width = p.height = 2, p.channels = 4;
+    for (const uint8_t a : alpha)
+      for (const uint8_t value : {uint8_t(0), uint8_t(200), uint8_t(0), a}) p.pixels.append(value);
+    const auto bytes = cli::encode_image(p, "png", cli::PngEffort::kDefault);
+    write(name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  };
+  picture("half.png", {0, 0, 0, 255}); // the square's middle is transparent
+  picture("none.png", {0, 0, 0, 0});
+  const auto run = [](const std::string& mtl, std::vector<std::string> options = {}) {
+    write("a.mtl", mtl);
+    return draw("a.obj",
+                "mtllib a.mtl\nusemtl m\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0.6\nvt 0.2 0.6\n"
+                "vt 0.2 0.8\nvt 0 0.8\nf 1/1 2/2 3/3 4/4\n",
+                std::move(options));
+  };
+  const auto opaque = [&](const std::string& mtl, std::vector<std::string> options = {}) {
+    const std::string output = run(mtl, std::move(options)).output;
+    return parse_ppm(output).at(20, 20)[1] > 100;
+  };
+  const std::string half = "newmtl m\nKd 1 1 1\nmap_Kd half.png\n";
+  CHECK_FALSE(opaque(half));
+  CHECK(opaque(half, {"--strict-mtl"}));
+  CHECK_FALSE(opaque(half + "map_d half.png\n", {"--strict-mtl"}));
+  CHECK(opaque("# Blender MTL File: 'None'\n# Material Count: 1\n" + half));
+  CHECK_FALSE(opaque("# Blender MTL File: 'None'\n" + half + "map_d half.png\n"));
+  CHECK_FALSE(opaque("# not of Blender\n" + half));
+  const std::string none = "newmtl m\nKd 1 1 1\nmap_Kd none.png\n";
+  CHECK(opaque(none));
+  CHECK(has(run(none).errors,
+            "none.png: this picture is transparent everywhere; it is drawn without its alpha"));
+}
+
 namespace {
 
 std::string little_endian(std::initializer_list<float> values) {

@@ -90,11 +90,13 @@ void Warnings::add_notice(const std::string& file, const std::string& text) {
 }
 
 void Warnings::add_new(const Warnings& others) {
-  for (const std::string& sentence : others.sentences_) {
-    if (std::find(sentences_.begin(), sentences_.end(), sentence) != sentences_.end()) continue;
-    ++count_;
-    sentences_.push_back(sentence);
-  }
+  const auto add_to = [](std::vector<std::string>& known, const std::string& sentence) {
+    if (std::find(known.begin(), known.end(), sentence) != known.end()) return false;
+    known.push_back(sentence);
+    return true;
+  };
+  for (const std::string& sentence : others.sentences_) count_ += add_to(sentences_, sentence);
+  for (const std::string& sentence : others.notices_) add_to(notices_, sentence);
 }
 
 } // namespace softgl::cli

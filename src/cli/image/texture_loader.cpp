@@ -136,6 +136,16 @@ void stretch(TextureImage& image, int width, int height) {
   replace_texels(image, width, height, std::move(stretched));
 }
 
+// A picture without an opaque texel would show nothing: then its alpha means something else.
+bool uses_alpha(const DecodedPicture& color, const TextureReference& map, Warnings& warnings) {
+  if (!map.alpha || !has_alpha(color)) return false;
+  const size_t count = texel_count(color);
+  for (size_t i = 0; i < count; ++i)
+    if (color.rgba[4 * i + 3] != 0) return true;
+  warnings.add_notice(map.file, "this picture is transparent everywhere; it is drawn without its alpha");
+  return false;
+}
+
 } // namespace
 
 bool load_texture(const Material& material, TextureImage& image, TexelBudget& budget, Warnings& warnings) {
@@ -154,7 +164,8 @@ bool load_texture(const Material& material, TextureImage& image, TexelBudget& bu
     replace_alpha(color, opacity);
     opacity.rgba.release();
   }
-  take_channels(color, 0, has_alpha(color) ? 4 : 3, image);
+  const bool transparent = has_opacity ? has_alpha(color) : uses_alpha(color, color_map, warnings);
+  take_channels(color, 0, transparent ? 4 : 3, image);
   return true;
 }
 

@@ -11,6 +11,7 @@ struct TextureReference {
   float offset[2] = {0, 0};
   float base = 0, gain = 1; // -mm: texel = base + gain * texel
   bool clamp = false;
+  bool alpha = true; // that of the file is opacity
 };
 
 struct Material {

@@ -61,7 +61,11 @@ public:
         line = joined;
       }
       line = trimmed(line);
-      if (!line.empty() && line.front() != '#') read_statement(line);
+      if (line.empty()) continue;
+      if (line.front() != '#')
+        read_statement(line);
+      else
+        of_blender_ |= line.find("Blender") != line.npos && line.find("MTL File") != line.npos;
     }
     finish_material();
   }
@@ -252,6 +256,10 @@ private:
                            "\" has a picture and Kd 0 0 0; drawn as Kd 1 1 1 (--strict-mtl keeps it black)");
     }
     if (!has_ambient_) std::copy_n(material.diffuse, 3, material.ambient);
+    // MTL knows opacity from d, Tr and map_d alone, and Blender writes map_d. Others mean the alpha of
+    // map_Kd.
+    if (strict_ || of_blender_)
+      material.diffuse_map.alpha = material.opacity_map.file == material.diffuse_map.file;
     // d is the opacity, Tr = 1 - d. A lone `Tr 1` is what some exporters write for opaque.
     if (dissolve_)
       material.opacity = *dissolve_;
@@ -267,6 +275,7 @@ private:
   const ModelFiles& files_;
   const std::string& folder_;
   const bool strict_;
+  bool of_blender_ = false; // who wrote the library
   const char* statement_ = nullptr;
   std::string_view key_, arguments_;
   std::optional<Material> current_;

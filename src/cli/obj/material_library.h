@@ -17,7 +17,8 @@ namespace softgl::cli {
 
 class MaterialLibrary {
 public:
-  // `strict`: a diffuse color of black stays black where there is a diffuse picture.
+  // `strict`: a diffuse color of black stays black where there is a diffuse picture, whose alpha is no
+  // opacity.
   explicit MaterialLibrary(bool strict = false) : strict_(strict), materials_(1) {}
 
   // Reads all libraries that the model names. Missing ones are warned of, never an error.

@@ -16,7 +16,7 @@ void add_mebibytes(CLI::App& app, const char* name, const char* description, uin
 
 void add_limits(CLI::App& app, RunLimits& limits) {
   app.add_flag("--strict-mtl", limits.load.strict_materials,
-               "black stays black under a picture (Kd 0 0 0 with map_Kd)");
+               "no guesses: Kd 0 0 0 is black, and the alpha of map_Kd no opacity");
   app.add_flag("--allow-any-path", limits.load.any_path, "the model may name files outside of its folder");
   add_mebibytes(app, "--max-input", "refuse larger models [standard input: 256]", limits.input_bytes);
   add_number(app, "--max-triangles", "N", "refuse models of more triangles", limits.load.triangles, 1, 1e12);

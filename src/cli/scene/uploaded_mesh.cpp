@@ -41,8 +41,8 @@ void UploadedMesh::prepare_material(uint32_t number, Warnings& warnings) {
   const TextureReference &color = material.diffuse_map, &opacity = material.opacity_map;
   prepared.map = color.file.empty() ? &opacity : &color;
   if (prepared.map->file.empty() || mesh_.texcoords.empty()) return;
-  const TextureKey key{color.file,   color.base,   color.gain,         opacity.file,
-                       opacity.base, opacity.gain, prepared.map->clamp};
+  const TextureKey key{color.file,   color.base,   color.gain,   color.alpha,
+                       opacity.file, opacity.base, opacity.gain, prepared.map->clamp};
   auto known = textures_.find(key);
   if (known == textures_.end())
     known = textures_.emplace(key, upload_texture(material, prepared.map->clamp, warnings)).first;

@@ -39,7 +39,7 @@ private:
     const TextureReference* map = nullptr; // whose options say where the texture lies
   };
   // The files, their options that change texels, and the clamping: equal ones share a texture.
-  using TextureKey = std::tuple<std::string, float, float, std::string, float, float, bool>;
+  using TextureKey = std::tuple<std::string, float, float, bool, std::string, float, float, bool>;
   struct Uploaded {
     GLuint name = 0; // 0: could not be read
     bool transparent = false;
