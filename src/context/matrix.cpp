@@ -11,15 +11,13 @@ namespace {
 
 bool only(const Matrix& matrix, uint32_t allowed) { return (matrix.flags & kMatrixGeometry & ~allowed) == 0; }
 
-// Element (row, column) of column-major storage.
-constexpr int at(int row, int column) { return column * 4 + row; }
-
 void multiply_full(float* out, const float* a, const float* b) {
   float p[16];
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 4; ++row)
-      p[at(row, column)] = a[at(row, 0)] * b[at(0, column)] + a[at(row, 1)] * b[at(1, column)] +
-                           a[at(row, 2)] * b[at(2, column)] + a[at(row, 3)] * b[at(3, column)];
+      p[element(row, column)] =
+          a[element(row, 0)] * b[element(0, column)] + a[element(row, 1)] * b[element(1, column)] +
+          a[element(row, 2)] * b[element(2, column)] + a[element(row, 3)] * b[element(3, column)];
   std::memcpy(out, p, sizeof p);
 }
 
@@ -28,11 +26,12 @@ void multiply_affine(float* out, const float* a, const float* b) {
   float p[16];
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 4; ++column)
-      p[at(row, column)] = a[at(row, 0)] * b[at(0, column)] + a[at(row, 1)] * b[at(1, column)] +
-                           a[at(row, 2)] * b[at(2, column)];
-    p[at(row, 3)] += a[at(row, 3)];
+      p[element(row, column)] = a[element(row, 0)] * b[element(0, column)] +
+                                a[element(row, 1)] * b[element(1, column)] +
+                                a[element(row, 2)] * b[element(2, column)];
+    p[element(row, 3)] += a[element(row, 3)];
   }
-  for (int column = 0; column < 4; ++column) p[at(3, column)] = column == 3 ? 1.0f : 0.0f;
+  for (int column = 0; column < 4; ++column) p[element(3, column)] = column == 3 ? 1.0f : 0.0f;
   std::memcpy(out, p, sizeof p);
 }
 
@@ -91,9 +90,9 @@ void rotate(Matrix& matrix, float degrees, float x, float y, float z) {
     axis = 0, direction = x;
   if (axis >= 0) {
     const int i = (axis + 1) % 3, k = (axis + 2) % 3;
-    m[at(i, i)] = m[at(k, k)] = c;
-    m[at(i, k)] = direction < 0 ? s : -s;
-    m[at(k, i)] = direction < 0 ? -s : s;
+    m[element(i, i)] = m[element(k, k)] = c;
+    m[element(i, k)] = direction < 0 ? s : -s;
+    m[element(k, i)] = direction < 0 ? -s : s;
   } else {
     const float length = std::sqrt(x * x + y * y + z * z);
     if (length <= 1.0e-4f) return;
@@ -102,15 +101,15 @@ void rotate(Matrix& matrix, float degrees, float x, float y, float z) {
     z /= length;
     const float xx = x * x, yy = y * y, zz = z * z, xy = x * y, yz = y * z, zx = z * x;
     const float xs = x * s, ys = y * s, zs = z * s, rest = 1.0f - c;
-    m[at(0, 0)] = rest * xx + c;
-    m[at(0, 1)] = rest * xy - zs;
-    m[at(0, 2)] = rest * zx + ys;
-    m[at(1, 0)] = rest * xy + zs;
-    m[at(1, 1)] = rest * yy + c;
-    m[at(1, 2)] = rest * yz - xs;
-    m[at(2, 0)] = rest * zx - ys;
-    m[at(2, 1)] = rest * yz + xs;
-    m[at(2, 2)] = rest * zz + c;
+    m[element(0, 0)] = rest * xx + c;
+    m[element(0, 1)] = rest * xy - zs;
+    m[element(0, 2)] = rest * zx + ys;
+    m[element(1, 0)] = rest * xy + zs;
+    m[element(1, 1)] = rest * yy + c;
+    m[element(1, 2)] = rest * yz - xs;
+    m[element(2, 0)] = rest * zx - ys;
+    m[element(2, 1)] = rest * yz + xs;
+    m[element(2, 2)] = rest * zz + c;
   }
   multiply_with_flags(matrix, m, kMatrixRotation);
 }
@@ -132,26 +131,26 @@ void scale(Matrix& matrix, float x, float y, float z) {
 void frustum(Matrix& matrix, float left, float right, float bottom, float top, float near_value,
              float far_value) {
   float m[16] = {};
-  m[at(0, 0)] = (2.0f * near_value) / (right - left);
-  m[at(1, 1)] = (2.0f * near_value) / (top - bottom);
-  m[at(0, 2)] = (right + left) / (right - left);
-  m[at(1, 2)] = (top + bottom) / (top - bottom);
-  m[at(2, 2)] = -(far_value + near_value) / (far_value - near_value);
-  m[at(2, 3)] = -(2.0f * far_value * near_value) / (far_value - near_value);
-  m[at(3, 2)] = -1.0f;
+  m[element(0, 0)] = (2.0f * near_value) / (right - left);
+  m[element(1, 1)] = (2.0f * near_value) / (top - bottom);
+  m[element(0, 2)] = (right + left) / (right - left);
+  m[element(1, 2)] = (top + bottom) / (top - bottom);
+  m[element(2, 2)] = -(far_value + near_value) / (far_value - near_value);
+  m[element(2, 3)] = -(2.0f * far_value * near_value) / (far_value - near_value);
+  m[element(3, 2)] = -1.0f;
   multiply_with_flags(matrix, m, kMatrixPerspective);
 }
 
 void ortho(Matrix& matrix, float left, float right, float bottom, float top, float near_value,
            float far_value) {
   float m[16] = {};
-  m[at(0, 0)] = 2.0f / (right - left);
-  m[at(1, 1)] = 2.0f / (top - bottom);
-  m[at(2, 2)] = -2.0f / (far_value - near_value);
-  m[at(0, 3)] = -(right + left) / (right - left);
-  m[at(1, 3)] = -(top + bottom) / (top - bottom);
-  m[at(2, 3)] = -(far_value + near_value) / (far_value - near_value);
-  m[at(3, 3)] = 1.0f;
+  m[element(0, 0)] = 2.0f / (right - left);
+  m[element(1, 1)] = 2.0f / (top - bottom);
+  m[element(2, 2)] = -2.0f / (far_value - near_value);
+  m[element(0, 3)] = -(right + left) / (right - left);
+  m[element(1, 3)] = -(top + bottom) / (top - bottom);
+  m[element(2, 3)] = -(far_value + near_value) / (far_value - near_value);
+  m[element(3, 3)] = 1.0f;
   multiply_with_flags(matrix, m, kMatrixGeneralScale | kMatrixTranslation);
 }
 

@@ -48,6 +48,9 @@ struct Matrix {
   const float* data() const { return &m[0][0]; }
 };
 
+/// Where an element lies: a matrix is stored by columns (GL 1.5, 2.11.2).
+constexpr int element(int row, int column) { return column * 4 + row; }
+
 /// Brings flags, kind and inverse up to date with the commands so far. Call it where OSMesa looks at a
 /// matrix, and nowhere else: when a matrix is pushed, at a spot direction, a clip plane or an eye plane, and
 /// before a draw (modelview; projection only with clip planes enabled). The moment matters, because a later

@@ -9,7 +9,6 @@
 namespace softgl {
 namespace {
 
-constexpr int at(int row, int column) { return column * 4 + row; }
 float square(float x) { return x * x; }
 float dot3(const float* a, const float* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 float dot2(const float* a, const float* b) { return a[0] * b[0] + a[1] * b[1]; }
@@ -101,7 +100,7 @@ bool invert_general(float* out, const float* m) {
   float* r[4];
   for (int i = 0; i < 4; ++i) {
     r[i] = rows[i];
-    for (int k = 0; k < 4; ++k) r[i][k] = m[at(i, k)], r[i][4 + k] = i == k ? 1.0f : 0.0f;
+    for (int k = 0; k < 4; ++k) r[i][k] = m[element(i, k)], r[i][4 + k] = i == k ? 1.0f : 0.0f;
   }
   for (int column = 0; column < 3; ++column) {
     for (int i = 3; i > column; --i)
@@ -129,19 +128,19 @@ bool invert_general(float* out, const float* m) {
     }
   }
   for (int i = 0; i < 4; ++i)
-    for (int k = 0; k < 4; ++k) out[at(i, k)] = r[i][4 + k];
+    for (int k = 0; k < 4; ++k) out[element(i, k)] = r[i][4 + k];
   return true;
 }
 
 void invert_translation(float* out, const float* in) {
   for (int i = 0; i < 3; ++i)
-    out[at(i, 3)] =
-        -(in[at(0, 3)] * out[at(i, 0)] + in[at(1, 3)] * out[at(i, 1)] + in[at(2, 3)] * out[at(i, 2)]);
+    out[element(i, 3)] = -(in[element(0, 3)] * out[element(i, 0)] + in[element(1, 3)] * out[element(i, 1)] +
+                           in[element(2, 3)] * out[element(i, 2)]);
 }
 
 // Adjugate over determinant; positive and negative products of the determinant are summed apart.
 bool invert_affine_general(float* out, const float* in) {
-  const auto e = [in](int row, int column) { return in[at(row, column)]; };
+  const auto e = [in](int row, int column) { return in[element(row, column)]; };
   float positive = 0.0f, negative = 0.0f;
   const float terms[6] = {e(0, 0) * e(1, 1) * e(2, 2),  e(1, 0) * e(2, 1) * e(0, 2),
                           e(2, 0) * e(0, 1) * e(1, 2),  -e(2, 0) * e(1, 1) * e(0, 2),
@@ -155,7 +154,7 @@ bool invert_affine_general(float* out, const float* in) {
       // Cofactor (k, i): rows and columns without k and i, in ascending order.
       const int r0 = k == 0 ? 1 : 0, r1 = k == 2 ? 1 : 2, c0 = i == 0 ? 1 : 0, c1 = i == 2 ? 1 : 2;
       const float minor = e(r0, c0) * e(r1, c1) - e(r1, c0) * e(r0, c1);
-      out[at(i, k)] = ((i + k) & 1 ? -minor : minor) * determinant;
+      out[element(i, k)] = ((i + k) & 1 ? -minor : minor) * determinant;
     }
   invert_translation(out, in);
   return true;
@@ -166,16 +165,17 @@ bool invert_affine(float* out, const Matrix& matrix) {
   constexpr uint32_t angle_preserving = kMatrixRotation | kMatrixTranslation | kMatrixUniformScale;
   if (matrix.flags & kMatrixGeometry & ~angle_preserving) return invert_affine_general(out, in);
   if (matrix.flags & kMatrixUniformScale) {
-    float s = in[at(0, 0)] * in[at(0, 0)] + in[at(0, 1)] * in[at(0, 1)] + in[at(0, 2)] * in[at(0, 2)];
+    float s = in[element(0, 0)] * in[element(0, 0)] + in[element(0, 1)] * in[element(0, 1)] +
+              in[element(0, 2)] * in[element(0, 2)];
     if (s == 0.0f) return false;
     s = 1.0f / s;
     for (int i = 0; i < 3; ++i)
-      for (int k = 0; k < 3; ++k) out[at(i, k)] = s * in[at(k, i)];
+      for (int k = 0; k < 3; ++k) out[element(i, k)] = s * in[element(k, i)];
   } else if (matrix.flags & kMatrixRotation) {
     for (int i = 0; i < 3; ++i)
-      for (int k = 0; k < 3; ++k) out[at(i, k)] = in[at(k, i)];
+      for (int k = 0; k < 3; ++k) out[element(i, k)] = in[element(k, i)];
   } else {
-    for (int i = 0; i < 3; ++i) out[at(i, 3)] = -in[at(i, 3)];
+    for (int i = 0; i < 3; ++i) out[element(i, 3)] = -in[element(i, 3)];
     return true;
   }
   if (matrix.flags & kMatrixTranslation)
@@ -188,10 +188,10 @@ bool invert_affine(float* out, const Matrix& matrix) {
 bool invert_without_rotation(float* out, const Matrix& matrix, int dimensions) {
   const float* in = matrix.data();
   for (int i = 0; i < dimensions; ++i)
-    if (in[at(i, i)] == 0.0f) return false;
+    if (in[element(i, i)] == 0.0f) return false;
   for (int i = 0; i < dimensions; ++i) {
-    out[at(i, i)] = 1.0f / in[at(i, i)];
-    if (matrix.flags & kMatrixTranslation) out[at(i, 3)] = -(in[at(i, 3)] * out[at(i, i)]);
+    out[element(i, i)] = 1.0f / in[element(i, i)];
+    if (matrix.flags & kMatrixTranslation) out[element(i, 3)] = -(in[element(i, 3)] * out[element(i, i)]);
   }
   return true;
 }

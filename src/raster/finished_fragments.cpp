@@ -36,7 +36,7 @@ TilePixels pixels_of(int column, int row) {
   for (int i = 0; i < 64; ++i) pixels.pixel[i] = static_cast<uint16_t>(pixel_in_tile(column * i, row * i));
   return pixels;
 }
-const TilePixels kColumns = pixels_of(1, 0), kRows = pixels_of(0, 1);
+const TilePixels kTileColumns = pixels_of(1, 0), kTileRows = pixels_of(0, 1);
 
 } // namespace
 
@@ -115,8 +115,8 @@ void TileBinner::append_line(const LineSpan& span, const LineSteps& steps, const
                              const uint32_t* color) {
   const RasterConstants& r = *draw_->raster;
   const int32_t low = steps.x_major ? r.y0 : r.x0, high = steps.x_major ? r.y1 : r.x1;
-  const uint16_t* const along = steps.x_major ? kColumns.pixel : kRows.pixel;
-  const uint16_t* const across = steps.x_major ? kRows.pixel : kColumns.pixel;
+  const uint16_t* const along = steps.x_major ? kTileColumns.pixel : kTileRows.pixel;
+  const uint16_t* const across = steps.x_major ? kTileRows.pixel : kTileColumns.pixel;
   const auto minor_tile = uint32_t(steps.x_major ? tiles_x_ : 1),
              major_tile = uint32_t(steps.x_major ? 1 : tiles_x_);
   uint16_t pixel[kMostLinePixels];
@@ -202,7 +202,7 @@ void TileBinner::finished_bitmap(const PixelRectangle& rectangle) {
       for (int32_t y = std::max(y0, ty * 64); y < std::min(y1, ty * 64 + 64); ++y) {
         const uint8_t* const row = element + image.row[y - image.y0];
         for (int32_t x = left; x < right; ++x) {
-          pixel[count] = static_cast<uint16_t>(kColumns.pixel[x & 63] | kRows.pixel[y & 63]);
+          pixel[count] = static_cast<uint16_t>(kTileColumns.pixel[x & 63] | kTileRows.pixel[y & 63]);
           count += row[image.column[x - image.x0]] != 0;
         }
       }

@@ -161,7 +161,7 @@ template <auto kMember> std::string difference_of(const SnapshotCache& a, const 
   return snapshot_difference(a.*kMember, b.*kMember);
 }
 
-constexpr DerivedRow kRows[] = {
+constexpr DerivedRow kDerivedRows[] = {
     {"fragment program of the state",
      kDirtyFramebuffer | kDirtyLighting | kDirtyFog | kDirtyColorBuffer | kDirtyDepth | kDirtyStencil |
          kDirtyTexture | kDirtyTextureObjects | kDepthLimits,
@@ -251,7 +251,7 @@ void update_snapshots(Context& c, const DrawCall& call) {
   Making making{c, find_changes(c, call, cache), c.frame.arena(), c.state};
   if (!(making.changed >> 32) && !(making.changed & kDirtySnapshots)) return;
   c.dirty |= kDirtySnapshots; // if memory ends on the way
-  for (const DerivedRow& row : kRows)
+  for (const DerivedRow& row : kDerivedRows)
     if (row.inputs & making.changed && row.make(making, cache)) making.changed |= row.output;
   c.dirty &= ~kDirtySnapshots;
 }
@@ -261,7 +261,7 @@ StaleSnapshot find_stale_snapshot(Context& c, const DrawCall& call) {
   SnapshotCache cache = c.snapshots;
   Making making{c, find_changes(c, call, cache), c.frame.arena(), c.state};
   StaleSnapshot stale;
-  for (const DerivedRow& row : kRows) {
+  for (const DerivedRow& row : kDerivedRows) {
     SnapshotCache fresh = cache;
     const bool differs = row.make(making, fresh);
     if (row.inputs & making.changed) {

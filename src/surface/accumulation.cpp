@@ -26,7 +26,7 @@ __m128 to_floats(__m128i numbers) {
   return _mm_cvtepi32_ps(_mm_srai_epi32(_mm_unpacklo_epi16(numbers, numbers), 16));
 }
 /// Clamped to [0, 1]; what is not a number becomes 0.
-__m128 unit_range(__m128 v) { return _mm_min_ps(_mm_max_ps(v, _mm_setzero_ps()), _mm_set1_ps(1.0f)); }
+__m128 each_in_unit_range(__m128 v) { return _mm_min_ps(_mm_max_ps(v, _mm_setzero_ps()), _mm_set1_ps(1.0f)); }
 
 // Formats of the color buffer: a pixel as four floats and back, and a pixel whose masked components are those
 // of another one.
@@ -39,7 +39,7 @@ struct Rgba8 {
     return _mm_mul_ps(_mm_cvtepi32_ps(words), _mm_set1_ps(1.0f / 255.0f));
   }
   static Pixel pack(__m128 v) { // rounds to nearest even
-    const __m128i words = _mm_cvtps_epi32(_mm_mul_ps(unit_range(v), _mm_set1_ps(255.0f)));
+    const __m128i words = _mm_cvtps_epi32(_mm_mul_ps(each_in_unit_range(v), _mm_set1_ps(255.0f)));
     const __m128i halves = _mm_packs_epi32(words, words);
     return Pixel(_mm_cvtsi128_si32(_mm_packus_epi16(halves, halves)));
   }
@@ -59,7 +59,7 @@ struct Rgba16 {
     return _mm_mul_ps(_mm_cvtepi32_ps(words), _mm_set1_ps(1.0f / 65535.0f));
   }
   static Pixel pack(__m128 v) { // rounds halves up
-    v = _mm_add_ps(_mm_mul_ps(unit_range(v), _mm_set1_ps(65535.0f)), _mm_set1_ps(0.5f));
+    v = _mm_add_ps(_mm_mul_ps(each_in_unit_range(v), _mm_set1_ps(65535.0f)), _mm_set1_ps(0.5f));
     Pixel p;
     _mm_storel_epi64(reinterpret_cast<__m128i*>(&p), to_numbers(v));
     return p;
@@ -94,7 +94,8 @@ struct Rgb565 {
     return _mm_mul_ps(v, _mm_set_ps(1.0f, 1.0f / 31.0f, 1.0f / 63.0f, 1.0f / 31.0f));
   }
   static Pixel pack(__m128 v) { // rounds halves up
-    v = _mm_add_ps(_mm_mul_ps(unit_range(v), _mm_set_ps(0.0f, 31.0f, 63.0f, 31.0f)), _mm_set1_ps(0.5f));
+    v = _mm_add_ps(_mm_mul_ps(each_in_unit_range(v), _mm_set_ps(0.0f, 31.0f, 63.0f, 31.0f)),
+                   _mm_set1_ps(0.5f));
     int32_t c[4];
     _mm_storeu_si128(reinterpret_cast<__m128i*>(c), _mm_cvttps_epi32(v));
     return Pixel(c[0] << 11 | c[1] << 5 | c[2]);

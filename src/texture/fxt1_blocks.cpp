@@ -36,7 +36,7 @@ private:
   uint64_t word_[2] = {};
 };
 
-struct Color {
+struct Fxt1Color {
   int v[4]; // red, green, blue, alpha
 };
 
@@ -48,46 +48,46 @@ int widened(int value, int bits) {
 
 /// 5 bits of red, green and blue; blue comes first. `green` is a sixth bit below the green ones, if there is
 /// one.
-Color color_at(const Bits& bits, int at, int green = -1) {
+Fxt1Color color_at(const Bits& bits, int at, int green = -1) {
   const int g = bits.get(at + 5, 5);
   return {{widened(bits.get(at + 10, 5), 5), green < 0 ? widened(g, 5) : widened(g << 1 | green, 6),
            widened(bits.get(at, 5), 5), 255}};
 }
 
 /// `k` of `n` equal steps from `a` to `b`, to nearest.
-Color step_between(const Color& a, const Color& b, int k, int n) {
-  Color c;
+Fxt1Color step_between(const Fxt1Color& a, const Fxt1Color& b, int k, int n) {
+  Fxt1Color c;
   for (int i = 0; i < 4; ++i) c.v[i] = ((n - k) * a.v[i] + k * b.v[i] + n / 2) / n;
   return c;
 }
 
 /// The colors that the codes of the texels of a half name, and how many bits a code has.
-struct Palette {
-  Color color[8];
+struct Fxt1Palette {
+  Fxt1Color color[8];
   int code_bits;
 };
 
-void between(Palette& p, const Color& first, const Color& last, int steps) {
+void between(Fxt1Palette& p, const Fxt1Color& first, const Fxt1Color& last, int steps) {
   for (int k = 0; k <= steps; ++k) p.color[k] = step_between(first, last, k, steps);
 }
 
 /// Two colors for the whole block, five between them, and transparent black.
-Palette palette_high(const Bits& bits) {
-  Palette p{{}, 3};
+Fxt1Palette palette_high(const Bits& bits) {
+  Fxt1Palette p{{}, 3};
   between(p, color_at(bits, 96), color_at(bits, 111), 6);
   return p;
 }
 /// Four colors.
-Palette palette_chroma(const Bits& bits) {
-  Palette p{{}, 2};
+Fxt1Palette palette_chroma(const Bits& bits) {
+  Fxt1Palette p{{}, 2};
   for (int i = 0; i < 4; ++i) p.color[i] = color_at(bits, 64 + 15 * i);
   return p;
 }
 /// Two colors for each half, with one or two between them.
-Palette palette_mixed(const Bits& bits, int half) {
-  Palette p{{}, 2};
+Fxt1Palette palette_mixed(const Bits& bits, int half) {
+  Fxt1Palette p{{}, 2};
   const int at = half ? 94 : 64, green = bits.get(half ? 126 : 125, 1);
-  const Color last = color_at(bits, at + 15, green);
+  const Fxt1Color last = color_at(bits, at + 15, green);
   if (bits.get(124, 1)) {
     p.color[0] = color_at(bits, at);
     for (int i = 0; i < 4; ++i) p.color[1].v[i] = (p.color[0].v[i] + last.v[i]) / 2;
@@ -98,13 +98,13 @@ Palette palette_mixed(const Bits& bits, int half) {
   return p;
 }
 /// Three colors with alpha and transparent black; or one color for each half, and one for both.
-Palette palette_alpha(const Bits& bits, int half) {
-  Color color[3];
+Fxt1Palette palette_alpha(const Bits& bits, int half) {
+  Fxt1Color color[3];
   for (int i = 0; i < 3; ++i) {
     color[i] = color_at(bits, 64 + 15 * i);
     color[i].v[3] = widened(bits.get(109 + 5 * i, 5), 5);
   }
-  Palette p{{}, 2};
+  Fxt1Palette p{{}, 2};
   if (bits.get(124, 1))
     between(p, color[half ? 2 : 0], color[1], 3);
   else
@@ -112,7 +112,7 @@ Palette palette_alpha(const Bits& bits, int half) {
   return p;
 }
 
-Palette palette_of(const Bits& bits, int half) {
+Fxt1Palette palette_of(const Bits& bits, int half) {
   const int mode = bits.get(125, 3);
   if (mode >= 4) return palette_mixed(bits, half);
   return mode == 3 ? palette_alpha(bits, half) : mode == 2 ? palette_chroma(bits) : palette_high(bits);
@@ -122,10 +122,10 @@ Palette palette_of(const Bits& bits, int half) {
 
 void decode_fxt1_block(const uint8_t* block, bool alpha, uint8_t (*rgba)[4]) {
   const Bits bits(block);
-  const Palette palette[2] = {palette_of(bits, 0), palette_of(bits, 1)};
+  const Fxt1Palette palette[2] = {palette_of(bits, 0), palette_of(bits, 1)};
   for (int t = 0; t < kTexels; ++t) {
-    const Palette& p = palette[t / kHalf];
-    const Color& c = p.color[bits.get(p.code_bits * t, p.code_bits)];
+    const Fxt1Palette& p = palette[t / kHalf];
+    const Fxt1Color& c = p.color[bits.get(p.code_bits * t, p.code_bits)];
     uint8_t* texel = rgba[place_of(t)];
     for (int i = 0; i < 4; ++i) texel[i] = uint8_t(c.v[i]);
     if (!alpha) texel[3] = 255;
@@ -160,19 +160,19 @@ private:
     bits.put(at + 10, 5, narrowed(rgb[0], 5));
   }
 
-  int distance(int t, const Color& c) const {
+  int distance(int t, const Fxt1Color& c) const {
     int sum = 0;
     for (int i = 0; i < 4; ++i) sum += (texel_[t][i] - c.v[i]) * (texel_[t][i] - c.v[i]);
     return sum;
   }
-  int nearest(int t, const Palette& p) const {
+  int nearest(int t, const Fxt1Palette& p) const {
     int best = 0;
     for (int code = 1; code < 1 << p.code_bits; ++code)
       if (distance(t, p.color[code]) < distance(t, p.color[best])) best = code;
     return best;
   }
   /// Gives texels first .. end - 1 their codes.
-  void put_codes(Bits& bits, const Palette& p, int first, int end) const {
+  void put_codes(Bits& bits, const Fxt1Palette& p, int first, int end) const {
     for (int t = first; t < end; ++t) bits.put(p.code_bits * t, p.code_bits, nearest(t, p));
   }
 
@@ -223,10 +223,10 @@ private:
         trial.put(half ? 126 : 125, 1, green[1] & 1);
         Bits told = trial; // the palette with the bit as it is meant
         told.put(half ? 33 : 1, 1, differs);
-        const Palette p = palette_mixed(told, half);
+        const Fxt1Palette p = palette_mixed(told, half);
         put_codes(trial, p, kHalf * half, kHalf * half + kHalf);
         // Where the first code says otherwise, the palette is a little different.
-        const Palette real = palette_mixed(trial, half);
+        const Fxt1Palette real = palette_mixed(trial, half);
         int sum = 0;
         for (int t = kHalf * half; t < kHalf * half + kHalf; ++t)
           sum += distance(t, real.color[trial.get(2 * t, 2)]);

@@ -7,6 +7,7 @@
 
 #include "texture/component_values.h"
 #include "texture/pixel_formats.h"
+#include "texture/pixel_order.h"
 #include "texture/small_floats.h"
 
 namespace softgl {
@@ -36,42 +37,12 @@ void swap_elements(unsigned char* p, size_t bytes, int element_bytes) {
 template <class T> constexpr T one() { return std::numeric_limits<T>::max(); }
 template <> constexpr float one<float>() { return 1.0f; }
 
-// Where the four components of a color are in a pixel of client memory: 0 to 3, or kZero or kOne.
-constexpr int kZero = 4, kOne = 5;
-template <int components_, int r, int g, int b, int a> struct Order {
-  static constexpr int components = components_, from[4] = {r, g, b, a};
-  /// And back: of which of the four component k of a pixel is made.
-  static constexpr int source(int k) {
-    for (int i = 0; i < 4; ++i)
-      if (from[i] == k) return i;
-    return 0;
-  }
-};
-
-/// Calls f(an Order) for the order of a format's components.
-template <class F> void with_order(const PixelFormat& f, F&& call) {
-  switch (f.format) {
-  case GL_RED: return call(Order<1, 0, kZero, kZero, kOne>());
-  case GL_GREEN: return call(Order<1, kZero, 0, kZero, kOne>());
-  case GL_BLUE: return call(Order<1, kZero, kZero, 0, kOne>());
-  case GL_ALPHA: return call(Order<1, kZero, kZero, kZero, 0>());
-  case GL_LUMINANCE: return call(Order<1, 0, 0, 0, kOne>());
-  case GL_LUMINANCE_ALPHA: return call(Order<2, 0, 0, 0, 1>());
-  case GL_RG: return call(Order<2, 0, 1, kZero, kOne>());
-  case GL_RGB: return call(Order<3, 0, 1, 2, kOne>());
-  case GL_BGR: return call(Order<3, 2, 1, 0, kOne>());
-  case GL_BGRA: return call(Order<4, 2, 1, 0, 3>());
-  case GL_ABGR_EXT: return call(Order<4, 3, 2, 1, 0>());
-  default: return call(Order<4, 0, 1, 2, 3>());
-  }
-}
-
 /// The bytes of a pixel, which are in the lower bytes of `pixel`, as the word of a color.
 template <class O> uint32_t color_word(uint32_t pixel) {
   uint32_t word = 0;
   for (int k = 0; k < 4; ++k) {
     const int from = O::from[k];
-    if (from == kOne) word |= 0xffu << 8 * k;
+    if (from == kOneComponent) word |= 0xffu << 8 * k;
     if (from < 4) word |= (pixel >> 8 * from & 0xff) << 8 * k;
   }
   return word;
@@ -143,42 +114,52 @@ template <class Out, class In> void convert_back(const In* in, size_t count, uns
   }
 }
 
-template <class In, class Out>
-void unpack_array(const PixelFormat& f, const unsigned char* p, int count, Out (*rgba)[4]) {
+/// Colors of components that are already in their form, and back. All ways of converting share them.
+template <class Out> void order_colors(const PixelFormat& f, const Out* value, int count, Out (*rgba)[4]) {
   with_order(f, [&](auto order) {
     using O = decltype(order);
     constexpr int n = O::components;
-    if constexpr (sizeof(In) == 1 && std::is_same_v<In, Out> && !std::is_signed_v<Out>) {
-      unpack_bytes<O>(p, count, &rgba[0][0]);
-    } else if constexpr (std::is_same_v<O, Order<4, 0, 1, 2, 3>>) {
-      convert<In>(p, size_t(count) * 4, &rgba[0][0]);
-    } else {
-      Out value[kChunk * n];
-      convert<In>(p, size_t(count) * n, value);
-      for (int i = 0; i < count; ++i)
-        for (int k = 0; k < 4; ++k) {
-          const int from = O::from[k];
-          rgba[i][k] = from == kZero ? Out(0) : from == kOne ? one<Out>() : value[i * n + from % n];
-        }
-    }
+    for (int i = 0; i < count; ++i)
+      for (int k = 0; k < 4; ++k) {
+        const int from = O::from[k];
+        rgba[i][k] = from == kZeroComponent  ? Out(0)
+                     : from == kOneComponent ? one<Out>()
+                                             : value[i * n + from % n];
+      }
   });
+}
+template <class In> void order_components(const PixelFormat& f, const In (*rgba)[4], int count, In* value) {
+  with_order(f, [&](auto order) {
+    using O = decltype(order);
+    constexpr int n = O::components;
+    for (int i = 0; i < count; ++i)
+      for (int k = 0; k < n; ++k) value[i * n + k] = rgba[i][O::source(k)];
+  });
+}
+
+template <class In, class Out>
+void unpack_array(const PixelFormat& f, const unsigned char* p, int count, Out (*rgba)[4]) {
+  if constexpr (sizeof(In) == 1 && std::is_same_v<In, Out> && !std::is_signed_v<Out>)
+    return with_order(f, [&](auto order) { unpack_bytes<decltype(order)>(p, count, &rgba[0][0]); });
+  else if (has_order_of_colors(f))
+    return convert<In>(p, size_t(count) * 4, &rgba[0][0]);
+  else {
+    Out value[kChunk * 4];
+    convert<In>(p, size_t(count) * f.components, value);
+    order_colors(f, value, count, rgba);
+  }
 }
 template <class Out, class In>
 void pack_array(const PixelFormat& f, const In (*rgba)[4], int count, unsigned char* p) {
-  with_order(f, [&](auto order) {
-    using O = decltype(order);
-    constexpr int n = O::components;
-    if constexpr (sizeof(In) == 1 && std::is_same_v<In, Out> && !std::is_signed_v<Out>) {
-      pack_bytes<O>(&rgba[0][0], count, p);
-    } else if constexpr (std::is_same_v<O, Order<4, 0, 1, 2, 3>>) {
-      convert_back<Out>(&rgba[0][0], size_t(count) * 4, p);
-    } else {
-      In value[kChunk * n];
-      for (int i = 0; i < count; ++i)
-        for (int k = 0; k < n; ++k) value[i * n + k] = rgba[i][O::source(k)];
-      convert_back<Out>(value, size_t(count) * n, p);
-    }
-  });
+  if constexpr (sizeof(In) == 1 && std::is_same_v<In, Out> && !std::is_signed_v<Out>)
+    return with_order(f, [&](auto order) { pack_bytes<decltype(order)>(&rgba[0][0], count, p); });
+  else if (has_order_of_colors(f))
+    return convert_back<Out>(&rgba[0][0], size_t(count) * 4, p);
+  else {
+    In value[kChunk * 4];
+    order_components(f, rgba, count, value);
+    convert_back<Out>(value, size_t(count) * f.components, p);
+  }
 }
 
 /// The words of packed pixels, and back.
@@ -200,16 +181,6 @@ void store_words(const PixelFormat& f, const uint32_t* word, int count, unsigned
     }
   else
     std::memcpy(p, word, size_t(count) * 4);
-}
-
-/// Calls f(an Order) where the components of a packed type are whole bytes.
-template <class F> void with_order_of_bytes(const PixelFormat& f, F&& call) {
-  const bool reversed = f.shift[0] == 0; // the first component comes first in memory
-  switch (f.format) {
-  case GL_BGRA: return reversed ? call(Order<4, 2, 1, 0, 3>()) : call(Order<4, 1, 2, 3, 0>());
-  case GL_ABGR_EXT: return reversed ? call(Order<4, 3, 2, 1, 0>()) : call(Order<4, 0, 1, 2, 3>());
-  default: return reversed ? call(Order<4, 0, 1, 2, 3>()) : call(Order<4, 3, 2, 1, 0>());
-  }
 }
 
 /// Whether all components have at most 8 bits.

@@ -14,7 +14,7 @@ constexpr uint32_t kInfinity = 0x7f800000u; // as bits of a float
 float expand(uint32_t bits, int mantissa) {
   const uint32_t exponent = bits >> mantissa & 31, fraction = bits & ((1u << mantissa) - 1);
   if (exponent == 31) return std::bit_cast<float>(kInfinity | fraction << (23 - mantissa));
-  if (exponent == 0) return std::ldexp(float(fraction), -14 - mantissa);
+  if (exponent == 0) return float(fraction) * std::bit_cast<float>(uint32_t(113 - mantissa) << 23);
   return std::bit_cast<float>((exponent + 112) << 23 | fraction << (23 - mantissa));
 }
 

@@ -19,7 +19,7 @@ namespace softgl::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using Words = std::vector<std::string>;
+using OptionWords = std::vector<std::string>;
 
 // Of the run as a whole.
 constexpr const char* kNotOfJobs[] = {"--output",     "-o",      "--threads",       "--config", "--sandbox",
@@ -44,7 +44,7 @@ public:
   JobReader(const ProgramOptions& options, const std::vector<GivenOption>& given) : options_(options) {
     for (const GivenOption& option : given) {
       if (option.name == "--output") continue;
-      Words words = {option.name};
+      OptionWords words = {option.name};
       for (const std::string& value : option.values) {
         if (&value != &option.values.front()) words.push_back(option.name);
         words.push_back(value);
@@ -93,7 +93,7 @@ private:
   }
 
   // Most jobs have the options of another one.
-  std::shared_ptr<const ProgramOptions> options_for(const Words& own, const std::string& output) {
+  std::shared_ptr<const ProgramOptions> options_for(const OptionWords& own, const std::string& output) {
     if (output.empty()) throw ProgramError(kUsageError, "no output file given, neither here nor by -o");
     if (output == "-") throw ProgramError(kUsageError, "the picture of a job is a file");
     std::string all = image_format_of(output);
@@ -103,7 +103,7 @@ private:
     }
     std::shared_ptr<const ProgramOptions>& known = known_[all];
     if (known) return known;
-    Words words = {"model", "--output=" + output};
+    OptionWords words = {"model", "--output=" + output};
     words.insert(words.end(), common_.begin(), common_.end());
     words.insert(words.end(), own.begin(), own.end());
     return known = std::make_shared<const ProgramOptions>(parse_picture(words));
@@ -118,7 +118,7 @@ private:
     for (const PlannedOutput& output : plan_pictures(options).outputs) job.files.push_back(output.path);
   }
 
-  void look_at_files(BatchJob& job, const Words& own) const {
+  void look_at_files(BatchJob& job, const OptionWords& own) const {
     struct stat model {};
     if (::stat(job.model.c_str(), &model) == 0) job.bytes = uint64_t(model.st_size);
     StableHash key = common_key_;
@@ -148,7 +148,7 @@ private:
   }
 
   const ProgramOptions& options_;
-  Words common_; // options of the command line
+  OptionWords common_; // options of the command line
   StableHash common_key_;
   std::map<std::string, std::shared_ptr<const ProgramOptions>> known_;
   std::vector<BatchJob> jobs_;

@@ -5,7 +5,7 @@
 namespace softgl::cli {
 namespace {
 
-constexpr size_t kColumns = 40;
+constexpr size_t kBarColumns = 40;
 constexpr auto kPause = std::chrono::milliseconds(100);
 
 } // namespace
@@ -35,8 +35,8 @@ void Progress::say(const std::string& lines) {
 }
 
 void Progress::draw() {
-  const size_t full = kColumns * done_ / total_;
-  const std::string bar = std::string(full, '#') + std::string(kColumns - full, '.');
+  const size_t full = kBarColumns * done_ / total_;
+  const std::string bar = std::string(full, '#') + std::string(kBarColumns - full, '.');
   std::fprintf(terminal_, "\r[%s] %zu of %zu", bar.c_str(), done_, total_);
   std::fflush(terminal_);
   drawn_ = true;

@@ -17,7 +17,7 @@
 namespace softgl::cli {
 namespace {
 
-[[noreturn]] void refuse(const std::string& name, const char* what) {
+[[noreturn]] void refuse_source(const std::string& name, const char* what) {
   const int reason = errno;
   if (reason == ENOMEM) throw std::bad_alloc();
   throw ProgramError(kCannotRead, name + ": cannot " + what + ": " + std::strerror(reason));
@@ -36,7 +36,7 @@ std::string read_everything(int descriptor, const std::string& name, uint64_t mo
     if (text.size() - used < 65536) text.resize(std::min<size_t>(text.size() * 2, most) + (1 << 20));
     const ssize_t count = ::read(descriptor, text.data() + used, text.size() - used);
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) refuse(name, "read");
+    if (count < 0) refuse_source(name, "read");
     if (count == 0) break;
     used += size_t(count);
   }
@@ -67,9 +67,9 @@ SourceText SourceText::open(const std::string& path, uint64_t most) {
   if (path == "-")
     return from_string(read_everything(STDIN_FILENO, "standard input", most_piped), "standard input");
   const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
-  if (file.value < 0) refuse(path, "open");
+  if (file.value < 0) refuse_source(path, "open");
   struct stat status {};
-  if (::fstat(file.value, &status) != 0) refuse(path, "read");
+  if (::fstat(file.value, &status) != 0) refuse_source(path, "read");
   if (S_ISDIR(status.st_mode)) throw ProgramError(kCannotRead, path + ": this is a folder, not a model");
   const auto size = size_t(status.st_size);
   if (!S_ISREG(status.st_mode) || size == 0)
@@ -80,9 +80,9 @@ SourceText SourceText::open(const std::string& path, uint64_t most) {
 
 SourceText SourceText::open_named(const std::string& path) {
   const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)};
-  if (file.value < 0) refuse(path, "open");
+  if (file.value < 0) refuse_source(path, "open");
   struct stat status {};
-  if (::fstat(file.value, &status) != 0) refuse(path, "read");
+  if (::fstat(file.value, &status) != 0) refuse_source(path, "read");
   if (!S_ISREG(status.st_mode)) throw ProgramError(kCannotRead, path + ": this is not a file");
   if (status.st_size == 0) return from_string({}, path);
   return read_or_map(file.value, size_t(status.st_size), path);
@@ -94,7 +94,7 @@ SourceText SourceText::read_or_map(int descriptor, size_t size, const std::strin
   const size_t mapping_size = (size / page + 2) * page;
   void* mapping =
       ::mmap(nullptr, mapping_size, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  if (mapping == MAP_FAILED) refuse(path, "map");
+  if (mapping == MAP_FAILED) refuse_source(path, "map");
   if (::mmap(mapping, size, PROT_READ, MAP_PRIVATE | MAP_FIXED, descriptor, 0) == MAP_FAILED) {
     ::munmap(mapping, mapping_size);
     return from_string(read_everything(descriptor, path, size), path);

@@ -8,13 +8,12 @@ namespace softgl::cli {
 namespace {
 
 constexpr const char* kEquation = "L = k_a L_A + k_d Σ L_j (n·s_j) + k_s Σ L_j (v·r_j)^a";
-constexpr int kColumns = 5;
 
 } // namespace
 
 Page terms_figure(const Lecture& lecture) {
   Page page;
-  append_pictures(page.drawing, term_pictures(lecture), kColumns);
+  append_pictures(page.drawing, term_pictures(lecture), kPageColumns);
   Drawing& drawing = page.drawing;
   constexpr double kLight = -40, kUnit = 220;
   const double ground = drawing.height + 260;
@@ -57,7 +56,7 @@ Page terms_figure(const Lecture& lecture) {
 
 Page exponents_figure(const Lecture& lecture) {
   Page page;
-  append_pictures(page.drawing, exponent_pictures(lecture), kColumns);
+  append_pictures(page.drawing, exponent_pictures(lecture), kPageColumns);
   page.formulas = {"L_s = " + specular_formula(lecture)};
   page.sentences = {
       lecture.say({"The higher the exponent a, the smaller the highlight.",
@@ -71,7 +70,7 @@ Page exponents_figure(const Lecture& lecture) {
 
 Page vectors_figure(const Lecture& lecture) {
   Page page;
-  append_pictures(page.drawing, vector_pictures(lecture), kColumns);
+  append_pictures(page.drawing, vector_pictures(lecture), kPageColumns);
   Drawing& drawing = page.drawing;
   constexpr double kExponent = 16, kLight = -30;
   const Vec3 s = direction_at(kLight);

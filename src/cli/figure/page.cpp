@@ -7,7 +7,7 @@
 namespace softgl::cli {
 namespace {
 
-constexpr double kGap = 14, kMargin = 24;
+constexpr double kGap = 14, kPageMargin = 24;
 constexpr double kLabel = 13, kLabelLine = 18;
 constexpr double kText = 17, kTextLine = 25, kHeading = 30;
 
@@ -43,24 +43,24 @@ void append_pictures(Drawing& drawing, std::vector<PageEntry> entries, int colum
 
 Drawing lay_out(Page page) {
   Drawing sheet;
-  sheet.width = kPageWidth + 2 * kMargin;
+  sheet.width = kPageWidth + 2 * kPageMargin;
   sheet.polygon({{0, 0}, {sheet.width, 0}, {sheet.width, 0}, {0, 0}}, kPaper); // its height follows
-  sheet.words({kMargin, kMargin + kHeading}, page.title, kHeading);
-  double y = kMargin + kHeading + 34;
+  sheet.words({kPageMargin, kPageMargin + kHeading}, page.title, kHeading);
+  double y = kPageMargin + kHeading + 34;
   const double drawn = page.drawing.height;
-  sheet.append(std::move(page.drawing), {kMargin, y});
+  sheet.append(std::move(page.drawing), {kPageMargin, y});
   y += drawn + 16;
   for (const std::string& formula : page.formulas) {
     y += 32;
-    sheet.formula({kMargin, y}, formula, 22, Words::kStart, kBlue);
+    sheet.formula({kPageMargin, y}, formula, 22, Words::kStart, kBlue);
   }
   y += 14;
   for (const std::string& sentence : page.sentences)
     for (const std::string& line : text_lines(sentence, kText, kPageWidth)) {
       y += kTextLine;
-      sheet.formula({kMargin, y}, line, kText);
+      sheet.formula({kPageMargin, y}, line, kText);
     }
-  sheet.height = y + kMargin;
+  sheet.height = y + kPageMargin;
   auto& paper = std::get<Shape>(sheet.parts.front());
   paper.points[2].y = paper.points[3].y = sheet.height;
   return sheet;

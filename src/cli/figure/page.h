@@ -22,6 +22,8 @@ struct PageEntry {
   std::string name, label, formula; // the name is ASCII without spaces
 };
 
+inline constexpr int kPageColumns = 5; // of most pages
+
 // Puts the pictures beside each other, as wide as if there were `columns`, and makes the drawing longer.
 void append_pictures(Drawing& drawing, std::vector<PageEntry> entries, int columns,
                      const std::string& title = {});

@@ -10,8 +10,6 @@
 namespace softgl::cli {
 namespace {
 
-constexpr int kColumns = 5;
-
 CameraOptions front_view(const Lecture& lecture) {
   CameraOptions camera;
   camera.azimuth = camera.elevation = 0;
@@ -55,13 +53,13 @@ RenderResult draw(const Mesh& mesh, const Material& material, const Camera& came
 Page gouraud_figure(const Lecture& lecture) {
   Page page;
   ShadingPictures pictures = shading_pictures(lecture);
-  append_pictures(page.drawing, std::move(pictures.gouraud), kColumns,
+  append_pictures(page.drawing, std::move(pictures.gouraud), kPageColumns,
                   lecture.say({"Gouraud shading: lit at the vertices, colors interpolated",
                                "Gouraud-Shading: an den Ecken beleuchtet, Farben interpoliert"}));
-  append_pictures(page.drawing, std::move(pictures.phong), kColumns,
+  append_pictures(page.drawing, std::move(pictures.phong), kPageColumns,
                   lecture.say({"Phong shading: normals interpolated, lit at every pixel",
                                "Phong-Shading: Normalen interpoliert, an jedem Pixel beleuchtet"}));
-  append_pictures(page.drawing, std::move(pictures.differences), kColumns,
+  append_pictures(page.drawing, std::move(pictures.differences), kPageColumns,
                   lecture.say({"The difference", "Die Differenz"}));
   page.sentences = {
       lecture.say({"Gouraud shading computes the equation at the vertices and interpolates its result.",
@@ -93,8 +91,8 @@ Page missed_figure(const Lecture& lecture) {
            {}});
     }
   }
-  append_pictures(page.drawing, std::move(rows[0]), kColumns, "Gouraud");
-  append_pictures(page.drawing, std::move(rows[1]), kColumns, "Phong");
+  append_pictures(page.drawing, std::move(rows[0]), kPageColumns, "Gouraud");
+  append_pictures(page.drawing, std::move(rows[1]), kPageColumns, "Phong");
   page.sentences = {
       lecture.say(
           {"A lamp hangs above a flat square; its highlight is in the middle of a triangle.",

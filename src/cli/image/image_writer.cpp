@@ -18,8 +18,8 @@
 namespace softgl::cli {
 namespace {
 
-constexpr const char* kFormats[] = {"png", "ppm", "pam", "jpg",  "jpeg", "bmp",
-                                    "tga", "raw", "gif", "apng", "pfm",  "exr"};
+constexpr const char* kWrittenFormats[] = {"png", "ppm", "pam", "jpg",  "jpeg", "bmp",
+                                           "tga", "raw", "gif", "apng", "pfm",  "exr"};
 
 void append_bytes(void* context, void* data, int size) {
   static_cast<GrowingArray<uint8_t>*>(context)->append(static_cast<const uint8_t*>(data), size_t(size));
@@ -56,10 +56,11 @@ void append_text(GrowingArray<uint8_t>& out, const std::string& text) {
 
 } // namespace
 
-std::vector<std::string> image_formats() { return {std::begin(kFormats), std::end(kFormats)}; }
+std::vector<std::string> image_formats() { return {std::begin(kWrittenFormats), std::end(kWrittenFormats)}; }
 
 bool is_image_format(const std::string& format) {
-  return std::find(std::begin(kFormats), std::end(kFormats), format) != std::end(kFormats);
+  return std::find(std::begin(kWrittenFormats), std::end(kWrittenFormats), format) !=
+         std::end(kWrittenFormats);
 }
 
 bool has_alpha(const std::string& format) {

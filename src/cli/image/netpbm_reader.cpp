@@ -7,8 +7,6 @@
 namespace softgl::cli {
 namespace {
 
-constexpr uint64_t kMostPixels = uint64_t(1) << 28;
-
 class NetpbmReader {
 public:
   NetpbmReader(std::string_view bytes, PictureSamples& picture) : bytes_(bytes), picture_(picture) {}
@@ -62,7 +60,7 @@ private:
   template <class Sample> bool take(size_t size, Sample sample, bool from_below) {
     const size_t columns = size_t(picture_.width), rows = size_t(picture_.height),
                  row = columns * channels_ * size;
-    if (uint64_t(columns) * rows > kMostPixels || at_ > bytes_.size() || (bytes_.size() - at_) / row < rows)
+    if (int64_t(columns * rows) > kMostPixels || at_ > bytes_.size() || (bytes_.size() - at_) / row < rows)
       return false;
     float* out = picture_.values.extend(4 * columns * rows);
     for (size_t y = 0; y < rows; ++y) {

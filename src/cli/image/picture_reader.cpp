@@ -14,8 +14,6 @@
 namespace softgl::cli {
 namespace {
 
-constexpr int64_t kMostPixels = int64_t(1) << 28; // 16384 x 16384
-
 struct FreeImage {
   void operator()(void* pixels) const { stbi_image_free(pixels); }
 };

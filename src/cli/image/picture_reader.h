@@ -1,6 +1,7 @@
 // Picture files as numbers, for comparing them.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "common/growing_array.h"
@@ -12,6 +13,8 @@ struct PictureSamples {
   bool alpha = false;         // some pixel is not opaque
   GrowingArray<float> values; // RGBA rows from the top, 255 is full; files of more than 8 bits give fractions
 };
+
+inline constexpr int64_t kMostPixels = int64_t(1) << 28; // of a file: 16384 x 16384
 
 // PNG, JPEG (if the build has its library), BMP, TGA, PPM, PGM and PFM, of 8 or 16 bits a channel or of
 // floats. Throws ProgramError (kCannotRead).

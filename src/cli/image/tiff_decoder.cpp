@@ -22,7 +22,7 @@ tmsize_t take(thandle_t handle, void* out, tmsize_t count) {
   return taken;
 }
 
-tmsize_t refuse(thandle_t, void*, tmsize_t) { return -1; }
+tmsize_t write_nothing(thandle_t, void*, tmsize_t) { return -1; }
 
 toff_t seek(thandle_t handle, toff_t offset, int whence) {
   auto* source = static_cast<Source*>(handle);
@@ -83,9 +83,9 @@ std::string decode_tiff(const SourceText& bytes, DecodedPicture& picture) {
   if (!library.complete) return "is of kind TIFF, and there is no libtiff.so.6 to read it";
   Source source{bytes.begin(), bytes.end(), bytes.begin()};
   // "m": the file is not mapped into memory, where it is already.
-  const std::unique_ptr<TIFF, CloseTiff> tiff(
-      library.open("picture", "rm", &source, take, refuse, seek, close_nothing, size_of, nullptr, nullptr),
-      CloseTiff{library.close});
+  const std::unique_ptr<TIFF, CloseTiff> tiff(library.open("picture", "rm", &source, take, write_nothing,
+                                                           seek, close_nothing, size_of, nullptr, nullptr),
+                                              CloseTiff{library.close});
   uint32_t width = 0, height = 0;
   if (!tiff || !library.get_field(tiff.get(), TIFFTAG_IMAGEWIDTH, &width) ||
       !library.get_field(tiff.get(), TIFFTAG_IMAGELENGTH, &height) || width == 0 || height == 0)

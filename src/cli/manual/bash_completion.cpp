@@ -2,7 +2,7 @@
 
 namespace softgl::cli {
 
-std::string quoted(const std::string& text) {
+std::string in_apostrophes(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return result + "'";
@@ -17,7 +17,7 @@ std::string value_case(const OptionRow& option) {
   for (const std::string& name : option.names) names += (names.empty() ? "" : "|") + name;
   for (const std::string& choice : option.choices) choices += (choices.empty() ? "" : " ") + choice;
   const char* kind = option.file ? "file" : option.list ? "list" : "word";
-  return "    " + names + ") kind=" + kind + " choices=" + quoted(choices) + " ;;\n";
+  return "    " + names + ") kind=" + kind + " choices=" + in_apostrophes(choices) + " ;;\n";
 }
 
 std::string names_of(const CommandRow& command) {
@@ -105,10 +105,10 @@ std::string bash_completion(const CommandRow& program) {
     text += "    " + command.word + ") command=" + command.word + "; return ;;\n";
     words += (words.empty() ? "" : " ") + command.word;
   }
-  text += kMiddle + ("  local commands=" + quoted(words)) + "\n" + kBody;
+  text += kMiddle + ("  local commands=" + in_apostrophes(words)) + "\n" + kBody;
   const auto add = [&text](const char* pattern, const CommandRow& command, const CommandRow* more) {
-    text += std::string("  ") + pattern +
-            ")\n    options=" + quoted(names_of(command) + (more ? " " + names_of(*more) : std::string())) +
+    text += std::string("  ") + pattern + ")\n    options=" +
+            in_apostrophes(names_of(command) + (more ? " " + names_of(*more) : std::string())) +
             "\n    case $option in\n";
     for (const OptionRow& option : command.options) text += value_case(option);
     for (const OptionRow& option : more ? more->options : std::vector<OptionRow>())

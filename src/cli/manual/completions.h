@@ -12,6 +12,6 @@ std::string zsh_completion(const CommandRow& program);
 std::string fish_completion(const CommandRow& program);
 
 // A word between apostrophes, as all three shells read it.
-std::string quoted(const std::string& text);
+std::string in_apostrophes(const std::string& text);
 
 } // namespace softgl::cli

@@ -30,7 +30,7 @@ std::string specification(const OptionRow& option) {
     std::string line = option.value == "LIGHT" ? "*" : "(" + others + ")";
     line += name + (option.value.empty() ? "" : is_long ? "=" : "+") + "[" + plain(option.text) + "]";
     if (!option.value.empty()) line += ":" + plain(option.value) + ":" + action(option);
-    text += "    " + quoted(line) + "\n";
+    text += "    " + in_apostrophes(line) + "\n";
   }
   return text;
 }
@@ -47,7 +47,7 @@ std::string zsh_completion(const CommandRow& program) {
   std::string text = "#compdef softgl\n# zsh completion for softgl; written by its build\n\n"
                      "_softgl() {\n  local -a specs commands\n  local word command\n  commands=(\n";
   for (const CommandRow& command : program.commands)
-    text += "    " + quoted(command.word + ":" + plain(command.text)) + "\n";
+    text += "    " + in_apostrophes(command.word + ":" + plain(command.text)) + "\n";
   text += "  )\n  for word in ${words[2,CURRENT-1]}; do\n    case $word in\n";
   for (const CommandRow& command : program.commands)
     text += "    " + command.word + ") command=" + command.word + "; break ;;\n";

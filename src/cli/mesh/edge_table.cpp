@@ -4,26 +4,18 @@
 #include <cmath>
 
 #include "common/trigonometry.h"
+#include "mesh/vector.h"
 
 namespace softgl::cli {
 namespace {
 
-struct Vector {
-  double x, y, z;
-};
-
 Vector normal_of(const Mesh& mesh, uint32_t triangle) {
-  const float* p[3];
-  for (size_t k = 0; k < 3; ++k) p[k] = &mesh.positions[3 * size_t(mesh.triangles[3 * size_t(triangle) + k])];
-  double a[3], b[3];
-  for (int i = 0; i < 3; ++i) {
-    a[i] = double(p[1][i]) - p[0][i];
-    b[i] = double(p[2][i]) - p[0][i];
-  }
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  const auto corner = [&](size_t k) {
+    const float* p = &mesh.positions[3 * size_t(mesh.triangles[3 * size_t(triangle) + k])];
+    return Vector{p[0], p[1], p[2]};
+  };
+  return cross(corner(1) - corner(0), corner(2) - corner(0));
 }
-
-double dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 // For each vertex the first one at its place.
 std::vector<uint32_t> weld(const Mesh& mesh) {

@@ -3,18 +3,10 @@
 #include <cmath>
 
 #include "mesh/polygon_triangulator.h"
+#include "mesh/vector.h"
 
 namespace softgl::cli {
 namespace {
-
-struct Vector {
-  double x, y, z;
-};
-Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-double dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 class FaceTriangulator {
 public:

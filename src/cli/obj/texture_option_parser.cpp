@@ -11,7 +11,7 @@ namespace {
 
 bool is_space(char c) { return c == ' ' || c == '\t'; }
 
-struct Words {
+struct StatementWords {
   std::string_view text;
   size_t at = 0;
 
@@ -39,7 +39,7 @@ struct Words {
 };
 
 // True if the word was an option; its values are taken too.
-bool option(Words& words, TextureReference& texture) {
+bool option(StatementWords& words, TextureReference& texture) {
   const std::string_view name = words.peek();
   float values[3] = {0, 0, 0};
   const auto numbers = [&](int limit) {
@@ -83,7 +83,7 @@ bool option(Words& words, TextureReference& texture) {
 MapStatement parse_map_statement(std::string_view arguments, const ModelFiles& files,
                                  const std::string& folder) {
   MapStatement statement;
-  Words words{arguments};
+  StatementWords words{arguments};
   while (!words.peek().empty() && words.peek()[0] == '-' && option(words, statement.texture)) {}
   words.skip_spaces();
   statement.wanted = std::string(arguments.substr(words.at));

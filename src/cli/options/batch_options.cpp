@@ -5,7 +5,7 @@
 namespace softgl::cli {
 namespace {
 
-constexpr const char* kNotes =
+constexpr const char* kBatchNotes =
     "A line of a list is MODEL, OPTIONS and OUTPUT with tabs between them, or {\"model\": \"a.obj\", "
     "\"options\": \"--view top\", \"output\": \"a.png\"}. Options may be missing, and the output, too, where "
     "-o "
@@ -62,7 +62,7 @@ CLI::App* add_batch(CLI::App& app, ProgramOptions& options) {
              {"softgl batch parts/ -o 'thumbs/{model}.png' --size 256x256 --resume",
               "softgl batch jobs.tsv --shard slurm --resume --report 'log/{shard}.jsonl'",
               "softgl batch - --shard 2/8 --threads 1 --timeout 60 < jobs.jsonl"},
-             kNotes);
+             kBatchNotes);
   batch.fallthrough();
   return &batch;
 }

@@ -30,7 +30,7 @@ namespace {
 
 constexpr int kFigurePart = 400; // pixels a side of each picture: the sheet is then 2072 wide
 
-constexpr const char* kNotes =
+constexpr const char* kProgramNotes =
     "Exit codes: 0 done, 2 wrong usage, 3 model unreadable or without visible geometry (and any warning with "
     "--strict), 4 picture cannot be written.\n"
     "Settings: SOFTGL_OPT_SIZE=800x600 is --size 800x600, and so for each option; --config FILE has lines "
@@ -54,7 +54,7 @@ public:
                {"softgl part.obj -o part.png --up +Z --view front --size 1920x1080 --aa 4",
                 "softgl bust.obj -o - --bg transparent --color '#d8c8b0' > bust.png",
                 "softgl models/ -o 'thumbs/{model}.png' --size 256x256 --keep-going"},
-               kNotes);
+               kProgramNotes);
     app_.set_version_flag("--version", std::string("softgl ") + SOFTGL_VERSION, "print the version and exit");
     app_.set_help_flag("-h,--help", "print this help and exit");
     app_.option_defaults()->always_capture_default(false);

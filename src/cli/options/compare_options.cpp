@@ -6,7 +6,7 @@
 namespace softgl::cli {
 namespace {
 
-constexpr const char* kNotes =
+constexpr const char* kCompareNotes =
     "A difference picture has what differs in red, edges that are ignored in yellow, what the mask leaves "
     "out "
     "darker. Of folders, all pictures are compared by name (PNG, JPEG, BMP, TGA, PPM, PGM, PFM); one that is "
@@ -23,7 +23,7 @@ CLI::App* add_compare(CLI::App& app, CompareOptions& options) {
              {"softgl compare expected.png actual.png",
               "softgl compare a.png b.png diff.png --tolerance 2 --ignore-edges --max-pixels 0.01%",
               "softgl compare golden/ build/pictures/ build/diff/ --junit report.xml"},
-             kNotes);
+             kCompareNotes);
   compare.add_option("first", options.first, "picture or folder")->required()->type_name("EXPECTED");
   compare.add_option("second", options.second, "picture or folder")->required()->type_name("ACTUAL");
   compare

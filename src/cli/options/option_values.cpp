@@ -10,7 +10,7 @@
 namespace softgl::cli {
 namespace {
 
-[[noreturn]] void refuse(const std::string& what, const std::string& text) {
+[[noreturn]] void refuse_value(const std::string& what, const std::string& text) {
   throw std::invalid_argument("\"" + text + "\" is not " + what);
 }
 
@@ -79,18 +79,18 @@ LightOptions parse_light_kind(const std::string& text) {
   }
   if (rest.size() == 2 && (rest[0] == '+' || rest[0] == '-') && light.kind != LightOptions::kModelPosition) {
     const char axis = lower(rest)[1];
-    if (axis < 'x' || axis > 'z') refuse(what, text);
+    if (axis < 'x' || axis > 'z') refuse_value(what, text);
     light.kind = LightOptions::kModelDirection;
     light.value[0] = light.value[1] = light.value[2] = 0;
     light.value[axis - 'x'] = rest[0] == '-' ? -1 : 1;
     return light;
   }
   std::vector<double> values;
-  if (!parse_numbers(rest, values) || values.size() != 3) refuse(what, text);
+  if (!parse_numbers(rest, values) || values.size() != 3) refuse_value(what, text);
   for (size_t i = 0; i < 3; ++i) light.value[i] = values[i];
   if (light.kind == LightOptions::kModelPosition) return light;
   const double largest = std::max({std::fabs(values[0]), std::fabs(values[1]), std::fabs(values[2])});
-  if (!(largest > 0)) refuse(what, text);
+  if (!(largest > 0)) refuse_value(what, text);
   for (double& value : light.value) value /= largest;
   return light;
 }
@@ -100,7 +100,7 @@ void parse_light_property(const std::string& text, LightOptions& light) {
       "a property of a light: color:COLOR for any; for at:x,y,z also spot:x,y,z, cutoff:0..90, "
       "exponent:0..128 and attenuation:constant,linear,quadratic";
   const size_t colon = text.find(':');
-  if (colon == std::string::npos) refuse(what, text);
+  if (colon == std::string::npos) refuse_value(what, text);
   const std::string name = lower(text.substr(0, colon)), value = text.substr(colon + 1);
   if (name == "color" || name == "colour") {
     const std::array<float, 3> color = parse_reflectance(value);
@@ -108,7 +108,7 @@ void parse_light_property(const std::string& text, LightOptions& light) {
     return;
   }
   std::vector<double> values;
-  if (light.kind != LightOptions::kModelPosition || !parse_numbers(value, values)) refuse(what, text);
+  if (light.kind != LightOptions::kModelPosition || !parse_numbers(value, values)) refuse_value(what, text);
   const size_t count = values.size();
   const bool from_zero = std::all_of(values.begin(), values.end(), [](double number) { return number >= 0; });
   if (name == "spot" && count == 3 && (values[0] != 0 || values[1] != 0 || values[2] != 0)) {
@@ -122,7 +122,7 @@ void parse_light_property(const std::string& text, LightOptions& light) {
   } else if (name == "attenuation" && count == 3 && from_zero && values[0] + values[1] + values[2] > 0) {
     for (size_t i = 0; i < 3; ++i) light.attenuation[i] = float(values[i]);
   } else {
-    refuse(what, text);
+    refuse_value(what, text);
   }
 }
 
@@ -136,7 +136,7 @@ std::array<uint8_t, 3> parse_color(const std::string& text) {
   if (!name.empty() && name[0] == '#') {
     if (name.find_first_not_of("0123456789abcdef", 1) != std::string::npos ||
         (name.size() != 4 && name.size() != 7))
-      refuse(what, text);
+      refuse_value(what, text);
     uint32_t value = 0;
     for (size_t i = 1; i < name.size(); ++i) {
       const auto digit = uint32_t(name[i] <= '9' ? name[i] - '0' : name[i] - 'a' + 10);
@@ -145,10 +145,10 @@ std::array<uint8_t, 3> parse_color(const std::string& text) {
     return split(value);
   }
   std::vector<double> values;
-  if (!parse_numbers(text, values) || values.size() != 3) refuse(what, text);
+  if (!parse_numbers(text, values) || values.size() != 3) refuse_value(what, text);
   std::array<uint8_t, 3> result;
   for (size_t i = 0; i < 3; ++i) {
-    if (values[i] < 0 || values[i] > 1) refuse(what, text);
+    if (values[i] < 0 || values[i] > 1) refuse_value(what, text);
     result[i] = uint8_t(values[i] * 255 + 0.5);
   }
   return result;
@@ -159,10 +159,10 @@ void parse_size(const std::string& text, int& width, int& height) {
   const size_t cross = commas.find('x');
   if (cross != std::string::npos) commas[cross] = ',';
   std::vector<double> values;
-  if (!parse_numbers(commas, values) || values.size() > 2) refuse("a size such as 800x600", text);
+  if (!parse_numbers(commas, values) || values.size() > 2) refuse_value("a size such as 800x600", text);
   const double w = values[0], h = values.back();
   if (w != std::floor(w) || h != std::floor(h) || w < 1 || h < 1 || w > 16384 || h > 16384)
-    refuse("a size from 1x1 to 16384x16384", text);
+    refuse_value("a size from 1x1 to 16384x16384", text);
   width = int(w);
   height = int(h);
 }
@@ -174,7 +174,7 @@ void parse_sheet(const std::string& text, int& columns, int& rows) {
     parse_size(text, columns, unused);
   else
     parse_size(text, columns, rows);
-  if (columns > 100 || rows > 100) refuse("a sheet of at most 100 columns and rows", text);
+  if (columns > 100 || rows > 100) refuse_value("a sheet of at most 100 columns and rows", text);
 }
 
 UpAxis parse_up_axis(const std::string& text) {
@@ -182,13 +182,14 @@ UpAxis parse_up_axis(const std::string& text) {
   if (name == "auto") return UpAxis::kAuto;
   const bool sign = !name.empty() && (name[0] == '+' || name[0] == '-');
   const std::string axis = name.substr(sign ? 1 : 0);
-  if (axis.size() != 1 || axis[0] < 'x' || axis[0] > 'z') refuse("an axis such as +Y, -Z or auto", text);
+  if (axis.size() != 1 || axis[0] < 'x' || axis[0] > 'z')
+    refuse_value("an axis such as +Y, -Z or auto", text);
   return UpAxis(2 * (axis[0] - 'x') + (name[0] == '-'));
 }
 
 std::array<double, 3> parse_triple(const std::string& text) {
   std::vector<double> values;
-  if (!parse_numbers(text, values) || values.size() != 3) refuse("three numbers, x,y,z", text);
+  if (!parse_numbers(text, values) || values.size() != 3) refuse_value("three numbers, x,y,z", text);
   return {values[0], values[1], values[2]};
 }
 
@@ -197,7 +198,7 @@ std::vector<std::string> parse_views(const std::string& text) {
   double unused;
   for (const std::string& name : names)
     if (!named_view(name, unused, unused))
-      refuse("a view: iso, front, back, left, right, top or bottom", name);
+      refuse_value("a view: iso, front, back, left, right, top or bottom", name);
   return names;
 }
 
@@ -208,7 +209,7 @@ std::vector<Pass> parse_passes(const std::string& text) {
   for (const std::string& name : split_list(text)) {
     Pass pass;
     if (!named_pass(lower(name), pass) || std::find(passes.begin(), passes.end(), pass) != passes.end())
-      refuse(what, text);
+      refuse_value(what, text);
     passes.push_back(pass);
   }
   return passes;
@@ -241,7 +242,7 @@ unsigned parse_terms(const std::string& text) {
     const auto* found =
         std::find_if(std::begin(kTerms), std::end(kTerms), [&](const auto& t) { return name == t.name; });
     if (found == std::end(kTerms))
-      refuse("a list of terms: ambient, diffuse, specular, emission or all", text);
+      refuse_value("a list of terms: ambient, diffuse, specular, emission or all", text);
     terms |= found->term;
     begin = comma + 1;
   }
@@ -257,7 +258,8 @@ std::array<float, 3> parse_reflectance(const std::string& text) {
   if (values.size() == 1) values.resize(3, values[0]);
   const bool inside =
       std::all_of(values.begin(), values.end(), [](double value) { return value >= 0 && value <= 1; });
-  if (values.size() != 3 || !inside) refuse("a number from 0 to 1, three of them (r,g,b), or a color", text);
+  if (values.size() != 3 || !inside)
+    refuse_value("a number from 0 to 1, three of them (r,g,b), or a color", text);
   return {float(values[0]), float(values[1]), float(values[2])};
 }
 
@@ -285,7 +287,8 @@ std::array<float, 4> parse_tolerance(const std::string& text) {
   if (values.size() == 3) values.push_back(0);
   const bool inside =
       std::all_of(values.begin(), values.end(), [](double value) { return value >= 0 && value <= 255; });
-  if (!numbers || values.size() != 4 || !inside) refuse("a number from 0 to 255, r,g,b or r,g,b,a", text);
+  if (!numbers || values.size() != 4 || !inside)
+    refuse_value("a number from 0 to 255, r,g,b or r,g,b,a", text);
   return {float(values[0]), float(values[1]), float(values[2]), float(values[3])};
 }
 
@@ -294,7 +297,7 @@ double parse_count_or_percentage(const std::string& text) {
   std::vector<double> values;
   if (!parse_numbers(text.substr(0, text.size() - percentage), values) || values.size() != 1 ||
       values[0] < 0 || (percentage ? values[0] > 100 : values[0] != std::floor(values[0])))
-    refuse("a whole number or a percentage", text);
+    refuse_value("a whole number or a percentage", text);
   return values[0];
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kPrefix = "SOFTGL_OPT_";
 
-[[noreturn]] void refuse(const std::string& where, const std::string& sentence) {
+[[noreturn]] void refuse_setting(const std::string& where, const std::string& sentence) {
   throw ProgramError(kUsageError, where + ": " + sentence);
 }
 
@@ -41,12 +41,12 @@ public:
   // A part of the file for one command alone.
   void enter(const std::string& word, const std::string& where) {
     section_ = find(program_, word);
-    if (!section_ || word.empty()) refuse(where, "there is no command \"" + word + "\"");
+    if (!section_ || word.empty()) refuse_setting(where, "there is no command \"" + word + "\"");
   }
 
   void add(const std::string& option, const std::string& value, const std::string& where) {
     const bool known = section_ ? takes(*section_, option) : anybody_takes(option);
-    if (!known) refuse(where, "there is no option " + option);
+    if (!known) refuse_setting(where, "there is no option " + option);
     if ((section_ && section_ != &command_) || !takes(command_, option)) return;
     const auto same = std::find_if(settings_.begin(), settings_.end(),
                                    [&](const Setting& setting) { return setting.option == option; });
@@ -89,13 +89,13 @@ void read_line(std::string_view line, const std::string& where, Collector& colle
   line = trimmed(line);
   if (line.empty() || line[0] == '#') return;
   if (line[0] == '[') {
-    if (line.back() != ']') refuse(where, "a part begins with [COMMAND]");
+    if (line.back() != ']') refuse_setting(where, "a part begins with [COMMAND]");
     return collector.enter(std::string(line.substr(1, line.size() - 2)), where);
   }
   const size_t equal = std::min(line.find('='), line.size());
   const std::string_view name = trimmed(line.substr(0, equal));
   if (name.empty() || name.find_first_of(" \t-") == 0 || name.find_first_of(" \t") != std::string_view::npos)
-    refuse(where, "a setting is NAME = VALUE, without dashes before the name");
+    refuse_setting(where, "a setting is NAME = VALUE, without dashes before the name");
   const std::string value(equal == line.size() ? "true" : trimmed(line.substr(equal + 1)));
   collector.add("--" + std::string(name), value, where);
 }

@@ -148,14 +148,14 @@ struct Row {
      [[maybe_unused]] const TextureUnitState& unit = s.texture.unit[s.texture.active_unit]; \
      out.put_all(__VA_ARGS__); \
    }},
-const Row table[] = {
+const Row kStateRows[] = {
 #include "context/state_table.inc"
 };
 
 const Row* find_row(GLenum token) {
   static const std::vector<const Row*> sorted = [] {
     std::vector<const Row*> rows;
-    for (const Row& row : table) rows.push_back(&row);
+    for (const Row& row : kStateRows) rows.push_back(&row);
     std::sort(rows.begin(), rows.end(), [](auto* a, auto* b) { return a->token < b->token; });
     return rows;
   }();

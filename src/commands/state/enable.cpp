@@ -23,20 +23,20 @@ namespace {
    0},
 #define CAPABILITY_BIT(name, number, dirty, member) \
   {GLenum(GL_##name), false, dirty, nullptr, [](State& s) -> uint32_t* { return &(member); }, 1u << (number)},
-const Capability table[] = {
+const Capability kCapabilities[] = {
 #include "context/state_table.inc"
 };
 
 std::vector<const Capability*> sorted_table() {
   std::vector<const Capability*> sorted;
-  for (const Capability& capability : table) sorted.push_back(&capability);
+  for (const Capability& capability : kCapabilities) sorted.push_back(&capability);
   std::sort(sorted.begin(), sorted.end(), [](auto* a, auto* b) { return a->token < b->token; });
   return sorted;
 }
 
 } // namespace
 
-std::span<const Capability> capabilities() { return table; }
+std::span<const Capability> capabilities() { return kCapabilities; }
 
 const Capability* find_capability(GLenum token) {
   static const std::vector<const Capability*> sorted = sorted_table();

@@ -58,7 +58,7 @@ template <class T> void get_integers(Context& c, GLuint sampler, GLenum pname, T
   params[0] = T(value);
 }
 
-template <class T> void get(Context& c, GLuint sampler, GLenum pname, T* params) {
+template <class T> void get_sampler_parameter(Context& c, GLuint sampler, GLenum pname, T* params) {
   const auto object = find_sampler(c, sampler);
   if (!object) return;
   const ParameterValues values = get_sampling_parameter(c, object->parameters, pname);
@@ -116,10 +116,10 @@ void SamplerParameterIuiv(Context& c, GLuint sampler, GLenum pname, const GLuint
 }
 
 void GetSamplerParameterfv(Context& c, GLuint sampler, GLenum pname, GLfloat* params) {
-  get(c, sampler, pname, params);
+  get_sampler_parameter(c, sampler, pname, params);
 }
 void GetSamplerParameteriv(Context& c, GLuint sampler, GLenum pname, GLint* params) {
-  get(c, sampler, pname, params);
+  get_sampler_parameter(c, sampler, pname, params);
 }
 void GetSamplerParameterIiv(Context& c, GLuint sampler, GLenum pname, GLint* params) {
   get_integers(c, sampler, pname, params);

@@ -75,7 +75,7 @@ ParameterValues get_parameter(Context& c, GLenum target, GLenum pname) {
   }
 }
 
-template <class T> void get(Context& c, GLenum target, GLenum pname, T* params) {
+template <class T> void get_tex_parameter(Context& c, GLenum target, GLenum pname, T* params) {
   const ParameterValues values = get_parameter(c, target, pname);
   if (values.count == 0)
     return set_error(c, GL_INVALID_ENUM, binding_target(target) == kTextureTargets ? "target" : "pname");
@@ -143,10 +143,10 @@ bool get_level_parameter(Context& c, GLenum target, GLint level, GLenum pname, G
 } // namespace
 
 void GetTexParameterfv(Context& c, GLenum target, GLenum pname, GLfloat* params) {
-  get(c, target, pname, params);
+  get_tex_parameter(c, target, pname, params);
 }
 void GetTexParameteriv(Context& c, GLenum target, GLenum pname, GLint* params) {
-  get(c, target, pname, params);
+  get_tex_parameter(c, target, pname, params);
 }
 
 void GetTexLevelParameteriv(Context& c, GLenum target, GLint level, GLenum pname, GLint* params) {

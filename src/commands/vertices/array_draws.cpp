@@ -65,16 +65,16 @@ void draw_arrays(Context& c, GLenum mode, uint32_t first, uint32_t count) {
 }
 
 /// The indices of a draw in memory that the frame keeps, and their range.
-struct Indices {
+struct DrawIndices {
   const void* data = nullptr;
   uint32_t count = 0;
   IndexRange range;
 };
 
-Indices indices_of(Context& c, GLenum mode, uint32_t count, GLenum type, const void* pointer) {
+DrawIndices indices_of(Context& c, GLenum mode, uint32_t count, GLenum type, const void* pointer) {
   const uint32_t bytes = index_bytes(type);
   const std::shared_ptr<BufferObject>& buffer = c.client.vertex_array.element_array_object;
-  Indices result;
+  DrawIndices result;
   if (!buffer) {
     result.count = complete_vertices(mode, count);
     if (!pointer || !result.count) return {};
@@ -114,9 +114,10 @@ const void* index_memory(const BufferObject* buffer, const void* pointer, GLenum
 
 /// The indices with `base` added (GL_ARB_draw_elements_base_vertex), as GL_UNSIGNED_INT: a sum may need more
 /// bits than the type has.
-Indices moved_indices(Context& c, GLenum mode, uint32_t count, GLenum type, const void* pointer, GLint base) {
+DrawIndices moved_indices(Context& c, GLenum mode, uint32_t count, GLenum type, const void* pointer,
+                          GLint base) {
   const void* from = index_memory(c.client.vertex_array.element_array_object.get(), pointer, type, count);
-  Indices result;
+  DrawIndices result;
   result.count = complete_vertices(mode, count);
   if (!from || !result.count) return {};
   auto* moved = c.frame.arena().allocate_array<uint32_t>(result.count);
@@ -129,8 +130,8 @@ Indices moved_indices(Context& c, GLenum mode, uint32_t count, GLenum type, cons
 /// The indices between which primitives begin anew, with `base` added, and the primitives. None where no
 /// index is that of GL_PRIMITIVE_RESTART_INDEX, which is compared before the addition
 /// (GL_ARB_draw_elements_base_vertex).
-Indices restarting_indices(Context& c, GLenum mode, uint32_t count, GLenum type, const void* pointer,
-                           GLint base, DrawCall& call) {
+DrawIndices restarting_indices(Context& c, GLenum mode, uint32_t count, GLenum type, const void* pointer,
+                               GLint base, DrawCall& call) {
   const GLuint restart = c.client.vertex_array.restart_index;
   const void* from = index_memory(c.client.vertex_array.element_array_object.get(), pointer, type, count);
   uint32_t pieces = 1;
@@ -138,7 +139,7 @@ Indices restarting_indices(Context& c, GLenum mode, uint32_t count, GLenum type,
   if (pieces == 1) return {};
   auto* primitives = c.frame.arena().allocate_array<PrimitiveRange>(pieces);
   auto* indices = c.frame.arena().allocate_array<uint32_t>(count);
-  Indices result;
+  DrawIndices result;
   result.data = indices;
   uint32_t first = 0;
   const auto end_piece = [&] {
@@ -183,7 +184,7 @@ void draw_elements(Context& c, GLenum mode, uint32_t count, GLenum type, const v
     return hide_array_run(c);
   }
   DrawCall call;
-  Indices indices;
+  DrawIndices indices;
   if (restarts) indices = restarting_indices(c, mode, count, type, pointer, base, call);
   if (indices.data) {
     type = GL_UNSIGNED_INT;

@@ -9,6 +9,7 @@
 #include "context/buffer_objects.h"
 #include "context/context.h"
 #include "shaders/common/seeded_faults.h"
+#include "texture/small_floats.h"
 
 namespace softgl {
 namespace {
@@ -32,15 +33,6 @@ TypeInfo type_info(GLenum type) {
   case GL_HALF_FLOAT: return {ComponentType::Float, 2}; // after its conversion
   default: return {ComponentType::Float, 4};
   }
-}
-
-/// A float of 16 bits: 1 of sign, 5 of exponent, 10 of mantissa (GL_ARB_half_float_vertex, 2.1.2).
-float half_to_float(uint16_t half) {
-  const uint32_t sign = uint32_t(half & 0x8000) << 16, exponent = half >> 10 & 31, mantissa = half & 0x3ff;
-  if (exponent == 31) return std::bit_cast<float>(sign | 0x7f800000u | mantissa << 13);
-  if (exponent) return std::bit_cast<float>(sign | (exponent + 112) << 23 | mantissa << 13);
-  const float value = float(mantissa) * (1.0f / 16777216.0f);
-  return sign ? -value : value;
 }
 
 bool is_valid(const Context& c) {

@@ -97,6 +97,8 @@ double signed_unit(double integer, int bits);
 TextureTarget texture_target(GLenum target, int* face);
 /// A row of a matrix times a vector, with the accuracy of the subject's own arithmetic.
 Interval row_times(const Matrix4& m, int row, const Vec4& v);
+/// Throws std::logic_error where there is none.
+Matrix4 inverse(Matrix4 m);
 /// A matrix comes from the subject's own arithmetic: some operations of 2.1.1's accuracy.
 constexpr double kMatrixAccuracy = 4 * spec::kAccuracy;
 

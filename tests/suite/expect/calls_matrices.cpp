@@ -52,6 +52,14 @@ Matrix4 transposed(const Matrix4& a) {
   return t;
 }
 
+Matrix4 matrix_of(const std::vector<double>& numbers) {
+  Matrix4 m;
+  std::copy(numbers.begin(), numbers.end(), m.m);
+  return m;
+}
+
+} // namespace
+
 // By Gauss and Jordan, with the greatest pivot.
 Matrix4 inverse(Matrix4 a) {
   Matrix4 b;
@@ -73,14 +81,6 @@ Matrix4 inverse(Matrix4 a) {
   }
   return b;
 }
-
-Matrix4 matrix_of(const std::vector<double>& numbers) {
-  Matrix4 m;
-  std::copy(numbers.begin(), numbers.end(), m.m);
-  return m;
-}
-
-} // namespace
 
 std::vector<Matrix4>& Machine::matrices() {
   switch (state_.transform.matrix_mode) {

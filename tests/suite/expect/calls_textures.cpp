@@ -6,32 +6,6 @@
 namespace softgl::suite {
 namespace {
 
-Matrix4 inverse(const Matrix4& m) { // by elimination
-  double a[4][8] = {};
-  for (int i = 0; i < 4; i++) {
-    for (int j = 0; j < 4; j++) a[i][j] = m(i, j);
-    a[i][4 + i] = 1;
-  }
-  for (int i = 0; i < 4; i++) {
-    int pivot = i;
-    for (int k = i + 1; k < 4; k++)
-      if (std::abs(a[k][i]) > std::abs(a[pivot][i])) pivot = k;
-    std::swap_ranges(a[i], a[i] + 8, a[pivot]);
-    if (a[i][i] == 0) throw std::logic_error("a modelview matrix without an inverse");
-    const double by = 1 / a[i][i];
-    for (double& x : a[i]) x *= by;
-    for (int k = 0; k < 4; k++) {
-      const double factor = a[k][i];
-      if (k != i)
-        for (int j = 0; j < 8; j++) a[k][j] -= factor * a[i][j];
-    }
-  }
-  Matrix4 result;
-  for (int i = 0; i < 4; i++)
-    for (int j = 0; j < 4; j++) result.m[4 * j + i] = a[i][4 + j];
-  return result;
-}
-
 double dot4(const Vec4& a, const Vec4& b) { return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w; }
 
 void set_parameter(TextureParameters& p, GLenum name, const std::vector<double>& v) {

@@ -1,14 +1,10 @@
 // The color of a fragment: texture, color sum and fog (3.8 to 3.10).
 #include <stdexcept>
 
+#include "expect/fragment_operations.h"
 #include "expect/primitive.h"
 
 namespace softgl::suite {
-namespace {
-
-double component(const Vec4& v, int i) { return i == 0 ? v.x : i == 1 ? v.y : i == 2 ? v.z : v.w; }
-
-} // namespace
 
 Interval fog_factor(const FogState& fog, Interval distance) {
   const auto at = [&](double c) {

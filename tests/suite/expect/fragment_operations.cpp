@@ -27,8 +27,6 @@ Passes compare(GLenum function, Interval a, Interval b) {
 
 Interval less(Interval a) { return {1 - a.high, 1 - a.low}; }
 
-double component(const Vec4& v, int i) { return i == 0 ? v.x : i == 1 ? v.y : i == 2 ? v.z : v.w; }
-
 // Table 4.1; c is the component.
 Interval factor(GLenum f, const Interval* source, const Interval* destination, const Vec4& constant, int c) {
   switch (f) {

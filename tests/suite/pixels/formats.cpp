@@ -5,8 +5,6 @@
 namespace softgl::suite {
 namespace {
 
-constexpr Need kVersion12{12};
-
 Test format(const char* name, GLenum what, const char* sentence, Need need = {}) {
   return {std::string("pixels.format.") + name,
           "3.6.4, table 3.6",

@@ -5,16 +5,9 @@
 namespace softgl::suite {
 namespace {
 
-constexpr Need kVersion12{12};
-
-Test test(const char* name, const char* section, const char* sentence, std::function<void(Script&)> body,
-          Need need = {}, const char* open = "") {
-  return pixel_test(name, section, sentence, std::move(body), need, open);
-}
-
 // Six by four pixels of colors that vary are read and painted.
 Test read(const char* name, const char* sentence, GLenum format, GLenum type, Need need = {}) {
-  return test(
+  return pixel_test(
       name, "4.3.2", sentence,
       [=](Script& s) {
         const int elements = 24 * (pixel_type(type).fields > 1 ? 1 : components_of(format));
@@ -26,7 +19,7 @@ Test read(const char* name, const char* sentence, GLenum format, GLenum type, Ne
 }
 // Depths from near to far.
 Test read_depth(const char* name, const char* sentence, GLenum type) {
-  return test(name, "4.3.2", sentence, [=](Script& s) {
+  return pixel_test(name, "4.3.2", sentence, [=](Script& s) {
     s.Enable(GL_DEPTH_TEST), varied_sheet(s, -12, 3.5), s.PixelStorei(GL_PACK_ALIGNMENT, 1);
     s.PaintPixels(12, 40, 70, 1, GL_DEPTH_COMPONENT, type, 70, 2, 2, 10, 8, false);
   });
@@ -34,7 +27,7 @@ Test read_depth(const char* name, const char* sentence, GLenum type) {
 // Three by three pixels of GL_RGB with a way of storing them.
 Test packed(const char* name, const char* sentence, GLenum type, int count,
             std::function<void(Script&)> state, bool swapped = false, Need need = {}) {
-  return test(
+  return pixel_test(
       name, "4.3.2, table 4.4", sentence,
       [=](Script& s) {
         varied_sheet(s), state(s), s.PaintPixels(50, 30, 3, 3, GL_RGB, type, count, 2, 2, 11, 8, swapped);
@@ -45,7 +38,7 @@ Test packed(const char* name, const char* sentence, GLenum type, int count,
 }
 // A part of the window is copied to the upper right.
 Test copied(const char* name, const char* sentence, std::function<void(Script&)> state) {
-  return test(name, "4.3.3", sentence, [=](Script& s) {
+  return pixel_test(name, "4.3.3", sentence, [=](Script& s) {
     s.Color3f(0.5f, 0.5f, 0.5f), varied_sheet(s), place(s, 50.3, 48.2), state(s),
         s.CopyPixels(40, 10, 20, 16, GL_COLOR);
     s.PixelTransferf(GL_RED_SCALE, 1.0), s.PixelTransferf(GL_BLUE_BIAS, 0.0),
@@ -56,7 +49,7 @@ Test copied(const char* name, const char* sentence, std::function<void(Script&)>
 // The call raises the error; an image is drawn behind it as if nothing had been.
 Test error(const char* name, const char* section, const char* sentence, GLenum raised,
            std::function<void(Script&)> call, Need need = {}) {
-  return test(
+  return pixel_test(
       name, section, sentence,
       [=](Script& s) {
         s.Raises(raised), call(s), s.PaintError(0, 0), s.PaintError(0, 10), place(s, 12.3, 20.2),
@@ -128,25 +121,25 @@ std::vector<Test> pixel_read_tests() {
              set(GL_PACK_SWAP_BYTES, 1), true),
       packed("pack.swap_packed", "GL_PACK_SWAP_BYTES turns the bytes of a packed pixel round.",
              GL_UNSIGNED_SHORT_5_6_5, 9, set(GL_PACK_SWAP_BYTES, 1), true, kVersion12),
-      test("read.transfer", "4.3.2, 3.6.5", "What is read goes through scale, bias and maps.",
-           [](Script& s) {
-             varied_sheet(s), s.PixelTransferf(GL_RED_SCALE, 0.5), s.PixelTransferf(GL_BLUE_BIAS, 0.3);
-             s.PixelStorei(GL_PACK_ALIGNMENT, 1),
-                 s.PaintPixels(40, 30, 6, 4, GL_RGB, GL_FLOAT, 72, 2, 2, 11, 8, false);
-             s.PixelTransferf(GL_RED_SCALE, 1.0), s.PixelTransferf(GL_BLUE_BIAS, 0.0);
-           }),
-      test("read.rows_from_below", "4.3.2", "The first row is the lowest.",
-           [](Script& s) {
-             varied_sheet(s), s.PixelStorei(GL_PACK_ALIGNMENT, 1);
-             s.PaintPixels(50, 10, 1, 70, GL_RGB, GL_UNSIGNED_BYTE, 210, 2, 2, 15, 6, false);
-           }),
-      test("read.depth_transfer", "4.3.2, 3.6.5", "Depths that are read have a scale and a bias.",
-           [](Script& s) {
-             s.Enable(GL_DEPTH_TEST), varied_sheet(s, -12, 3.5), s.PixelTransferf(GL_DEPTH_SCALE, 0.5);
-             s.PixelTransferf(GL_DEPTH_BIAS, 0.25),
-                 s.PaintPixels(12, 40, 70, 1, GL_DEPTH_COMPONENT, GL_FLOAT, 70, 2, 2, 10, 8, false);
-             s.PixelTransferf(GL_DEPTH_SCALE, 1.0), s.PixelTransferf(GL_DEPTH_BIAS, 0.0);
-           }),
+      pixel_test("read.transfer", "4.3.2, 3.6.5", "What is read goes through scale, bias and maps.",
+                 [](Script& s) {
+                   varied_sheet(s), s.PixelTransferf(GL_RED_SCALE, 0.5), s.PixelTransferf(GL_BLUE_BIAS, 0.3);
+                   s.PixelStorei(GL_PACK_ALIGNMENT, 1),
+                       s.PaintPixels(40, 30, 6, 4, GL_RGB, GL_FLOAT, 72, 2, 2, 11, 8, false);
+                   s.PixelTransferf(GL_RED_SCALE, 1.0), s.PixelTransferf(GL_BLUE_BIAS, 0.0);
+                 }),
+      pixel_test("read.rows_from_below", "4.3.2", "The first row is the lowest.",
+                 [](Script& s) {
+                   varied_sheet(s), s.PixelStorei(GL_PACK_ALIGNMENT, 1);
+                   s.PaintPixels(50, 10, 1, 70, GL_RGB, GL_UNSIGNED_BYTE, 210, 2, 2, 15, 6, false);
+                 }),
+      pixel_test("read.depth_transfer", "4.3.2, 3.6.5", "Depths that are read have a scale and a bias.",
+                 [](Script& s) {
+                   s.Enable(GL_DEPTH_TEST), varied_sheet(s, -12, 3.5), s.PixelTransferf(GL_DEPTH_SCALE, 0.5);
+                   s.PixelTransferf(GL_DEPTH_BIAS, 0.25),
+                       s.PaintPixels(12, 40, 70, 1, GL_DEPTH_COMPONENT, GL_FLOAT, 70, 2, 2, 10, 8, false);
+                   s.PixelTransferf(GL_DEPTH_SCALE, 1.0), s.PixelTransferf(GL_DEPTH_BIAS, 0.0);
+                 }),
 
       copied("copy.plain", "glCopyPixels draws a part of the window at the raster position.", [](Script&) {}),
       copied("copy.zoomed", "The zoom enlarges copies.", [](Script& s) { s.PixelZoom(2, 3); }),
@@ -162,19 +155,19 @@ std::vector<Test> pixel_read_tests() {
              [](Script& s) {
                s.PixelTransferf(GL_RED_SCALE, 0.5), s.AlphaFunc(GL_GREATER, 0.3), s.Enable(GL_ALPHA_TEST);
              }),
-      test("copy.depth", "4.3.3", "Copied depths are compared with what is drawn later.",
-           [](Script& s) {
-             s.Enable(GL_DEPTH_TEST), varied_sheet(s, -12, 3), s.Color3f(0.9f, 0.5f, 0.1f),
-                 place(s, 52.3, 20.2);
-             s.DepthFunc(GL_ALWAYS), s.CopyPixels(12, 20, 30, 60, GL_DEPTH), s.DepthFunc(GL_LESS),
-                 varied_sheet(s, -5.3, -5.1);
-           }),
-      test("copy.invalid_position", "2.13, 4.3.3", "At an invalid raster position nothing is copied.",
-           [](Script& s) {
-             varied_sheet(s), s.RasterPos3f(-3.0f, 0.0f, 0.0f), s.PixelZoom(3, 3),
-                 s.CopyPixels(20, 20, 40, 40, GL_COLOR);
-             s.PaintInteger(GL_CURRENT_RASTER_POSITION_VALID, 0, 0, 2, 2);
-           }),
+      pixel_test("copy.depth", "4.3.3", "Copied depths are compared with what is drawn later.",
+                 [](Script& s) {
+                   s.Enable(GL_DEPTH_TEST), varied_sheet(s, -12, 3), s.Color3f(0.9f, 0.5f, 0.1f),
+                       place(s, 52.3, 20.2);
+                   s.DepthFunc(GL_ALWAYS), s.CopyPixels(12, 20, 30, 60, GL_DEPTH), s.DepthFunc(GL_LESS),
+                       varied_sheet(s, -5.3, -5.1);
+                 }),
+      pixel_test("copy.invalid_position", "2.13, 4.3.3", "At an invalid raster position nothing is copied.",
+                 [](Script& s) {
+                   varied_sheet(s), s.RasterPos3f(-3.0f, 0.0f, 0.0f), s.PixelZoom(3, 3),
+                       s.CopyPixels(20, 20, 40, 40, GL_COLOR);
+                   s.PaintInteger(GL_CURRENT_RASTER_POSITION_VALID, 0, 0, 2, 2);
+                 }),
   };
 }
 
@@ -230,15 +223,16 @@ std::vector<Test> pixel_error_tests() {
             s.PaintPixels(0, 0, 1, 4, GL_RGBA, GL_UNSIGNED_SHORT_5_6_5, 4, 12, 2, 12, 6, false);
           },
           kVersion12),
-      test("error.inside_begin", "2.6.3",
-           "Commands of pixels between glBegin and glEnd are GL_INVALID_OPERATION.",
-           [=](Script& s) {
-             place(s, 8.3, 8.2), s.PixelZoom(8, 8), s.Begin(GL_TRIANGLES), s.Raises(kOperation),
-                 s.DrawPixels(4, 4, GL_RGB, GL_UNSIGNED_BYTE, image);
-             s.Raises(kOperation), s.Bitmap(8, 8, 0, 0, 5, 5, image), s.Raises(kOperation), s.PixelZoom(2, 2);
-             s.Raises(kOperation), s.CopyPixels(0, 0, 4, 4, GL_COLOR), s.End(), s.PaintError(0, 0);
-             s.DrawPixels(6, 6, GL_RGB, GL_UNSIGNED_BYTE, image);
-           }),
+      pixel_test("error.inside_begin", "2.6.3",
+                 "Commands of pixels between glBegin and glEnd are GL_INVALID_OPERATION.",
+                 [=](Script& s) {
+                   place(s, 8.3, 8.2), s.PixelZoom(8, 8), s.Begin(GL_TRIANGLES), s.Raises(kOperation),
+                       s.DrawPixels(4, 4, GL_RGB, GL_UNSIGNED_BYTE, image);
+                   s.Raises(kOperation), s.Bitmap(8, 8, 0, 0, 5, 5, image), s.Raises(kOperation),
+                       s.PixelZoom(2, 2);
+                   s.Raises(kOperation), s.CopyPixels(0, 0, 4, 4, GL_COLOR), s.End(), s.PaintError(0, 0);
+                   s.DrawPixels(6, 6, GL_RGB, GL_UNSIGNED_BYTE, image);
+                 }),
   };
 }
 

@@ -5,7 +5,7 @@
 namespace softgl::suite {
 namespace {
 
-constexpr Need kImaging{14, "GL_ARB_imaging"}, kSquare{14, "GL_NV_blend_square"}, kSeparate{14};
+constexpr Need kBlendSquare{14, "GL_NV_blend_square"}, kSeparate{14};
 
 Test blended(const std::string& name, GLenum source, GLenum destination, Need need = {}) {
   return raster_test(
@@ -75,10 +75,10 @@ std::vector<Test> raster_blend_tests() {
            blended("destination_src_color", GL_ZERO, GL_SRC_COLOR),
            blended("destination_one_minus_src_color", GL_ONE, GL_ONE_MINUS_SRC_COLOR),
            blended("transparency", GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA),
-           blended("source_src_color", GL_SRC_COLOR, GL_ONE, kSquare),
-           blended("source_one_minus_src_color", GL_ONE_MINUS_SRC_COLOR, GL_ONE, kSquare),
-           blended("destination_dst_color", GL_ONE, GL_DST_COLOR, kSquare),
-           blended("destination_one_minus_dst_color", GL_ONE, GL_ONE_MINUS_DST_COLOR, kSquare),
+           blended("source_src_color", GL_SRC_COLOR, GL_ONE, kBlendSquare),
+           blended("source_one_minus_src_color", GL_ONE_MINUS_SRC_COLOR, GL_ONE, kBlendSquare),
+           blended("destination_dst_color", GL_ONE, GL_DST_COLOR, kBlendSquare),
+           blended("destination_one_minus_dst_color", GL_ONE, GL_ONE_MINUS_DST_COLOR, kBlendSquare),
            blended("constant_color", GL_CONSTANT_COLOR, GL_ONE_MINUS_CONSTANT_COLOR, kImaging),
            blended("one_minus_constant_color", GL_ONE_MINUS_CONSTANT_COLOR, GL_CONSTANT_COLOR, kImaging),
            blended("constant_alpha", GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA, kImaging),

@@ -28,7 +28,6 @@ Test wrong(const char* name, const char* section, const char* sentence, GLenum e
       },
       need);
 }
-constexpr Need kImaging{14, "GL_ARB_imaging"}, kVersion14{14}, kVersion15{15};
 
 } // namespace
 

@@ -9,7 +9,7 @@ Test wide(const char* name, double width, const char* sentence) {
   return raster_test(std::string("lines.width_") + name, "3.4.2", sentence,
                      [=](Script& s) { s.LineWidth(width), star(s, 20, width < 2.5); });
 }
-const char* const kWidth =
+const char* const kWideLine =
     "Each column of a line has as many fragments as it is wide; of a steep one each row.";
 
 // Rows of lines from left to right.
@@ -30,9 +30,9 @@ Test stippled(const char* name, int factor, int pattern, GLenum mode, const char
 std::vector<Test> raster_line_tests() {
   return {
       wide("1", 1, "No two fragments of a line lie in the same column; of a steep one in the same row."),
-      wide("2", 2, kWidth),
-      wide("3", 3, kWidth),
-      wide("6", 6, kWidth),
+      wide("2", 2, kWideLine),
+      wide("3", 3, kWideLine),
+      wide("6", 6, kWideLine),
       wide("rounded_down", 3.4, "The width is rounded to the nearest whole number."),
       wide("rounded_up", 4.6, "The width is rounded to the nearest whole number."),
       wide("rounded_to_0", 0.3, "A width that is rounded to 0 is 1."),

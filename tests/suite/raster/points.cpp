@@ -6,7 +6,7 @@ namespace softgl::suite {
 namespace {
 
 // Points all over the window, whose corners are not near the centers of pixels.
-void points(Script& s, double near_z = 0, double step_z = 0) {
+void point_grid(Script& s, double near_z = 0, double step_z = 0) {
   s.Begin(GL_POINTS);
   for (int i = 0; i < 20; i++)
     tint(s, i), pixel_vertex(s, 10.2 + 18 * (i % 5) + 0.1 * (i % 2), 12.3 + 23 * (i / 5) + 0.4 * (i % 2),
@@ -23,7 +23,7 @@ void dots(Script& s) {
 
 Test sized(const char* name, double size, const char* sentence) {
   return raster_test(std::string("points.size_") + name, "3.3.1", sentence,
-                     [=](Script& s) { s.PointSize(size), size > 1 ? points(s) : dots(s); });
+                     [=](Script& s) { s.PointSize(size), size > 1 ? point_grid(s) : dots(s); });
 }
 
 // Points near the axis of view: their distances are those of their planes, nearly.
@@ -53,9 +53,10 @@ std::vector<Test> raster_point_tests() {
       sized("rounded_to_0", 0.3, "A size that is rounded to 0 is 1."),
       raster_test("points.one_color", "3.3.1", "All fragments of a point have the color of its vertex.",
                   [](Script& s) { s.PointSize(16), s.ShadeModel(GL_SMOOTH), ring(s, GL_POINTS, 6); }),
-      raster_test(
-          "points.one_depth", "3.3.1", "All fragments of a point have the depth of its vertex.",
-          [](Script& s) { s.Enable(GL_DEPTH_TEST), tint(s, 2), slope(s), s.PointSize(14), points(s, 1, 3); }),
+      raster_test("points.one_depth", "3.3.1", "All fragments of a point have the depth of its vertex.",
+                  [](Script& s) {
+                    s.Enable(GL_DEPTH_TEST), tint(s, 2), slope(s), s.PointSize(14), point_grid(s, 1, 3);
+                  }),
       raster_test(
           "points.at_the_border", "2.12, 3.3.1",
           "A point is drawn as far as the window reaches if its position is inside, and not at all if not.",
@@ -97,7 +98,7 @@ std::vector<Test> raster_point_tests() {
           kParameters),
       raster_test("points.saved", "6.1.14, table 6.10", "GL_POINT_BIT brings back the size.",
                   [](Script& s) {
-                    s.PointSize(9), s.PushAttrib(GL_POINT_BIT), s.PointSize(3), s.PopAttrib(), points(s);
+                    s.PointSize(9), s.PushAttrib(GL_POINT_BIT), s.PointSize(3), s.PopAttrib(), point_grid(s);
                   }),
   };
 }

@@ -19,7 +19,8 @@ struct Need {
   /// either.
   bool leaves_normals_open = false;
 };
-constexpr Need kSeparateSpecular{12, "GL_EXT_separate_specular_color"},
+constexpr Need kVersion12{12}, kVersion13{13}, kVersion14{14}, kVersion15{15};
+constexpr Need kImaging{14, "GL_ARB_imaging"}, kSeparateSpecular{12, "GL_EXT_separate_specular_color"},
     kRescaleNormal{12, "GL_EXT_rescale_normal"};
 
 struct Test {

@@ -6,11 +6,6 @@
 namespace softgl::suite {
 namespace {
 
-Test test(const char* name, const char* section, const char* sentence, std::function<void(Script&)> body,
-          Need need = {}) {
-  return texture_test(name, section, sentence, std::move(body), need);
-}
-
 // An object with an image of its own.
 void object(Script& s, unsigned name, int seed) {
   s.BindTexture(GL_TEXTURE_2D, name), filters(s, GL_TEXTURE_2D, GL_NEAREST, GL_NEAREST);
@@ -30,7 +25,7 @@ void spoil(Script& s) {
 
 // Depths 0 to 1 in 16 texels, compared with an r that grows along x.
 Test depth(const char* name, const char* sentence, GLenum mode, GLenum function, Need need = kVersion14) {
-  return test(
+  return texture_test(
       name, "3.8.14", sentence,
       [=](Script& s) {
         replace_scene(s), see_alpha(s), environment(s, GL_MODULATE), wrap(s, GL_TEXTURE_2D, GL_CLAMP_TO_EDGE);
@@ -51,50 +46,51 @@ Test depth(const char* name, const char* sentence, GLenum mode, GLenum function,
 
 std::vector<Test> texture_object_tests() {
   return {
-      test("object.two", "3.8.12", "Each object has an image of its own.",
-           [](Script& s) {
-             replace_scene(s), object(s, 1, 1), object(s, 2, 9), s.BindTexture(GL_TEXTURE_2D, 1), left(s);
-             s.BindTexture(GL_TEXTURE_2D, 2), right(s);
-           }),
-      test("object.parameters", "3.8.12", "Each object has parameters of its own.",
-           [](Script& s) {
-             replace_scene(s), object(s, 1, 1), object(s, 2, 1),
-                 filters(s, GL_TEXTURE_2D, GL_LINEAR, GL_LINEAR);
-             s.BindTexture(GL_TEXTURE_2D, 1), left(s), s.BindTexture(GL_TEXTURE_2D, 2), right(s);
-           }),
-      test("object.zero", "3.8.12", "The name 0 is the texture from the start.",
-           [](Script& s) {
-             replace_scene(s), object(s, 1, 1), left(s), s.BindTexture(GL_TEXTURE_2D, 0), right(s);
-           }),
-      test(
+      texture_test("object.two", "3.8.12", "Each object has an image of its own.",
+                   [](Script& s) {
+                     replace_scene(s), object(s, 1, 1), object(s, 2, 9), s.BindTexture(GL_TEXTURE_2D, 1),
+                         left(s);
+                     s.BindTexture(GL_TEXTURE_2D, 2), right(s);
+                   }),
+      texture_test("object.parameters", "3.8.12", "Each object has parameters of its own.",
+                   [](Script& s) {
+                     replace_scene(s), object(s, 1, 1), object(s, 2, 1),
+                         filters(s, GL_TEXTURE_2D, GL_LINEAR, GL_LINEAR);
+                     s.BindTexture(GL_TEXTURE_2D, 1), left(s), s.BindTexture(GL_TEXTURE_2D, 2), right(s);
+                   }),
+      texture_test("object.zero", "3.8.12", "The name 0 is the texture from the start.",
+                   [](Script& s) {
+                     replace_scene(s), object(s, 1, 1), left(s), s.BindTexture(GL_TEXTURE_2D, 0), right(s);
+                   }),
+      texture_test(
           "object.deleted", "3.8.12", "When the bound object is deleted, 0 is bound.",
           [](Script& s) { replace_scene(s), object(s, 3, 5), s.DeleteTextures(1, V{3}), textured_sheet(s); }),
-      test("object.deleted_other", "3.8.12", "Deleting an object leaves the bound one.",
-           [](Script& s) {
-             replace_scene(s), object(s, 3, 5), object(s, 4, 6), s.DeleteTextures(2, V{3, 0}),
-                 textured_sheet(s);
-           }),
-      test("object.new_is_initial", "3.8.12",
-           "A new object has the initial state: without an image it is as if off.",
-           [](Script& s) { replace_scene(s), left(s), s.BindTexture(GL_TEXTURE_2D, 17), right(s); }),
-      test("object.name_again", "3.8.12", "A name that was deleted names a new object.",
-           [](Script& s) {
-             replace_scene(s), object(s, 3, 5), s.DeleteTextures(1, V{3}), left(s),
-                 s.BindTexture(GL_TEXTURE_2D, 3), right(s);
-           }),
-      test("object.targets", "3.8.12", "Each target has a binding of its own.",
-           [](Script& s) {
-             replace_scene(s), object(s, 1, 1), s.BindTexture(GL_TEXTURE_1D, 2),
-                 filters(s, GL_TEXTURE_1D, GL_NEAREST, GL_NEAREST);
-             image_1d(s, 8), left(s), s.Disable(GL_TEXTURE_2D), s.Enable(GL_TEXTURE_1D), right(s);
-           }),
-      test("target.two_over_one", "3.8.15", "If 1D and 2D are enabled, 2D is taken.",
-           [](Script& s) {
-             replace_scene(s), filters(s, GL_TEXTURE_1D, GL_NEAREST, GL_NEAREST), image_1d(s, 8),
-                 s.Enable(GL_TEXTURE_1D);
-             textured_sheet(s);
-           }),
-      test(
+      texture_test("object.deleted_other", "3.8.12", "Deleting an object leaves the bound one.",
+                   [](Script& s) {
+                     replace_scene(s), object(s, 3, 5), object(s, 4, 6), s.DeleteTextures(2, V{3, 0}),
+                         textured_sheet(s);
+                   }),
+      texture_test("object.new_is_initial", "3.8.12",
+                   "A new object has the initial state: without an image it is as if off.",
+                   [](Script& s) { replace_scene(s), left(s), s.BindTexture(GL_TEXTURE_2D, 17), right(s); }),
+      texture_test("object.name_again", "3.8.12", "A name that was deleted names a new object.",
+                   [](Script& s) {
+                     replace_scene(s), object(s, 3, 5), s.DeleteTextures(1, V{3}), left(s),
+                         s.BindTexture(GL_TEXTURE_2D, 3), right(s);
+                   }),
+      texture_test("object.targets", "3.8.12", "Each target has a binding of its own.",
+                   [](Script& s) {
+                     replace_scene(s), object(s, 1, 1), s.BindTexture(GL_TEXTURE_1D, 2),
+                         filters(s, GL_TEXTURE_1D, GL_NEAREST, GL_NEAREST);
+                     image_1d(s, 8), left(s), s.Disable(GL_TEXTURE_2D), s.Enable(GL_TEXTURE_1D), right(s);
+                   }),
+      texture_test("target.two_over_one", "3.8.15", "If 1D and 2D are enabled, 2D is taken.",
+                   [](Script& s) {
+                     replace_scene(s), filters(s, GL_TEXTURE_1D, GL_NEAREST, GL_NEAREST), image_1d(s, 8),
+                         s.Enable(GL_TEXTURE_1D);
+                     textured_sheet(s);
+                   }),
+      texture_test(
           "target.three_over_two", "3.8.15", "If 2D and 3D are enabled, 3D is taken.",
           [](Script& s) {
             replace_scene(s), replace_scene(s, GL_TEXTURE_3D);
@@ -105,7 +101,7 @@ std::vector<Test> texture_object_tests() {
             s.Enable(GL_TEXTURE_GEN_R), textured_sheet(s);
           },
           kVersion12),
-      test(
+      texture_test(
           "target.cube_over_all", "3.8.15", "If a cube map is enabled, too, it is taken.",
           [](Script& s) {
             replace_scene(s), replace_scene(s, GL_TEXTURE_CUBE_MAP),
@@ -119,55 +115,58 @@ std::vector<Test> texture_object_tests() {
           },
           kVersion13),
 
-      test("stack.texture_bit", "6.1.14",
-           "GL_TEXTURE_BIT brings back parameters, environment, generation and switches.",
-           [](Script& s) {
-             replace_scene(s), s.PushAttrib(GL_TEXTURE_BIT), spoil(s), s.PopAttrib();
-             textured_sheet(s, {-0.2, -0.2, 1.2, 1.2});
-           }),
-      test("stack.binding", "6.1.14", "GL_TEXTURE_BIT brings back which texture is bound.",
-           [](Script& s) {
-             replace_scene(s), object(s, 1, 4), s.PushAttrib(GL_TEXTURE_BIT), object(s, 2, 7), s.PopAttrib(),
-                 textured_sheet(s);
-           }),
-      test("stack.images_stay", "6.1.14", "GL_TEXTURE_BIT does not save images.",
-           [](Script& s) {
-             replace_scene(s), s.PushAttrib(GL_TEXTURE_BIT), image_2d(s, GL_RGB, GL_RGB, 2, 2, 0, 9),
-                 s.PopAttrib();
-             textured_sheet(s);
-           }),
-      test("stack.enable_bit", "6.1.14", "GL_ENABLE_BIT brings back which textures are on.",
-           [](Script& s) {
-             replace_scene(s), s.PushAttrib(GL_ENABLE_BIT), s.Disable(GL_TEXTURE_2D),
-                 s.Enable(GL_TEXTURE_GEN_T), s.PopAttrib();
-             textured_sheet(s);
-           }),
-      test("stack.current_bit", "6.1.14", "GL_CURRENT_BIT brings back the current coordinates.",
-           [](Script& s) {
-             replace_scene(s), s.TexCoord2f(0.4f, 0.7f), s.PushAttrib(GL_CURRENT_BIT),
-                 s.TexCoord2f(0.9f, 0.9f), s.PopAttrib();
-             s.Begin(GL_TRIANGLES), s.Vertex2f(-1, -1), s.Vertex2f(1, -1), s.Vertex2f(0, 1), s.End();
-           }),
-      test("list.image", "5.4", "A list holds images.",
-           [](Script& s) {
-             replace_scene(s), s.NewList(7, GL_COMPILE), image_2d(s, GL_RGB, GL_RGB, 2, 4, 0, 8), s.EndList();
-             left(s), s.CallList(7), right(s);
-           }),
-      test("list.binding", "5.4", "A list binds textures when it is called.",
-           [](Script& s) {
-             replace_scene(s), object(s, 1, 1), object(s, 2, 9), s.NewList(7, GL_COMPILE),
-                 s.BindTexture(GL_TEXTURE_2D, 1);
-             s.EndList(), left(s), s.CallList(7), right(s);
-           }),
-      test("list.parameters", "5.4", "A list holds parameters and environments.",
-           [](Script& s) {
-             replace_scene(s), s.NewList(7, GL_COMPILE), filters(s, GL_TEXTURE_2D, GL_LINEAR, GL_LINEAR);
-             environment(s, GL_MODULATE), s.EndList(), left(s), s.CallList(7), right(s);
-           }),
-      test("list.coordinates", "5.4", "A list holds coordinates between vertices.",
-           [](Script& s) {
-             replace_scene(s), s.NewList(7, GL_COMPILE), textured_sheet(s), s.EndList(), s.CallList(7);
-           }),
+      texture_test("stack.texture_bit", "6.1.14",
+                   "GL_TEXTURE_BIT brings back parameters, environment, generation and switches.",
+                   [](Script& s) {
+                     replace_scene(s), s.PushAttrib(GL_TEXTURE_BIT), spoil(s), s.PopAttrib();
+                     textured_sheet(s, {-0.2, -0.2, 1.2, 1.2});
+                   }),
+      texture_test("stack.binding", "6.1.14", "GL_TEXTURE_BIT brings back which texture is bound.",
+                   [](Script& s) {
+                     replace_scene(s), object(s, 1, 4), s.PushAttrib(GL_TEXTURE_BIT), object(s, 2, 7),
+                         s.PopAttrib(), textured_sheet(s);
+                   }),
+      texture_test("stack.images_stay", "6.1.14", "GL_TEXTURE_BIT does not save images.",
+                   [](Script& s) {
+                     replace_scene(s), s.PushAttrib(GL_TEXTURE_BIT), image_2d(s, GL_RGB, GL_RGB, 2, 2, 0, 9),
+                         s.PopAttrib();
+                     textured_sheet(s);
+                   }),
+      texture_test("stack.enable_bit", "6.1.14", "GL_ENABLE_BIT brings back which textures are on.",
+                   [](Script& s) {
+                     replace_scene(s), s.PushAttrib(GL_ENABLE_BIT), s.Disable(GL_TEXTURE_2D),
+                         s.Enable(GL_TEXTURE_GEN_T), s.PopAttrib();
+                     textured_sheet(s);
+                   }),
+      texture_test("stack.current_bit", "6.1.14", "GL_CURRENT_BIT brings back the current coordinates.",
+                   [](Script& s) {
+                     replace_scene(s), s.TexCoord2f(0.4f, 0.7f), s.PushAttrib(GL_CURRENT_BIT),
+                         s.TexCoord2f(0.9f, 0.9f), s.PopAttrib();
+                     s.Begin(GL_TRIANGLES), s.Vertex2f(-1, -1), s.Vertex2f(1, -1), s.Vertex2f(0, 1), s.End();
+                   }),
+      texture_test("list.image", "5.4", "A list holds images.",
+                   [](Script& s) {
+                     replace_scene(s), s.NewList(7, GL_COMPILE), image_2d(s, GL_RGB, GL_RGB, 2, 4, 0, 8),
+                         s.EndList();
+                     left(s), s.CallList(7), right(s);
+                   }),
+      texture_test("list.binding", "5.4", "A list binds textures when it is called.",
+                   [](Script& s) {
+                     replace_scene(s), object(s, 1, 1), object(s, 2, 9), s.NewList(7, GL_COMPILE),
+                         s.BindTexture(GL_TEXTURE_2D, 1);
+                     s.EndList(), left(s), s.CallList(7), right(s);
+                   }),
+      texture_test("list.parameters", "5.4", "A list holds parameters and environments.",
+                   [](Script& s) {
+                     replace_scene(s), s.NewList(7, GL_COMPILE),
+                         filters(s, GL_TEXTURE_2D, GL_LINEAR, GL_LINEAR);
+                     environment(s, GL_MODULATE), s.EndList(), left(s), s.CallList(7), right(s);
+                   }),
+      texture_test("list.coordinates", "5.4", "A list holds coordinates between vertices.",
+                   [](Script& s) {
+                     replace_scene(s), s.NewList(7, GL_COMPILE), textured_sheet(s), s.EndList(),
+                         s.CallList(7);
+                   }),
 
       depth("depth.luminance", "A depth is a luminance.", GL_LUMINANCE, GL_NONE),
       depth("depth.intensity", "GL_DEPTH_TEXTURE_MODE makes of a depth an intensity.", GL_INTENSITY, GL_NONE),
@@ -184,17 +183,18 @@ std::vector<Test> texture_object_tests() {
       depth("depth.greater", "GL_GREATER gives 1 where r is greater than the depth.", GL_LUMINANCE,
             GL_GREATER, kVersion15),
 
-      test("after.fog", "3.10", "Fog comes after the texture.",
-           [](Script& s) {
-             replace_scene(s), s.Fogi(GL_FOG_MODE, GL_LINEAR), s.Fogf(GL_FOG_START, 0.0),
-                 s.Fogf(GL_FOG_END, 10.0);
-             s.Fogfv(GL_FOG_COLOR, V{0.2, 0.9, 0.4, 1}), s.Enable(GL_FOG), textured_sheet(s);
-           }),
-      test("after.alpha_test", "4.1.4", "The alpha test looks at the alpha of the texture.",
-           [](Script& s) {
-             replace_scene(s), s.AlphaFunc(GL_GREATER, 0.5), s.Enable(GL_ALPHA_TEST), textured_sheet(s);
-           }),
-      test(
+      texture_test("after.fog", "3.10", "Fog comes after the texture.",
+                   [](Script& s) {
+                     replace_scene(s), s.Fogi(GL_FOG_MODE, GL_LINEAR), s.Fogf(GL_FOG_START, 0.0),
+                         s.Fogf(GL_FOG_END, 10.0);
+                     s.Fogfv(GL_FOG_COLOR, V{0.2, 0.9, 0.4, 1}), s.Enable(GL_FOG), textured_sheet(s);
+                   }),
+      texture_test("after.alpha_test", "4.1.4", "The alpha test looks at the alpha of the texture.",
+                   [](Script& s) {
+                     replace_scene(s), s.AlphaFunc(GL_GREATER, 0.5), s.Enable(GL_ALPHA_TEST),
+                         textured_sheet(s);
+                   }),
+      texture_test(
           "after.separate_specular", "3.9", "The secondary color is added after the texture.",
           [](Script& s) {
             replace_scene(s), environment(s, GL_MODULATE),
@@ -204,18 +204,18 @@ std::vector<Test> texture_object_tests() {
             s.Enable(GL_LIGHT0), s.Enable(GL_LIGHTING), s.Normal3f(0, 0, 1), textured_sheet(s);
           },
           kSeparateSpecular),
-      test("after.lighting", "2.14.1, 3.8.13", "GL_MODULATE multiplies the lit color.",
-           [](Script& s) {
-             replace_scene(s), environment(s, GL_MODULATE),
-                 s.Lightfv(GL_LIGHT0, GL_POSITION, V{0, 0.6, 0.8, 0});
-             s.Materialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, V{0.9, 0.7, 0.5, 1}), s.Enable(GL_LIGHT0),
-                 s.Enable(GL_LIGHTING);
-             s.Normal3f(0, 0, 1), textured_sheet(s);
-           }),
-      test("after.replace_hides_light", "3.8.13", "GL_REPLACE leaves nothing of the lit color.",
-           [](Script& s) {
-             replace_scene(s), image_2d(s, GL_RGB, GL_RGB), s.Enable(GL_LIGHTING), textured_sheet(s);
-           }),
+      texture_test("after.lighting", "2.14.1, 3.8.13", "GL_MODULATE multiplies the lit color.",
+                   [](Script& s) {
+                     replace_scene(s), environment(s, GL_MODULATE),
+                         s.Lightfv(GL_LIGHT0, GL_POSITION, V{0, 0.6, 0.8, 0});
+                     s.Materialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, V{0.9, 0.7, 0.5, 1}), s.Enable(GL_LIGHT0),
+                         s.Enable(GL_LIGHTING);
+                     s.Normal3f(0, 0, 1), textured_sheet(s);
+                   }),
+      texture_test("after.replace_hides_light", "3.8.13", "GL_REPLACE leaves nothing of the lit color.",
+                   [](Script& s) {
+                     replace_scene(s), image_2d(s, GL_RGB, GL_RGB), s.Enable(GL_LIGHTING), textured_sheet(s);
+                   }),
   };
 }
 

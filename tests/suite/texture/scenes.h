@@ -6,7 +6,6 @@
 
 namespace softgl::suite {
 
-constexpr Need kVersion12{12}, kVersion13{13}, kVersion14{14}, kVersion15{15};
 constexpr Need kMultitexture{13, "GL_ARB_multitexture"};
 
 /// A row of a chapter.
