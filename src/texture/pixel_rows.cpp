@@ -64,7 +64,8 @@ template <class O> uint64_t pixel_pair(uint64_t colors) {
 }
 
 /// Pixels of bytes: color by color in one word.
-template <class O> void unpack_bytes(const unsigned char* p, int count, unsigned char* rgba) {
+template <class O> inline __attribute__((always_inline)) void
+unpack_bytes(const unsigned char* __restrict p, int count, unsigned char* __restrict rgba) {
   constexpr int n = O::components;
   const auto put = [&](int i, uint32_t pixel) {
     const uint32_t word = color_word<O>(pixel);
@@ -81,7 +82,8 @@ template <class O> void unpack_bytes(const unsigned char* p, int count, unsigned
     for (int i = 0; i < count; ++i) put(i, load<Word>(p + sizeof(Word) * size_t(i)));
   }
 }
-template <class O> void pack_bytes(const unsigned char* rgba, int count, unsigned char* p) {
+template <class O> inline __attribute__((always_inline)) void
+pack_bytes(const unsigned char* __restrict rgba, int count, unsigned char* __restrict p) {
   constexpr int n = O::components;
   const auto pixel = [&](int i) { return pixel_word<O>(load<uint32_t>(rgba + 4 * size_t(i))); };
   if constexpr (n == 3) {
@@ -104,10 +106,12 @@ template <class O> void pack_bytes(const unsigned char* rgba, int count, unsigne
 }
 
 /// Components of In at p in another form.
-template <class In, class Out> void convert(const unsigned char* p, size_t count, Out* out) {
+template <class In, class Out>
+void convert(const unsigned char* __restrict p, size_t count, Out* __restrict out) {
   for (size_t i = 0; i < count; ++i) out[i] = component_to<Out>(load<In>(p + i * sizeof(In)));
 }
-template <class Out, class In> void convert_back(const In* in, size_t count, unsigned char* p) {
+template <class Out, class In>
+void convert_back(const In* __restrict in, size_t count, unsigned char* __restrict p) {
   for (size_t i = 0; i < count; ++i) {
     const Out v = component_to<Out>(in[i]);
     std::memcpy(p + i * sizeof(Out), &v, sizeof v);
@@ -115,26 +119,28 @@ template <class Out, class In> void convert_back(const In* in, size_t count, uns
 }
 
 /// Colors of components that are already in their form, and back. All ways of converting share them.
+template <class O, class Out>
+void order_colors(const Out* __restrict value, int count, Out (*__restrict rgba)[4]) {
+  if constexpr (std::is_same_v<Out, unsigned char>) return unpack_bytes<O>(value, count, &rgba[0][0]);
+  for (int i = 0; i < count; ++i)
+    for (int k = 0; k < 4; ++k) {
+      const int from = O::from[k];
+      rgba[i][k] = from == kZeroComponent  ? Out(0)
+                   : from == kOneComponent ? one<Out>()
+                                           : value[i * O::components + from % O::components];
+    }
+}
+template <class O, class In>
+void order_components(const In (*__restrict rgba)[4], int count, In* __restrict value) {
+  if constexpr (std::is_same_v<In, unsigned char>) return pack_bytes<O>(&rgba[0][0], count, value);
+  for (int i = 0; i < count; ++i)
+    for (int k = 0; k < O::components; ++k) value[i * O::components + k] = rgba[i][O::source(k)];
+}
 template <class Out> void order_colors(const PixelFormat& f, const Out* value, int count, Out (*rgba)[4]) {
-  with_order(f, [&](auto order) {
-    using O = decltype(order);
-    constexpr int n = O::components;
-    for (int i = 0; i < count; ++i)
-      for (int k = 0; k < 4; ++k) {
-        const int from = O::from[k];
-        rgba[i][k] = from == kZeroComponent  ? Out(0)
-                     : from == kOneComponent ? one<Out>()
-                                             : value[i * n + from % n];
-      }
-  });
+  with_order(f, [&](auto order) { order_colors<decltype(order)>(value, count, rgba); });
 }
 template <class In> void order_components(const PixelFormat& f, const In (*rgba)[4], int count, In* value) {
-  with_order(f, [&](auto order) {
-    using O = decltype(order);
-    constexpr int n = O::components;
-    for (int i = 0; i < count; ++i)
-      for (int k = 0; k < n; ++k) value[i * n + k] = rgba[i][O::source(k)];
-  });
+  with_order(f, [&](auto order) { order_components<decltype(order)>(rgba, count, value); });
 }
 
 template <class In, class Out>
