@@ -57,8 +57,12 @@ public:
 
   /// Does all of it; returns in how many rounds.
   int run() {
-    for (const Frame::Item& item : frame_.items_) {
+    const std::vector<Frame::Item>& items = frame_.items_;
+    for (size_t i = 0; i < items.size(); ++i) {
+      const Frame::Item& item = items[i];
       if (item.clear) {
+        if (i + 1 < items.size() && items[i + 1].clear && clear_hides_clear(*items[i + 1].clear, *item.clear))
+          continue;
         close_portion();
         portions_.push_back({});
         portions_.back().clear = item.clear;

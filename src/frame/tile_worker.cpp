@@ -228,6 +228,17 @@ bool clear_hides_all(const ClearRecord& c, const Surface& s, uint32_t tile, bool
   return covers_tile(c, s, tile) && takes(FastPath::HidingClears);
 }
 
+bool clear_hides_clear(const ClearRecord& clear, const ClearRecord& before) {
+  if (clear.x0 > before.x0 || clear.y0 > before.y0 || clear.x1 < before.x1 || clear.y1 < before.y1)
+    return false;
+  if (before.depth && !clear.depth) return false;
+  if (before.stencil && !(clear.stencil && !(before.stencil_write_mask & ~clear.stencil_write_mask)))
+    return false;
+  for (int i = 0; i < 4; ++i)
+    if (before.color && before.color_mask[i] && !(clear.color && clear.color_mask[i])) return false;
+  return takes(FastPath::HidingClears);
+}
+
 void execute_tile(const Surface& surface, uint32_t tile, const TileChunk* work, const RasterKernels& kernels,
                   FragmentBlock& scratch, uint32_t* no_colors) {
   SOFTGL_ASSERT(tile < uint32_t(surface.tiles_x) * uint32_t(surface.tiles_y));

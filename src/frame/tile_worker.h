@@ -19,5 +19,7 @@ void write_tile(const Surface& surface, uint32_t tile);
 /// True when a clear overwrites all that earlier work of the tile can have written. `stencil_drawn`: that
 /// work may have written stencil values.
 bool clear_hides_all(const ClearRecord& clear, const Surface& surface, uint32_t tile, bool stencil_drawn);
+/// True when a clear writes all that the clear right before it has written.
+bool clear_hides_clear(const ClearRecord& clear, const ClearRecord& before);
 
 } // namespace softgl

@@ -23,10 +23,7 @@ uint32_t LineStipple::steps_of(float length) const {
   return length >= 0 && length < 1e6f ? uint32_t(std::ceil(length)) : 0;
 }
 
-void LineStipple::skip(const Slot* const end[2]) {
-  const float length = length_of(end);
-  advance(length, steps_of(length));
-}
+void LineStipple::skip(const Slot* const end[2]) { counter_ += steps_of(length_of(end)); }
 
 const LineStipple::Slot* LineStipple::between(float t, const Slot* const end[2]) {
   const ShadedLayout& l = draw_.layout;

@@ -250,3 +250,29 @@ TEST_CASE("Many contexts draw in many threads at the same time", "[abi][contexts
   for (std::thread& thread : threads) thread.join();
   for (int i = 0; i < kThreads; ++i) CHECK((alone[i] == together[i]));
 }
+
+TEST_CASE("The depths of a buffer that became narrower have its width", "[abi][deviation]") {
+  const Gl& gl = softgl_library();
+  Window window(gl, 64, 8);
+  REQUIRE(window.make_current());
+  gl.Clear(GL_DEPTH_BUFFER_BIT);
+  gl.Finish();
+  window.resize(20, 8);
+  REQUIRE(window.make_current());
+  gl.Enable(GL_SCISSOR_TEST);
+  for (int y = 0; y < 8; ++y) {
+    gl.Scissor(0, y, 20, 1);
+    gl.ClearDepth(y / 8.0);
+    gl.Clear(GL_DEPTH_BUFFER_BIT);
+  }
+  gl.Finish();
+  GLint width = 0, height = 0, bytes = 0;
+  void* data = nullptr;
+  REQUIRE(gl.OSMesaGetDepthBuffer(window.context, &width, &height, &bytes, &data));
+  REQUIRE(std::vector<GLint>{width, height, bytes} == std::vector<GLint>{20, 8, 4});
+  for (int i = 0; i < 20 * 8; ++i) {
+    INFO("value " << i);
+    REQUIRE((static_cast<const GLuint*>(data)[i] + 8) >> 21 == GLuint(i / 20)); // 24 bits
+  }
+  release(gl);
+}

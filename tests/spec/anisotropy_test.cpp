@@ -108,4 +108,30 @@ TEST_CASE("Ellipses of more than 65536 texels are filtered without anisotropy",
   }
 }
 
+TEST_CASE("Filters without mipmaps read the base level only, whatever the anisotropy is",
+          "[spec][textures][anisotropy][deviation]") {
+  for (const GLint minify : {GL_NEAREST, GL_LINEAR})
+    for (const GLint magnify : {GL_NEAREST, GL_LINEAR}) {
+      INFO("filters " << minify << " and " << magnify);
+      const Scene scene{"red_mipmaps", [&](Stage& s) {
+                          give_image(s.gl, GL_TEXTURE_2D, GL_RGBA);
+                          for (GLint level = 0, size = 32; size; ++level, size /= 2) {
+                            const GLubyte red = level ? 255 : 0;
+                            const std::vector<GLubyte> texels(size_t(size) * size_t(size), red);
+                            s.gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+                            s.gl.TexImage2D(GL_TEXTURE_2D, level, GL_RGBA, size, size, 0, GL_RED,
+                                            GL_UNSIGNED_BYTE, texels.data());
+                          }
+                          s.gl.TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 16);
+                          s.gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, minify);
+                          s.gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, magnify);
+                          square(s.gl, 30, 60);
+                        }};
+      const std::vector<uint8_t> color = draw(softgl_library(), scene, 0).color;
+      bool any_red = false;
+      for (size_t i = 0; i < color.size(); i += 4) any_red = any_red || color[i];
+      CHECK(!any_red);
+    }
+}
+
 } // namespace softgl::test

@@ -2,6 +2,9 @@
 // pixels; a clear of a part never does, so both ways must show the same at all times.
 #include <catch2/catch.hpp>
 
+#include <unistd.h>
+
+#include <fstream>
 #include <iterator>
 #include <random>
 #include <vector>
@@ -163,4 +166,26 @@ TEST_CASE("a surface that nobody has cleared or drawn on is black and zero", "[s
     }
     gl.OSMesaDestroyContext(context);
   }
+}
+
+TEST_CASE("clears in a row need no memory for each", "[spec][pixels]") {
+  const auto resident = [] {
+    long size = 0, pages = 0;
+    std::ifstream("/proc/self/statm") >> size >> pages;
+    return double(pages) * double(sysconf(_SC_PAGESIZE)) / 1e6;
+  };
+  const Gl& gl = softgl_library();
+  std::vector<unsigned char> buffer(512 * 512 * 4);
+  void* context = gl.OSMesaCreateContextExt(GL_RGBA, 24, 8, 0, nullptr);
+  REQUIRE(gl.OSMesaMakeCurrent(context, buffer.data(), GL_UNSIGNED_BYTE, 512, 512));
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  gl.Finish();
+  const double before = resident(); // in megabytes
+  gl.ClearColor(0, 0, 1, 1);
+  for (int i = 0; i < 100000; ++i) gl.Clear(GL_COLOR_BUFFER_BIT);
+  gl.Finish();
+  CHECK(resident() - before < 100);
+  CHECK(int(buffer[2]) == 255);
+  gl.OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
+  gl.OSMesaDestroyContext(context);
 }

@@ -120,5 +120,26 @@ TEST_CASE("Errors of a list come when it is played", "[spec][lists]") {
   }
 }
 
+TEST_CASE("Of a list between Begin and End the Begin is ignored, and no other command",
+          "[spec][lists][deviation]") {
+  const Gl& gl = softgl_library();
+  CurrentContext context(gl);
+  gl.NewList(1, GL_COMPILE);
+  gl.Begin(GL_TRIANGLES);
+  gl.Color3f(0, 1, 0);
+  gl.Vertex2f(-1, -1);
+  gl.Vertex2f(3, -1);
+  gl.Vertex2f(-1, 3);
+  gl.End();
+  gl.EndList();
+  gl.Begin(GL_TRIANGLES);
+  gl.CallList(1); // its End is that of the Begin before it
+  CHECK(gl.GetError() == GL_INVALID_OPERATION);
+  GLubyte pixel[4] = {};
+  gl.ReadPixels(4, 4, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+  CHECK(pixel[1] == 255);
+  CHECK(gl.GetError() == GL_NO_ERROR);
+}
+
 } // namespace
 } // namespace softgl::test

@@ -139,6 +139,14 @@ TEST_CASE("Depths are drawn and copied with 24 bits, scaled and biased, and brin
   gl.PixelTransferf(GL_DEPTH_SCALE, 1);
   gl.PixelTransferf(GL_DEPTH_BIAS, 0);
   CHECK(depth_at(gl, 1, 3) == 0xbfffff);
+  gl.PixelTransferf(GL_DEPTH_SCALE, -1);
+  gl.PixelTransferf(GL_DEPTH_BIAS, 1);
+  const GLfloat quarter = 0.25f;
+  gl.WindowPos2i(1, 4);
+  gl.DrawPixels(1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &quarter);
+  gl.PixelTransferf(GL_DEPTH_SCALE, 1);
+  gl.PixelTransferf(GL_DEPTH_BIAS, 0);
+  CHECK(depth_at(gl, 1, 4) == 0xbfffff);
   gl.DepthFunc(GL_LESS); // compares with each fragment's own depth
   const std::array<GLuint, 2> two{0x10000000, 0x70000000};
   gl.WindowPos2i(10, 10);

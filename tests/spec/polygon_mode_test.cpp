@@ -235,4 +235,35 @@ TEST_CASE("lines and points of a polygon that faces away have the back material'
   }
 }
 
+TEST_CASE("a list with too few vertices for a polygon draws none of it",
+          "[spec][polygon_mode][lists][deviation]") {
+  struct Needed {
+    GLenum primitive;
+    int vertices;
+  };
+  for (const Needed& needed : {Needed{GL_TRIANGLES, 3},
+                               {GL_TRIANGLE_STRIP, 3},
+                               {GL_TRIANGLE_FAN, 3},
+                               {GL_QUADS, 4},
+                               {GL_QUAD_STRIP, 4},
+                               {GL_POLYGON, 3}})
+    for (const GLenum polygons : {GL_FILL, GL_LINE, GL_POINT})
+      for (int count = 1; count <= needed.vertices; ++count) {
+        INFO("primitive " << needed.primitive << " mode " << polygons << " of " << count);
+        const Scene scene{"too_few", [&](Stage& s) {
+                            s.gl.PolygonMode(GL_FRONT_AND_BACK, polygons);
+                            s.gl.NewList(1, GL_COMPILE);
+                            s.gl.Begin(needed.primitive);
+                            for (int i = 0; i < count; ++i)
+                              s.gl.Vertex2f(i & 1 ? 0.5f : -0.5f, i & 2 ? 0.6f : -0.4f);
+                            s.gl.End();
+                            s.gl.EndList();
+                            s.gl.CallList(1);
+                          }};
+        const Picture p = draw(softgl_library(), scene, 0);
+        const bool empty = std::count(p.color.begin(), p.color.end(), 0) == std::ptrdiff_t(p.color.size());
+        CHECK(empty == (count < needed.vertices));
+      }
+}
+
 } // namespace softgl::test

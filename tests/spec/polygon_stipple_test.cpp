@@ -1,7 +1,9 @@
 // GL 1.5, 3.5.2: polygons with a pattern.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include "spec/state_snapshot.h"
 #include "support/runner.h"
@@ -87,6 +89,32 @@ TEST_CASE("Lines and points have no polygon's pattern, those of polygons neither
     CHECK(compare(square(p, m), nothing).any());
   }
   CHECK(nothing.color == std::vector<uint8_t>(nothing.color.size(), 0));
+}
+
+TEST_CASE("A polygon's pattern stays at the lower left corner when the window's height changes",
+          "[spec][polygon][deviation]") {
+  const Gl& gl = softgl_library();
+  std::vector<GLubyte> tall(40 * 50 * 4), low(40 * 37 * 4);
+  void* context = gl.OSMesaCreateContextExt(GL_RGBA, 0, 0, 0, nullptr);
+  REQUIRE(gl.OSMesaMakeCurrent(context, tall.data(), GL_UNSIGNED_BYTE, 40, 50));
+  pattern.fill(0);
+  pattern[4 * 3] = 0x40; // column 1 of row 3
+  gl.PolygonStipple(pattern.data());
+  gl.Enable(GL_POLYGON_STIPPLE);
+  const auto draw_all = [&](const std::vector<GLubyte>& window, int height) {
+    gl.Viewport(0, 0, 40, height);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+    gl.Rectf(-1, -1, 1, 1);
+    gl.Finish();
+    CHECK(window[(40 * 3 + 1) * 4] == 255);
+    CHECK(window[(40 * 35 + 33) * 4] == 255);
+    CHECK(std::count(window.begin(), window.end(), 255) == 4 * 4); // 2 columns of 2 rows
+  };
+  draw_all(tall, 50);
+  REQUIRE(gl.OSMesaMakeCurrent(context, low.data(), GL_UNSIGNED_BYTE, 40, 37));
+  draw_all(low, 37);
+  gl.OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
+  gl.OSMesaDestroyContext(context);
 }
 
 } // namespace

@@ -269,4 +269,23 @@ TEST_CASE("pixels have the transformed texture coordinates of the raster positio
 }
 
 } // namespace
+TEST_CASE("a bitmap without an image moves the raster position, in lists, too",
+          "[spec][raster_position][deviation]") {
+  const Gl& gl = softgl_library();
+  const CurrentContext context(gl);
+  for (const GLenum list : {GL_NONE, GL_COMPILE, GL_COMPILE_AND_EXECUTE}) {
+    INFO("list " << list);
+    gl.WindowPos2i(5, 6);
+    if (list) gl.NewList(1, list);
+    gl.Bitmap(0, 0, 0, 0, 10, 3, nullptr);
+    if (list) gl.EndList();
+    if (list == GL_COMPILE) gl.CallList(1);
+    GLfloat position[4] = {};
+    gl.GetFloatv(GL_CURRENT_RASTER_POSITION, position);
+    CHECK(position[0] == 15);
+    CHECK(position[1] == 9);
+    CHECK(gl.GetError() == GL_NO_ERROR);
+  }
+}
+
 } // namespace softgl::test
