@@ -115,6 +115,10 @@ struct Blending {
     if (!has_alpha) rgb = alpha = rgb.without_alpha();
     alike = alone || (rgb.source == rgb.destination && alpha.source == alpha.destination);
   }
+  /// A factor of `pair` is 0, and so it is for all components that are kept.
+  SOFTGL_MEMBER bool is_zero(const FactorPair& pair, BlendFactor FactorPair::*factor) const {
+    return pair.*factor == BlendFactor::Zero && (alone || rgb.*factor == alpha.*factor);
+  }
 };
 
 } // namespace
@@ -149,12 +153,18 @@ blend_component(const Blending& b, int c, const StripColors<A>& strip, const flo
         return minuend ? part - whole : whole - part;
       });
     }
+    // Where the factor of all components is 0 there is no product, whose zero might be negative.
+    const bool no_source = b.is_zero(pair, &FactorPair::source),
+               no_destination = b.is_zero(pair, &FactorPair::destination);
     if (b.alike && pair.source == pair.destination)
       return each([&](int g) __attribute__((always_inline)) {
-        return combine_products(equation, s[g], d[g]) * sf[g];
+        return no_source ? T{} : combine_products(equation, s[g], d[g]) * sf[g];
       });
+    if (equation == BlendEquation::Add && (no_source || no_destination))
+      return each([&](int g)
+                      __attribute__((always_inline)) { return no_source ? d[g] * df[g] : s[g] * sf[g]; });
     each([&](int g) __attribute__((always_inline)) {
-      return combine_products(equation, s[g] * sf[g], d[g] * df[g]);
+      return combine_products(equation, no_source ? T{} : s[g] * sf[g], no_destination ? T{} : d[g] * df[g]);
     });
   } else if constexpr (A::kSigned) {
     const bool source_inverted = is_one_minus(pair.source), inverted = is_one_minus(pair.destination);
