@@ -6,30 +6,18 @@
 #include <vector>
 
 #include "spec/refused_calls.h"
+#include "spec/texture_target.h"
 
 namespace softgl::test {
 namespace {
 
-void fill(const Gl& gl, float r, float g, float b, float a) {
-  gl.Color4f(r, g, b, a);
-  gl.Begin(GL_TRIANGLE_STRIP);
-  gl.Vertex2f(-1, -1), gl.Vertex2f(1, -1), gl.Vertex2f(-1, 1), gl.Vertex2f(1, 1);
-  gl.End();
-}
-
 /// The bits of a pixel after each way of blending.
 std::vector<uint32_t> blended(const Gl& gl, GLint format) {
   const CurrentContext current(gl);
-  GLuint framebuffer = 0, texture = 0;
-  gl.GenFramebuffers(1, &framebuffer);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  gl.GenTextures(1, &texture);
-  gl.BindTexture(GL_TEXTURE_2D, texture);
-  gl.TexImage2D(GL_TEXTURE_2D, 0, format, 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+  bound_framebuffer(gl);
+  attach_texture(gl, format);
   gl.BindTexture(GL_TEXTURE_2D, 0);
   CHECK(gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
-  gl.Viewport(0, 0, 8, 8);
   for (const GLenum what : {GL_CLAMP_VERTEX_COLOR, GL_CLAMP_FRAGMENT_COLOR, GL_CLAMP_READ_COLOR})
     gl.ClampColor(what, GL_FALSE);
   constexpr GLenum kFactors[] = {GL_ZERO, GL_ONE, GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA, GL_SRC_COLOR};

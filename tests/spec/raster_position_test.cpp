@@ -269,6 +269,7 @@ TEST_CASE("pixels have the transformed texture coordinates of the raster positio
 }
 
 } // namespace
+
 TEST_CASE("a bitmap without an image moves the raster position, in lists, too",
           "[spec][raster_position][deviation]") {
   const Gl& gl = softgl_library();

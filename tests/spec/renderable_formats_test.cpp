@@ -8,6 +8,7 @@
 
 #include "spec/refused_calls.h"
 #include "spec/state_snapshot.h"
+#include "spec/texture_target.h"
 
 namespace softgl::test {
 namespace {
@@ -71,23 +72,6 @@ constexpr GLint kFormats[] = {GL_RGBA,
                               GL_INTENSITY16_SNORM,
                               GL_RGB9_E5};
 
-GLuint bound_framebuffer(const Gl& gl) {
-  GLuint framebuffer = 0;
-  gl.GenFramebuffers(1, &framebuffer);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  gl.Viewport(0, 0, 8, 8);
-  return framebuffer;
-}
-
-GLuint attach_texture(const Gl& gl, GLint format) {
-  GLuint texture = 0;
-  gl.GenTextures(1, &texture);
-  gl.BindTexture(GL_TEXTURE_2D, texture);
-  gl.TexImage2D(GL_TEXTURE_2D, 0, format, 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
-  return texture;
-}
-
 void attach_renderbuffer(const Gl& gl, GLint format) {
   GLuint renderbuffer = 0;
   gl.GenRenderbuffers(1, &renderbuffer);
@@ -114,13 +98,6 @@ std::vector<GLint> answers(const Gl& gl) {
     all.push_back(v);
   }
   return all;
-}
-
-void fill(const Gl& gl, float r, float g, float b, float a) {
-  gl.Color4f(r, g, b, a);
-  gl.Begin(GL_TRIANGLE_STRIP);
-  gl.Vertex2f(-1, -1), gl.Vertex2f(1, -1), gl.Vertex2f(-1, 1), gl.Vertex2f(1, 1);
-  gl.End();
 }
 
 std::vector<float> pixel(const Gl& gl) {
