@@ -14,11 +14,22 @@ struct SnappedBatch {
   alignas(64) int32_t last_column[kSetupBatch], last_row[kSetupBatch]; // counted from there
 };
 
+/// Triangles of at most so many pixels a side are shaded side by side, larger ones by strips or blocks. Both
+/// take the same time there, by measurement: with stages where triangles are 32 (vectors of 4), 34 (textures
+/// that look for a level) or 48 pixels wide and high, without them at 14 to 16, or at 30 where words are
+/// replaced.
+SOFTGL_INLINE int32_t small_box(const RasterDraw& draw) {
+  const FragmentProgram& program = *draw.program;
+  if (program.step_count) return kWidth == 4 || program.lod_units ? 32 : kSmallBox;
+  return kWidth > 4 && draw.replaces_words ? 28 : 16;
+}
+
 /// Sorts out the triangles of a batch that can be seen, small and large.
 static void classify_triangles(const RasterDraw& draw, const TriangleInput& in, SnappedBatch& batch,
                                TriangleOutput& out) {
   const RasterConstants& r = *draw.raster;
   out.small = out.large = out.negative = 0;
+  const int32_t box = draw.small ? small_box(draw) : draw.drops_uncovered ? kSeenBox : 0;
   uint64_t beyond = 0; // small ones with more pixels a side than kTinyBox
   IntV box_pixels = IntV{};
   const EdgeRule rule(r);
@@ -71,7 +82,6 @@ static void classify_triangles(const RasterDraw& draw, const TriangleInput& in, 
       }
     }
     if (alive == 0) continue;
-    const int32_t box = draw.small ? kSmallBox : draw.drops_uncovered ? kSeenBox : 0;
     const uint32_t small = alive & sign_bits(extent_fits & (w < box) & (h < box));
     if (small) {
       beyond |= uint64_t(small & sign_bits((w >= kTinyBox) | (h >= kTinyBox))) << base;

@@ -44,6 +44,7 @@ struct RasterDraw {
   bool quads;               // those whose stages look at other pixels of a 2x2 quad: with four lanes = quad
   bool opaque;         // alpha is 1 at all vertices, so it is 1 / w times w everywhere, which rounds to 255
   bool direct;         // no stage runs, RGBA8: blocks of pixels bypass the FragmentBlock
+  bool replaces_words; // what is left to do for shaded fragments: to compare depths, and replace RGBA8 words
   bool early_depth;    // a fragment's depth can be tested before its stages run
   bool final_depth;    // and written, too: nothing tests it again
   bool whole_blocks;   // no edge is looked at in blocks that lie inside all of them

@@ -2,7 +2,7 @@
 // from positions snapped to 1/256 pixel.
 #pragma once
 
-#include "shaders/raster/raster_snap.inl"
+#include "shaders/raster/raster_interpolate.inl"
 
 namespace softgl {
 namespace SOFTGL_ISA {
@@ -40,6 +40,28 @@ SOFTGL_INLINE SpanSide side_of(IntV xi, IntV yi, IntV xj, IntV yj, IntV y, const
   right = a >= 0;
   // A level side accepts or refuses the whole row.
   return {to_float(value) + 0.5f, to_float(b), choose(a == 0, splat(128.0f), splat(1.0f) / to_float(a))};
+}
+
+constexpr int kRowPlaces = 16;
+
+/// Puts the places of the spans of triangle `lane` behind each other from `next` on, a row as a whole: it has
+/// at most `parts` times kRowPlaces pixels. Gives their end.
+template <class Parts> SOFTGL_INLINE uint16_t* list_rows(const uint32_t (*span)[kWidth], int lane,
+                                                         int32_t rows, Parts parts, uint16_t* next) {
+  typedef uint16_t Row __attribute__((vector_size(2 * kRowPlaces)));
+  constexpr Row kColumns = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+  // By eights: how many rows a triangle has is hard to predict.
+  for (int32_t row = 0; row < rows; row += 8)
+#pragma GCC unroll 8
+    for (int32_t k = 0; k < 8; ++k) {
+      const uint32_t s = span[row + k][lane];
+      for (int part = 0; part < parts; ++part) {
+        const Row places = kColumns + uint16_t(s + uint32_t(part * kRowPlaces));
+        memcpy(next + part * kRowPlaces, &places, sizeof places);
+      }
+      next += s >> 16;
+    }
+  return next;
 }
 
 /// Lists the pixels of `count` triangles (at most kWidth, the other lanes repeat one of them); p: their
@@ -97,19 +119,16 @@ static void list_pixels(const RasterConstants& r, const TileTarget& tile, const 
   }
   for (int32_t row = all_rows; row & 7; ++row) store(span[row], IntV{});
 
-  typedef uint16_t Row __attribute__((vector_size(2 * kSmallBox)));
-  constexpr Row kColumns = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+  alignas(64) int32_t columns[kWidth];
+  store(columns, last_column(x) - first_column(x, rule));
   uint16_t* next = out.place;
   for (int i = 0; i < count; ++i) {
-    // By eights: how many rows a triangle has is hard to predict.
-    for (int32_t row = 0; row < lane_rows[i]; row += 8)
-#pragma GCC unroll 8
-      for (int32_t k = 0; k < 8; ++k) {
-        const uint32_t s = span[row + k][i];
-        const Row places = kColumns + uint16_t(s);
-        memcpy(next, &places, sizeof places);
-        next += s >> 16;
-      }
+    if (columns[i] < kRowPlaces)
+      next = list_rows(span, i, lane_rows[i], Count<1>(), next);
+    else if (columns[i] < 2 * kRowPlaces)
+      next = list_rows(span, i, lane_rows[i], Count<2>(), next);
+    else
+      next = list_rows(span, i, lane_rows[i], Count<kSmallBox / kRowPlaces>(), next);
     out.end[i] = int32_t(next - out.place);
   }
 }

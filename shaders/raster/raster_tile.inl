@@ -49,9 +49,7 @@ static void tile_fragments(const TileTarget& tile, const RasterDraw& draw, const
   const Compare function = Compare(key.depth_function);
   const bool less = function == Compare::Less && key.depth_write,
              less_equal = function == Compare::LessEqual && key.depth_write;
-  const bool words = ColorFormat(key.color_format) == ColorFormat::Rgba8 && !key.stencil && !key.blend &&
-                     !key.logic_op && draw.color_mask == ~uint32_t(0) && !tile.samples &&
-                     !program.bounds_depth;
+  const bool words = draw.replaces_words;
   if (words && (!tile.depth_stencil || (function == Compare::Always && !key.depth_write))) {
     auto* color = static_cast<uint32_t*>(tile.color);
     for (int32_t i = 0; i < count; ++i) color[fragments.pixel[i]] = fragments.color[i];
@@ -84,10 +82,10 @@ static void tile_fragments(const TileTarget& tile, const RasterDraw& draw, const
 template <bool Staged> static void shade_triangles(const TileTarget& tile, const RasterDraw& draw,
                                                    const SmallTriangle* triangle, int32_t count,
                                                    FragmentBlock& block) {
+  constexpr int32_t kMost = 4 * kLanes; // fragments at a time, which so stay in the nearest cache
   SmallPixels pixels;
-  alignas(64) uint16_t pixel[SmallPixels::kMost + kWidth];
-  alignas(64) uint32_t depth[SmallPixels::kMost + kWidth], color[SmallPixels::kMost + kWidth],
-      live[SmallPixels::kMost + kWidth];
+  alignas(64) uint16_t pixel[kMost + kWidth];
+  alignas(64) uint32_t depth[kMost + kWidth], color[kMost + kWidth], live[kMost + kWidth];
   const FragmentWords words(draw, pixel, depth, color, live);
   const bool killing = Staged && draw.program->key.alpha_function != uint64_t(Compare::Always);
   for (; count > 0; triangle += kWidth, count -= kWidth) {
@@ -101,33 +99,41 @@ template <bool Staged> static void shade_triangles(const TileTarget& tile, const
     StoredPlanes stored;
     CornerPlanes planes(lanes < kWidth ? padded : triangle);
     list_pixels(*draw.raster, tile, planes.position, lanes, pixels);
-    int32_t end = pixels.end[lanes - 1];
-    if (end == 0) continue;
+    const int32_t all = pixels.end[lanes - 1];
+    if (all == 0) continue;
     store_planes(draw, planes, stored);
-    SmallShader<Staged> shader(draw, block);
-    auto shade = [&](int32_t f, auto&& chosen) __attribute__((always_inline)) {
-      const IntV p = load_halves(pixels.place + f);
-      store_halves(pixel + f, (p & 0xe07) | ((p >> 3) & 0x38) | ((p << 3) & 0x1c0)); // pixel_in_tile
-      shader.shade(words, chosen, f, (p & 63) + tile.x, ((p >> 6) & 63) + tile.y);
-    };
-    for (int i = 0; i < kWidth; ++i) pixels.place[end + i] = pixels.place[0];
-    if constexpr (kWidth > 4) {
-      for (int32_t f = 0; f < end; f += kWidth)
-        shade(f, ChosenPlanes{stored, load_halves(pixels.place + f) >> 12});
-    } else {
-      for (int i = 0, f = 0; i < lanes; f = pixels.end[i++])
-        for (; f < pixels.end[i]; f += kWidth) shade(f, OnePlanes{stored, i});
-    }
-    shader.finish(words, end);
-    if (killing) {
-      int32_t living = 0;
-      for (int32_t i = 0; i < end; ++i) {
-        pixel[living] = pixel[i], depth[living] = depth[i], color[living] = color[i];
-        living += live[i] != 0;
+    for (int i = 0; i < kWidth; ++i) pixels.place[all + i] = pixels.place[0];
+    for (int32_t first = 0, number = 0; first < all; first += kMost) {
+      int32_t end = all - first < kMost ? all - first : kMost;
+      const uint16_t* place = pixels.place + first;
+      SmallShader<Staged> shader(draw, block);
+      auto shade = [&](int32_t f, auto&& chosen) __attribute__((always_inline)) {
+        const IntV p = load_halves(place + f);
+        store_halves(pixel + f, (p & 0xe07) | ((p >> 3) & 0x38) | ((p << 3) & 0x1c0)); // pixel_in_tile
+        shader.shade(words, chosen, f, (p & 63) + tile.x, ((p >> 6) & 63) + tile.y);
+      };
+      if constexpr (kWidth > 4) {
+        for (int32_t f = 0; f < end; f += kWidth)
+          shade(f, ChosenPlanes{stored, load_halves(place + f) >> 12});
+      } else {
+        for (int32_t f = 0; f < end;) {
+          const int32_t last = pixels.end[number] - first;
+          for (; f < last && f < end; f += kWidth) shade(f, OnePlanes{stored, number});
+          if (last > end) break; // the triangle has pixels beyond
+          f = last, ++number;
+        }
       }
-      end = living;
+      shader.finish(words, end);
+      if (killing) {
+        int32_t living = 0;
+        for (int32_t i = 0; i < end; ++i) {
+          pixel[living] = pixel[i], depth[living] = depth[i], color[living] = color[i];
+          living += live[i] != 0;
+        }
+        end = living;
+      }
+      tile_fragments(tile, draw, {pixel, depth, color}, end);
     }
-    tile_fragments(tile, draw, {pixel, depth, color}, end);
   }
 }
 

@@ -6,8 +6,8 @@
 namespace softgl {
 
 constexpr int kSetupBatch = 64;
-// Pixels per side at most of a small triangle's box, and of a tiny one's.
-constexpr int kSmallBox = 16, kTinyBox = 8;
+// Pixels per side at most of a small triangle's box (small_box() says when it is less), and of a tiny one's.
+constexpr int kSmallBox = 48, kTinyBox = 8;
 // Where none is drawn as a small one: up to here triangles that cover nothing are dropped before their planes
 // are made (7,000 of 14,000 with a seamless cube map in a picture of MuJoCo's figure).
 constexpr int kSeenBox = 2;

@@ -11,7 +11,8 @@ namespace {
 constexpr const char* kNames[] = {
     // Batches of triangles of a few pixels become fragments at once; else small triangles in tiles.
     "tiny",
-    // Triangles up to 16x16 pixels are shaded side by side; else set up one by one, as large ones.
+    // Triangles up to 48x48 pixels (small_box()) are shaded side by side; else set up one by one, as large
+    // ones.
     "small",
     // Small primitives of programs that look at 2x2 quads are packed by quads; else cut into strips.
     "quads",

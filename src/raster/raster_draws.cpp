@@ -107,6 +107,11 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
   d.direct = draw.fragment->step_count == 0 && !d.raster->stipple && format == ColorFormat::Rgba8 &&
              !key.encoded && !strips && !draw.fragment->bounds_depth &&
              (!draw.samples || key.color_mask == 0) && takes(FastPath::Direct);
+  d.samples = draw.samples;
+  for (int c = 0; c < 4; ++c)
+    if (key.color_mask >> c & 1) d.color_mask |= 0xffu << (8 * c);
+  d.replaces_words = format == ColorFormat::Rgba8 && !key.stencil && !key.blend && !key.logic_op &&
+                     d.color_mask == ~uint32_t{0} && !d.samples && !draw.fragment->bounds_depth;
   // Stencil values that stay may be tested later.
   const auto keep = static_cast<uint64_t>(StencilOperation::Keep);
   const bool stencil_changes =
@@ -120,9 +125,6 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
                   !draw.fragment->writes_stencil && !(key.stencil && draw.raster->samples > 1) &&
                   takes(FastPath::FinalDepth);
   d.whole_blocks = takes(FastPath::WholeBlocks);
-  for (int c = 0; c < 4; ++c)
-    if (key.color_mask >> c & 1) d.color_mask |= 0xffu << (8 * c);
-  d.samples = draw.samples;
   return d;
 }
 

@@ -227,6 +227,40 @@ void draw_clipped(const Gl& gl) {
   }
 }
 
+/// Triangles of 1 to 80 pixels, around every limit between small and large ones, across tiles: with and
+/// without stages, a level of detail, an alpha test and blending.
+void draw_sizes(const Gl& gl) {
+  GLuint texture;
+  gl.GenTextures(1, &texture);
+  gl.BindTexture(GL_TEXTURE_2D, texture);
+  std::vector<GLubyte> texels(size_t(64) * 64 * 4);
+  for (size_t i = 0; i < texels.size(); ++i) texels[i] = GLubyte(i * 41 >> 2);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 64, 64, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+  gl.AlphaFunc(GL_GEQUAL, 0.3f);
+  gl.BlendFunc(GL_SRC_ALPHA, GL_ONE);
+  for (int way = 0; way < 12; ++way) {
+    way % 3 ? gl.Enable(GL_TEXTURE_2D) : gl.Disable(GL_TEXTURE_2D);
+    way & 1 ? gl.Enable(GL_ALPHA_TEST) : gl.Disable(GL_ALPHA_TEST);
+    way >= 6 ? gl.Enable(GL_BLEND) : gl.Disable(GL_BLEND);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
+                     way % 3 == 1 ? GL_LINEAR : GL_LINEAR_MIPMAP_LINEAR);
+    gl.Begin(GL_TRIANGLES);
+    for (int i = 1; i <= 80; ++i) {
+      const float size = float(i) / 256, angle = float(7 * i + way), x = 0.9f * std::sin(float(i * i + way)),
+                  y = 0.9f * std::cos(float(i * i + 3 * way)), z = -0.97f - 0.002f * float(way);
+      for (int corner = 0; corner < 3; ++corner) {
+        const float a = angle + 2.1f * float(corner), u = size * std::cos(a), v = size * std::sin(a);
+        gl.Color4f(0.5f + 0.5f * std::cos(a), 0.8f, 0.5f + 0.5f * std::sin(a), 0.2f + 0.3f * float(corner));
+        gl.TexCoord2f(u * float(i % 9), v * float(i % 5)), gl.Vertex3f(x + u, y + v, z + 0.005f * size);
+      }
+    }
+    gl.End();
+  }
+  for (const GLenum what : {GL_TEXTURE_2D, GL_ALPHA_TEST, GL_BLEND}) gl.Disable(what);
+  gl.DeleteTextures(1, &texture);
+}
+
 /// Letters, and a bitmap across tiles and the window's border.
 void draw_bitmaps(const Gl& gl) {
   std::vector<GLubyte> bits(40 * 300);
@@ -259,6 +293,7 @@ void draw_everything(Stage& s) {
   draw_lines(gl);
   draw_clipped(gl);
   draw_bitmaps(gl);
+  draw_sizes(gl);
   gl.Finish();
   std::vector<GLubyte> pixels(size_t(s.width) * size_t(s.height) * 4);
   gl.ReadPixels(0, 0, s.width, s.height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
