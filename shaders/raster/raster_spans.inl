@@ -119,18 +119,20 @@ static void list_pixels(const RasterConstants& r, const TileTarget& tile, const 
   }
   for (int32_t row = all_rows; row & 7; ++row) store(span[row], IntV{});
 
-  alignas(64) int32_t columns[kWidth];
-  store(columns, last_column(x) - first_column(x, rule));
-  uint16_t* next = out.place;
-  for (int i = 0; i < count; ++i) {
-    if (columns[i] < kRowPlaces)
-      next = list_rows(span, i, lane_rows[i], Count<1>(), next);
-    else if (columns[i] < 2 * kRowPlaces)
-      next = list_rows(span, i, lane_rows[i], Count<2>(), next);
-    else
-      next = list_rows(span, i, lane_rows[i], Count<kSmallBox / kRowPlaces>(), next);
-    out.end[i] = int32_t(next - out.place);
-  }
+  const IntV columns = last_column(x) - first_column(x, rule);
+  auto list = [&](auto parts) __attribute__((always_inline)) {
+    uint16_t* next = out.place;
+    for (int i = 0; i < count; ++i) {
+      next = list_rows(span, i, lane_rows[i], parts, next);
+      out.end[i] = int32_t(next - out.place);
+    }
+  };
+  if (!any(columns >= splat(kRowPlaces)))
+    list(Count<1>());
+  else if (!any(columns >= splat(2 * kRowPlaces)))
+    list(Count<2>());
+  else
+    list(Count<kSmallBox / kRowPlaces>());
 }
 
 } // namespace SOFTGL_ISA
