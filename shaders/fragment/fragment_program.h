@@ -33,9 +33,11 @@ struct FragmentProgram {
   bool reads_quads;    // a stage looks at the other pixels of its 2x2 quad: blocks must have whole ones
   Coverage coverage;   // of antialiased primitives; else None
 
+  /// Fragments may fail the alpha test: of small triangles none dies in another stage.
+  bool tests_alpha() const { return Compare(key.alpha_function) != Compare::Always; }
   /// A stage lets fragments die.
   bool drops() const {
-    return Compare(key.alpha_function) != Compare::Always || coverage != Coverage::None ||
+    return tests_alpha() || coverage != Coverage::None ||
            (constants->image && constants->image->kind == PixelElement::Bit);
   }
   void add(FragmentStage stage, int32_t unit = 0) { step[step_count++] = {stage, unit}; }

@@ -65,57 +65,91 @@ template <int n> struct Count {
   constexpr operator int() const { return n; }
 };
 
+/// The planes of one primitive, the same for all lanes. What is read once serves many lanes.
+struct PlanesOfPrimitive {
+  const RasterPrimitive& primitive;
+
+  SOFTGL_MEMBER PlaneV read(int index) const {
+    const Plane& p = primitive.plane[index];
+    return {splat(p.a), splat(p.gx), splat(p.gy)};
+  }
+  SOFTGL_MEMBER PlaneV at(const PlaneV& plane, int) const { return plane; }
+  SOFTGL_MEMBER IntV back(int) const { return splat(-int32_t(primitive.back)); }
+};
+
+/// Where lanes are, and 1/w there.
+struct LanePlaces {
+  alignas(64) float x[kLanes], y[kLanes], w[kLanes];
+};
+
+/// Fills all inputs but coordinates for lanes [first, end), component by component.
+template <class Planes> SOFTGL_INLINE void interpolate_varyings(const RasterDraw& draw, const Planes& planes,
+                                                                int first, int end, const LanePlaces& lanes,
+                                                                FragmentBlock& block) {
+  auto fill = [&](int index, float* out, bool constant, auto components) __attribute__((always_inline)) {
+    PlaneV q[components];
+    for (int k = 0; k < components; ++k) q[k] = planes.read(index + k);
+    for (int i = first; i < end; i += kWidth) {
+      const FloatV x = load(lanes.x + i), y = load(lanes.y + i), w = load(lanes.w + i);
+      for (int k = 0; k < components; ++k) {
+        const PlaneV p = planes.at(q[k], i);
+        store(out + k * kLanes + i, constant ? p.a : value_at(p, x, y) * w);
+      }
+    }
+  };
+  for (int n = 0; n < draw.varying_count; ++n) {
+    const Varying& v = draw.varying[n];
+    float* out = lanes_of(block, v, 0);
+    if (v.components == 4)
+      fill(v.plane, out, v.flat, Count<4>());
+    else if (v.components == 3)
+      fill(v.plane, out, v.flat, Count<3>());
+    else
+      for (int k = 0; k < v.components; ++k) fill(v.plane + k, out + k * kLanes, v.flat, Count<1>());
+  }
+  if (draw.facing)
+    for (int i = first; i < end; i += kWidth) store(block.back + i, planes.back(i));
+}
+
+/// Coordinates of a unit for lanes [first, end).
+template <class Planes>
+SOFTGL_INLINE void interpolate_coordinates(const RasterDraw& draw, const Planes& planes, int unit,
+                                           CoordinatesRead read, int first, int end, const LanePlaces& lanes,
+                                           BlockCoordinates& t) {
+  float* value[3] = {t.s, t.t, t.r};
+  const bool flat = draw.flat_units >> unit & 1;
+  for (int i = first; i < end; i += kWidth) {
+    const FloatV x = load(lanes.x + i), y = load(lanes.y + i), w = flat ? splat(1.0f) : load(lanes.w + i);
+    auto value_of = [&](int k) __attribute__((always_inline)) { // read here: there are few lanes at a time
+      return value_at(planes.at(planes.read(draw.unit_plane[unit] + k), i), x, y) * w;
+    };
+    const FloatV rq = splat(1.0f) / value_of(3);
+    for (int k = 0; k < read.count; ++k) store(value[k] + i, value_of(k) * rq);
+  }
+}
+
 /// Fills the inputs of lanes [first, end), which are strips of one primitive; block.x and block.y are set.
 /// `FromCorner`: planes count from the corner of the first pixel, not from its center.
 template <bool FromCorner> static void interpolate_block(const RasterDraw& draw, const RasterPrimitive& p,
                                                          int first, int end, FragmentBlock& block) {
-  const FragmentProgram& program = *draw.program;
-  alignas(64) float x[kLanes], y[kLanes], w[kLanes];
+  const PlanesOfPrimitive planes{p};
+  LanePlaces lanes;
+  const PlaneV w_plane = planes.read(kPlaneW);
   for (int i = first; i < end; i += kWidth) {
-    FloatV vx = to_float(load(block.x + i)), vy = to_float(load(block.y + i));
-    if constexpr (FromCorner) vx += 0.5f, vy += 0.5f;
-    store(x + i, vx), store(y + i, vy);
-    store(w + i, p.w_is_one ? splat(1.0f) : splat(1.0f) / at(p.plane[kPlaneW], vx, vy));
+    FloatV x = to_float(load(block.x + i)), y = to_float(load(block.y + i));
+    if constexpr (FromCorner) x += 0.5f, y += 0.5f;
+    store(lanes.x + i, x), store(lanes.y + i, y);
+    store(lanes.w + i, p.w_is_one ? splat(1.0f) : splat(1.0f) / value_at(w_plane, x, y));
   }
-  auto fill = [&](const Plane* plane, float* out, bool constant, auto components)
-      __attribute__((always_inline)) {
-    PlaneV q[components];
-    for (int k = 0; k < components; ++k) q[k] = {splat(plane[k].a), splat(plane[k].gx), splat(plane[k].gy)};
-    for (int i = first; i < end; i += kWidth) {
-      const FloatV vx = load(x + i), vy = load(y + i), vw = load(w + i);
-      for (int k = 0; k < components; ++k)
-        store(out + k * kLanes + i, constant ? q[k].a : value_at(q[k], vx, vy) * vw);
-    }
-  };
-  for (int i = 0; i < draw.varying_count; ++i) {
-    const Varying& v = draw.varying[i];
-    const Plane* plane = p.plane + v.plane;
-    float* out = lanes_of(block, v, 0);
-    if (v.components == 4)
-      fill(plane, out, v.flat, Count<4>());
-    else if (v.components == 3)
-      fill(plane, out, v.flat, Count<3>());
-    else
-      for (int k = 0; k < v.components; ++k) fill(plane + k, out + k * kLanes, v.flat, Count<1>());
-  }
-  if (draw.facing)
-    for (int i = first; i < end; i += kWidth) store(block.back + i, splat(-int32_t(p.back)));
+  interpolate_varyings(draw, planes, first, end, lanes, block);
   for (int k = 0; k < draw.coverage_numbers; ++k)
     for (int i = first; i < end; i += kWidth)
       store(block.coverage[k] + i, splat(p.plane[coverage_plane(draw) + k].a));
   for (int u = 0; u < kMaxTextureUnits; ++u) {
     if (draw.unit_plane[u] < 0) continue;
-    const Plane* q = p.plane + draw.unit_plane[u];
-    BlockCoordinates& t = block.unit[u];
-    float* value[3] = {t.s, t.t, t.r};
-    const CoordinatesRead read = coordinates_read(program, u);
-    const bool flat = draw.flat_units >> u & 1;
-    for (int i = first; i < end; i += kWidth) {
-      const FloatV vx = load(x + i), vy = load(y + i), vw = flat ? splat(1.0f) : load(w + i);
-      const FloatV rq = splat(1.0f) / (at(q[3], vx, vy) * vw);
-      for (int k = 0; k < read.count; ++k) store(value[k] + i, (at(q[k], vx, vy) * vw) * rq);
-    }
-    strip_differences(t, first, end, read);
+    const CoordinatesRead read = coordinates_read(*draw.program, u);
+    interpolate_coordinates(draw, planes, u, read, first, end, lanes, block.unit[u]);
+    strip_differences(block.unit[u], first, end, read);
   }
 }
 

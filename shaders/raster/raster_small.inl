@@ -43,6 +43,71 @@ struct OnePlanes {
   SOFTGL_MEMBER PlaneV plane(const Varying& v, int component) const { return at(v.plane + component); }
 };
 
+/// The planes of one triangle, the same for all lanes.
+struct PlanesOfOne {
+  const StoredPlanes& stored;
+  int triangle;
+
+  SOFTGL_MEMBER PlaneV read(int index) const {
+    const auto& p = stored.plane[index];
+    return {splat(p[0][triangle]), splat(p[1][triangle]), splat(p[2][triangle])};
+  }
+  SOFTGL_MEMBER PlaneV at(const PlaneV& plane, int) const { return plane; }
+  SOFTGL_MEMBER FloatV offset(int) const { return splat(stored.offset[triangle]); }
+  SOFTGL_MEMBER IntV back(int) const { return splat(stored.back[triangle]); }
+};
+
+/// Each lane's are those of its own triangle; what is read are the planes of all of them.
+struct PlanesOfEach {
+  const StoredPlanes& stored;
+  const int32_t* triangle; // of each lane
+
+  SOFTGL_MEMBER PlaneV read(int index) const {
+    const auto& p = stored.plane[index];
+    return {load(p[0]), load(p[1]), load(p[2])};
+  }
+  SOFTGL_MEMBER FloatV choose_from(FloatV v, int lane) const { return permute(v, load(triangle + lane)); }
+  SOFTGL_MEMBER PlaneV at(const PlaneV& plane, int lane) const {
+    return {choose_from(plane.a, lane), choose_from(plane.gx, lane), choose_from(plane.gy, lane)};
+  }
+  SOFTGL_MEMBER FloatV offset(int lane) const { return choose_from(load(stored.offset), lane); }
+  SOFTGL_MEMBER IntV back(int lane) const { return (IntV)choose_from((FloatV)load(stored.back), lane); }
+};
+
+/// Fills the inputs of lanes [first, end), which are of small triangles, and `depth`; block.x and block.y are
+/// set. Vector by vector, each asking which inputs there are, triangles of 16 to 32 pixels took 1.4 to 1.6
+/// times as long.
+template <class Planes> static void interpolate_triangles(const RasterDraw& draw, const Planes& planes,
+                                                          int first, int end, FragmentBlock& block,
+                                                          uint32_t* depth) {
+  const float scale = depth_scale(draw.program->key);
+  LanePlaces lanes;
+  const PlaneV z_plane = planes.read(kPlaneZ), w_plane = planes.read(kPlaneW);
+  for (int i = first; i < end; i += kWidth) {
+    const FloatV x = to_float(load(block.x + i)), y = to_float(load(block.y + i));
+    store(lanes.x + i, x), store(lanes.y + i, y);
+    const IntV z = depth_bits(value_at(planes.at(z_plane, i), x, y) + planes.offset(i), scale);
+    store(block.depth + i, z), store(depth + i, z);
+    store(lanes.w + i, splat(1.0f) / value_at(planes.at(w_plane, i), x, y));
+  }
+  interpolate_varyings(draw, planes, first, end, lanes, block);
+  for (int u = 0; u < kMaxTextureUnits; ++u) {
+    if (draw.unit_plane[u] < 0) continue;
+    const CoordinatesRead read = coordinates_read(*draw.program, u);
+    if (read.differences == Differences::None) {
+      interpolate_coordinates(draw, planes, u, read, first, end, lanes, block.unit[u]);
+      continue;
+    }
+    for (int i = first; i < end; i += kWidth) {
+      PlaneV q[4];
+      for (int k = 0; k < 4; ++k)
+        if (k < read.count || k == 3) q[k] = planes.at(planes.read(draw.unit_plane[u] + k), i);
+      interpolate_unit(block.unit[u], i, read, plane_of_w(draw, u, planes.at(w_plane, i)), q,
+                       load(block.x + i), load(block.y + i));
+    }
+  }
+}
+
 namespace { // so that no member is visible outside
 
 /// Where shaded fragments go. To be kept in a local variable: of members GCC believes that each store may
@@ -64,7 +129,7 @@ struct FragmentWords {
 template <bool Staged> class SmallShader {
 public:
   SmallShader(const RasterDraw& draw, FragmentBlock& block)
-      : draw_(draw), block_(block), program_(*draw.program) {}
+      : draw_(draw), block_(block), program_(*draw.program), kills_(draw.program->tests_alpha()) {}
 
   /// Fragments [f, f + kWidth) at px, py.
   template <class Planes>
@@ -117,7 +182,7 @@ public:
     for (int j = 0; j < lanes; j += kWidth) {
       store(words.color + first_ + j, pack_color(load(block_.color[0] + j), load(block_.color[1] + j),
                                                  load(block_.color[2] + j), load(block_.color[3] + j)));
-      store(words.live + first_ + j, load(block_.live + j));
+      if (kills_) store(words.live + first_ + j, load(block_.live + j));
     }
     first_ = end;
   }
@@ -126,6 +191,7 @@ private:
   const RasterDraw& draw_;
   FragmentBlock& block_;
   const FragmentProgram& program_;
+  const bool kills_;  // fragments' `live` is asked for
   int32_t first_ = 0; // fragment in lane 0 of the block
 };
 

@@ -87,7 +87,7 @@ template <bool Staged> static void shade_triangles(const TileTarget& tile, const
   alignas(64) uint16_t pixel[kMost + kWidth];
   alignas(64) uint32_t depth[kMost + kWidth], color[kMost + kWidth], live[kMost + kWidth];
   const FragmentWords words(draw, pixel, depth, color, live);
-  const bool killing = Staged && draw.program->key.alpha_function != uint64_t(Compare::Always);
+  const bool killing = Staged && draw.program->tests_alpha();
   for (; count > 0; triangle += kWidth, count -= kWidth) {
     const int lanes = count < kWidth ? count : kWidth;
     SmallTriangle padded[kWidth]; // the last ones, and copies of the first of them
@@ -107,23 +107,50 @@ template <bool Staged> static void shade_triangles(const TileTarget& tile, const
       int32_t end = all - first < kMost ? all - first : kMost;
       const uint16_t* place = pixels.place + first;
       SmallShader<Staged> shader(draw, block);
-      auto shade = [&](int32_t f, auto&& chosen) __attribute__((always_inline)) {
+      const auto place_at = [&](int32_t f) __attribute__((always_inline)) {
         const IntV p = load_halves(place + f);
         store_halves(pixel + f, (p & 0xe07) | ((p >> 3) & 0x38) | ((p << 3) & 0x1c0)); // pixel_in_tile
-        shader.shade(words, chosen, f, (p & 63) + tile.x, ((p >> 6) & 63) + tile.y);
+        return p;
       };
-      if constexpr (kWidth > 4) {
-        for (int32_t f = 0; f < end; f += kWidth)
-          shade(f, ChosenPlanes{stored, load_halves(place + f) >> 12});
+      if constexpr (Staged) {
+        // Lanes of vectors may lie behind the last one of a triangle.
+        constexpr int32_t kBlock = kWidth > 4 ? kLanes : kLanes - kWidth + 1;
+        for (int32_t f = 0; f < end; f += kBlock) {
+          const int32_t most = end - f < kBlock ? end - f : kBlock;
+          alignas(64) int32_t number_of[kLanes];
+          for (int32_t i = 0; i < most; i += kWidth) {
+            const IntV p = place_at(f + i);
+            store(block.x + i, (p & 63) + tile.x), store(block.y + i, ((p >> 6) & 63) + tile.y);
+            store(number_of + i, p >> 12);
+          }
+          if (kWidth > 4 && number_of[0] != number_of[most - 1])
+            interpolate_triangles(draw, PlanesOfEach{stored, number_of}, 0, most, block, depth + f);
+          else
+            for (int32_t i = 0; i < most;) {
+              const int n = number_of[i];
+              const int32_t next = pixels.end[n] - first - f < most ? pixels.end[n] - first - f : most;
+              interpolate_triangles(draw, PlanesOfOne{stored, n}, i, next, block, depth + f);
+              i = next;
+            }
+          shader.finish(words, f + most);
+        }
       } else {
-        for (int32_t f = 0; f < end;) {
-          const int32_t last = pixels.end[number] - first;
-          for (; f < last && f < end; f += kWidth) shade(f, OnePlanes{stored, number});
-          if (last > end) break; // the triangle has pixels beyond
-          f = last, ++number;
+        auto shade = [&](int32_t f, auto&& chosen) __attribute__((always_inline)) {
+          const IntV p = place_at(f);
+          shader.shade(words, chosen, f, (p & 63) + tile.x, ((p >> 6) & 63) + tile.y);
+        };
+        if constexpr (kWidth > 4) {
+          for (int32_t f = 0; f < end; f += kWidth)
+            shade(f, ChosenPlanes{stored, load_halves(place + f) >> 12});
+        } else {
+          for (int32_t f = 0; f < end;) {
+            const int32_t last = pixels.end[number] - first;
+            for (; f < last && f < end; f += kWidth) shade(f, OnePlanes{stored, number});
+            if (last > end) break; // the triangle has pixels beyond
+            f = last, ++number;
+          }
         }
       }
-      shader.finish(words, end);
       if (killing) {
         int32_t living = 0;
         for (int32_t i = 0; i < end; ++i) {

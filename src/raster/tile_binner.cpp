@@ -160,7 +160,7 @@ void TileBinner::bin_triangles(const AssembledTriangles& batch) {
   if (out.tiny) {
     count_as_taken(FastPath::Tiny);
     if (out.shared_planes) count_as_taken(FastPath::SharedPlanes);
-    const bool killing = draw_->program->key.alpha_function != static_cast<uint64_t>(Compare::Always);
+    const bool killing = draw_->program->tests_alpha();
     for (int32_t i = 0; i < out.run_count; ++i) {
       const TriangleOutput::Run& run = out.run[i];
       bin_large_before(run.triangle);
