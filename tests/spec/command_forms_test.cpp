@@ -6,6 +6,7 @@
 #include <climits>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "spec/refused_calls.h"
@@ -191,6 +192,71 @@ TEST_CASE("The array pointers of EXT_vertex_array are those of GL 1.1 with a cou
   same("edge flags", [&] { gl.EdgeFlagPointer(40, flags); },
        [&] { EXTENSION(EdgeFlagPointerEXT)(40, 4, flags); }, GL_EDGE_FLAG_ARRAY_POINTER, flags);
   // clang-format on
+}
+
+TEST_CASE("Interleaved arrays are the pointers of table 2.5, and may begin at the first byte of a buffer",
+          "[spec][arrays]") {
+  // Where the texture coordinates, color, normal and position begin (-1: none), their sizes, and the stride.
+  struct Layout {
+    int at[4];
+    GLint size[4];
+    GLenum color_type;
+    GLsizei stride;
+  };
+  static constexpr Layout layouts[14] = {
+      /* V2F */ {{-1, -1, -1, 0}, {0, 0, 0, 2}, 0, 8},
+      /* V3F */ {{-1, -1, -1, 0}, {0, 0, 0, 3}, 0, 12},
+      /* C4UB_V2F */ {{-1, 0, -1, 4}, {0, 4, 0, 2}, GL_UNSIGNED_BYTE, 12},
+      /* C4UB_V3F */ {{-1, 0, -1, 4}, {0, 4, 0, 3}, GL_UNSIGNED_BYTE, 16},
+      /* C3F_V3F */ {{-1, 0, -1, 12}, {0, 3, 0, 3}, GL_FLOAT, 24},
+      /* N3F_V3F */ {{-1, -1, 0, 12}, {0, 0, 3, 3}, 0, 24},
+      /* C4F_N3F_V3F */ {{-1, 0, 16, 28}, {0, 4, 3, 3}, GL_FLOAT, 40},
+      /* T2F_V3F */ {{0, -1, -1, 8}, {2, 0, 0, 3}, 0, 20},
+      /* T4F_V4F */ {{0, -1, -1, 16}, {4, 0, 0, 4}, 0, 32},
+      /* T2F_C4UB_V3F */ {{0, 8, -1, 12}, {2, 4, 0, 3}, GL_UNSIGNED_BYTE, 24},
+      /* T2F_C3F_V3F */ {{0, 8, -1, 20}, {2, 3, 0, 3}, GL_FLOAT, 32},
+      /* T2F_N3F_V3F */ {{0, -1, 8, 20}, {2, 0, 3, 3}, 0, 32},
+      /* T2F_C4F_N3F_V3F */ {{0, 8, 24, 36}, {2, 4, 3, 3}, GL_FLOAT, 48},
+      /* T4F_C4F_N3F_V4F */ {{0, 16, 32, 44}, {4, 4, 3, 4}, GL_FLOAT, 60},
+  };
+  static constexpr GLenum pointers[4] = {GL_TEXTURE_COORD_ARRAY_POINTER, GL_COLOR_ARRAY_POINTER,
+                                         GL_NORMAL_ARRAY_POINTER, GL_VERTEX_ARRAY_POINTER};
+  const auto answers = [&](const Gl& gl) {
+    StateSnapshot snapshot = take_snapshot(gl, false);
+    for (GLenum pointer : pointers) {
+      void* at = nullptr;
+      gl.GetPointerv(pointer, &at);
+      snapshot.emplace_back(std::to_string(pointer), std::to_string(reinterpret_cast<uintptr_t>(at)));
+    }
+    return snapshot;
+  };
+  for (const Gl* library : {&softgl_library(), &osmesa_library()}) {
+    const Gl& gl = *library;
+    for (GLenum format = GL_V2F; format <= GL_T4F_C4F_N3F_V4F; ++format)
+      for (uintptr_t first : {0, 64}) {
+        INFO("format " << format << " from " << first);
+        const Layout& l = layouts[format - GL_V2F];
+        CurrentContext interleaved(gl);
+        gl.BindBuffer(GL_ARRAY_BUFFER, 1);
+        gl.BufferData(GL_ARRAY_BUFFER, 4096, nullptr, GL_STATIC_DRAW);
+        gl.InterleavedArrays(format, 0, reinterpret_cast<void*>(first));
+        const StateSnapshot found = answers(gl);
+        CurrentContext apart(gl);
+        gl.BindBuffer(GL_ARRAY_BUFFER, 1);
+        gl.BufferData(GL_ARRAY_BUFFER, 4096, nullptr, GL_STATIC_DRAW);
+        const auto at = [&](int i) { return reinterpret_cast<void*>(first + uintptr_t(l.at[i])); };
+        const auto array = [&](int i, GLenum name, const std::function<void()>& pointer) {
+          if (l.at[i] < 0) return;
+          gl.EnableClientState(name);
+          pointer();
+        };
+        array(0, GL_TEXTURE_COORD_ARRAY, [&] { gl.TexCoordPointer(l.size[0], GL_FLOAT, l.stride, at(0)); });
+        array(1, GL_COLOR_ARRAY, [&] { gl.ColorPointer(l.size[1], l.color_type, l.stride, at(1)); });
+        array(2, GL_NORMAL_ARRAY, [&] { gl.NormalPointer(GL_FLOAT, l.stride, at(2)); });
+        array(3, GL_VERTEX_ARRAY, [&] { gl.VertexPointer(l.size[3], GL_FLOAT, l.stride, at(3)); });
+        CHECK(compare_snapshots(found, answers(gl)) == "");
+      }
+  }
 }
 
 REFUSAL_TEST_CASE("Compressed images of formats that are not there are refused", "[spec][errors][textures]") {

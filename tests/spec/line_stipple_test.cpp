@@ -77,6 +77,22 @@ bool changed_by_late_color(const Gl& gl) {
   return compare(draw(gl, scene, 0), without).any();
 }
 
+// Lines around a polygon. Its color, which stays white, is set in front of a vertex or not at all.
+GLushort pattern;
+int colored_vertex;
+void draw_colored_polygon(Stage& s) {
+  const Gl& gl = s.gl;
+  gl.Enable(GL_LINE_STIPPLE);
+  gl.LineStipple(3, pattern);
+  gl.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  gl.Begin(mode);
+  for (int i = 0; i < 8; i++) {
+    if (i == colored_vertex) gl.Color3f(1, 1, 1);
+    gl.Vertex2f(0.9f * std::cos(float(i) * 0.7f), 0.9f * std::sin(float(i) * 0.7f));
+  }
+  gl.End();
+}
+
 bool changed_by_another(const Gl& gl) {
   const Scene scene{"after_another", draw_after_another};
   after_another = false;
@@ -105,6 +121,20 @@ TEST_CASE("the stipple pattern starts anew with a strip whose first line is out 
           "[spec][lines][deviation]") {
   CHECK_FALSE(changed_by_another(softgl_library()));
   CHECK(changed_by_another(osmesa_library()));
+}
+
+TEST_CASE("a color that comes late changes neither the pattern nor the edges of lines", "[spec][lines]") {
+  const Scene scene{"colored_polygon", draw_colored_polygon};
+  for (const GLenum m : {GL_LINE_STRIP, GL_LINE_LOOP, GL_POLYGON})
+    for (const GLushort p : {0x00ff, 0xffff}) {
+      mode = m, pattern = p, colored_vertex = -1;
+      const Picture expected = draw(softgl_library(), scene, 0);
+      for (colored_vertex = 1; colored_vertex < 8; colored_vertex++) {
+        const Difference d = compare(draw(softgl_library(), scene, 0), expected);
+        INFO("mode " << m << ", pattern " << p << ", vertex " << colored_vertex << ": " << d.text);
+        CHECK_FALSE(d.any());
+      }
+    }
 }
 
 // In OSMesa such a strip becomes single lines (reference/DEVIATIONS.md).

@@ -52,6 +52,25 @@ TEST_CASE("A hit record has the names, and the least and the greatest depth", "[
   CHECK(gl.GetError() == GL_NO_ERROR);
 }
 
+TEST_CASE("The buffers of selection and feedback are told", "[spec][selection]") { // GL 1.5, 6.1.11
+  const Gl& gl = softgl_library();
+  CurrentContext context(gl);
+  GLuint names[8];
+  GLfloat values[8];
+  const auto told = [&](GLenum name) {
+    void* pointer = values;
+    gl.GetPointerv(name, &pointer);
+    return pointer;
+  };
+  CHECK(told(GL_SELECTION_BUFFER_POINTER) == nullptr);
+  CHECK(told(GL_FEEDBACK_BUFFER_POINTER) == nullptr);
+  gl.SelectBuffer(8, names);
+  gl.FeedbackBuffer(8, GL_2D, values);
+  CHECK(told(GL_SELECTION_BUFFER_POINTER) == names);
+  CHECK(told(GL_FEEDBACK_BUFFER_POINTER) == values);
+  CHECK(gl.GetError() == GL_NO_ERROR);
+}
+
 TEST_CASE("Nothing is drawn while primitives are selected or fed back", "[spec][selection]") {
   const Gl& gl = softgl_library();
   CurrentContext context(gl);

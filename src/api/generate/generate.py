@@ -209,7 +209,7 @@ def default_return(returns):
 
 
 # Pointers that may be null: an offset into a buffer, an image without contents, or errors have to be found first.
-NULL_IS_FINE = re.compile(r"^CallLists$|Pointer$|PointerEXT$|^Draw|BufferData$|^Compressed|Tex(Sub)?Image|^(Bitmap|DrawPixels|ReadPixels)|PixelMap|PolygonStipple|"
+NULL_IS_FINE = re.compile(r"^CallLists$|^InterleavedArrays$|Pointer$|PointerEXT$|^Draw|BufferData$|^Compressed|Tex(Sub)?Image|^(Bitmap|DrawPixels|ReadPixels)|PixelMap|PolygonStipple|"
                           r"^DebugMessage|^GetDebugMessageLog$|^PushDebugGroup$|Label$|Label(Object)?EXT$")
 
 

@@ -1661,7 +1661,6 @@ SOFTGL_EXPORT void APIENTRY glInitNames() try {
 SOFTGL_EXPORT void APIENTRY glInterleavedArrays(GLenum format, GLsizei stride, const void* pointer) try {
   SOFTGL_TRACED(glInterleavedArrays, format, stride, pointer);
   Context& c = *current_context;
-  if (!pointer) [[unlikely]] return ignore_call(c);
   if ((c.guard & ~kRunPending) && !may_execute_keeping_run(c)) [[unlikely]] return;
   gl::InterleavedArrays(c, format, stride, pointer);
 } catch (...) {

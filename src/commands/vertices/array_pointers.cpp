@@ -148,8 +148,10 @@ void gl::GetPointerv(Context& c, GLenum pname, void** params) {
   case GL_EDGE_FLAG_ARRAY_POINTER: slot = kEdgeFlag; break;
   case GL_TEXTURE_COORD_ARRAY_POINTER: slot = kTexCoord0 + arrays.active_texture_unit; break;
   case GL_FEEDBACK_BUFFER_POINTER:
-  case GL_SELECTION_BUFFER_POINTER: // never set: render modes are not built yet
-    if (params) *params = nullptr;
+    if (params) *params = c.state.render_mode.feedback_buffer;
+    return;
+  case GL_SELECTION_BUFFER_POINTER:
+    if (params) *params = c.state.render_mode.selection_buffer;
     return;
   case GL_DEBUG_CALLBACK_FUNCTION:
     if (params) *params = reinterpret_cast<void*>(c.debug.callback);

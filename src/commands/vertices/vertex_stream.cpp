@@ -19,6 +19,9 @@ namespace {
 // A new attribute between two primitives: up to here the waiting vertices are widened, above the run is
 // closed.
 constexpr uint32_t kWidenLimit = 64;
+// One that is interpolated widens none of them. Behind more vertices than these it has no slot if it has the
+// value of before.
+constexpr uint32_t kConstantBehind = 8;
 
 /// Hands the chunk's primitives to the frame. Afterwards no chunk is open, whether memory sufficed or not.
 void draw_chunk(Context& c) {
@@ -102,6 +105,40 @@ void split_run(Context& c) {
   b.first = 0;
 }
 
+/// The stipple pattern runs through a strip, and around a polygon.
+bool stays_in_one_piece(const Context& c) {
+  const GLenum mode = c.builder.mode;
+  return c.state.line.stipple && (mode == GL_LINE_STRIP || mode == GL_LINE_LOOP || mode == GL_POLYGON);
+}
+
+/// Draws the primitives that wait, and goes on with vertices of the same layout: inside of a primitive with
+/// those that its rest needs again.
+void draw_earlier_vertices(Context& c) {
+  VertexBuilder& b = c.builder;
+  if (b.inside()) {
+    split_run(c);
+    b.limit = room_end(b);
+  } else {
+    draw_chunk(c);
+    open_chunk(c);
+  }
+}
+
+/// Of these attributes: those that are interpolated where a slot has them, and go to the fragments as they
+/// are where none has, which may be another last bit. Vertices that were given before such a slot keep to the
+/// latter, as in OSMesa.
+uint32_t interpolated_by_slot(const Context& c, uint32_t attributes) {
+  const uint32_t colors = c.state.lighting.enabled ? 0 : 1u << kColor | 1u << kSecondaryColor;
+  return attributes & (colors | 0xffu << kTexCoord0);
+}
+
+/// Whether an attribute that is set between Begin and End, and has no slot, comes behind something to draw.
+bool parts_run(const Context& c, int slot) {
+  const VertexBuilder& b = c.builder;
+  if (b.compiling || !b.base || !interpolated_by_slot(c, 1u << slot) || stays_in_one_piece(c)) return false;
+  return !b.primitives.empty() || complete_vertices(b.mode, b.vertex_count() - b.first);
+}
+
 /// A slot for an attribute of the run; the vertices that wait have the value that was current. In a list that
 /// is known if a record before the run sets it, else it is the one of play time.
 void add_attribute(Context& c, int slot) {
@@ -115,23 +152,28 @@ void add_attribute(Context& c, int slot) {
   if (recorded) b.first_set[slot] = 0;
 }
 
-/// Attributes set since the last primitive get a slot where their value differs from the one before. Those in
-/// front of all vertices of a list's run do not change in it so far.
+/// Whether an attribute set since the last primitive has another value than the vertices that wait.
+bool changes(const Context& c, int slot) {
+  return !same_bits(c.builder.deferred_value[slot], &c.state.current.slot[slot], 16);
+}
+
+/// Attributes set since the last primitive get a slot where their value differs from the one before, and the
+/// vertices that wait are drawn without those that are interpolated. Attributes in front of all vertices of a
+/// list's run do not change in it so far.
 void apply_deferred(Context& c) {
   VertexBuilder& b = c.builder;
-  if (!b.compiling && b.vertex_count() > kWidenLimit) {
-    for (const int slot : Bits(b.deferred)) {
-      if (!same_bits(b.deferred_value[slot], &c.state.current.slot[slot], 16)) {
-        close_run(c);
-        open_chunk(c);
-        return;
-      }
-    }
+  const uint32_t waiting = b.compiling ? 0 : b.vertex_count();
+  uint32_t changed = 0, interpolated = 0;
+  for (const int slot : Bits(b.deferred)) changed |= uint32_t(changes(c, slot)) << slot;
+  if (waiting > kWidenLimit && changed) {
+    close_run(c);
+    return open_chunk(c);
   }
-  for (const int slot : Bits(b.deferred)) {
+  if (waiting) interpolated = interpolated_by_slot(c, waiting > kConstantBehind ? changed : b.deferred);
+  if (interpolated) draw_earlier_vertices(c);
+  for (const int slot : Bits(b.compiling ? b.deferred : changed | interpolated)) {
     const float* now = b.deferred_value[slot];
-    if (!b.compiling && same_bits(now, &c.state.current.slot[slot].x, 16)) continue;
-    if (b.vertex_count() == 0) {
+    if (b.vertex_count() == 0 && !(interpolated >> slot & 1)) {
       b.compiling ? record_attribute(c, slot, now) : set_current(c, slot, now);
       continue;
     }
@@ -230,7 +272,10 @@ void set_absent_attribute(Context& c, int slot, float x, float y, float z, float
   alignas(16) const float now[4] = {x, y, z, w};
   if (b.inside() && !b.dropping) {
     b.set_inside |= 1u << slot;
-    or_drop_vertices(c, [&] { add_attribute(c, slot); });
+    or_drop_vertices(c, [&] {
+      if (parts_run(c, slot)) draw_earlier_vertices(c);
+      add_attribute(c, slot);
+    });
   }
   if (b.offset[slot]) {
     std::memcpy(b.value[b.offset[slot]], now, 16);
@@ -254,8 +299,7 @@ void emit_vertex_without_room(Context& c, float x, float y, float z, float w) {
       if (b.dropping) return;
       open_chunk(c);
       c.guard |= kRunPending;
-    } else if (b.compiling || (c.state.line.stipple && (b.mode == GL_LINE_STRIP || b.mode == GL_LINE_LOOP))) {
-      // The stipple pattern runs through a strip, which therefore stays in one piece.
+    } else if (b.compiling || stays_in_one_piece(c)) {
       grow_chunk(c, 2 * b.capacity);
     } else {
       split_run(c);
