@@ -128,9 +128,12 @@ void feed_back(Context& c, const DrawCall& call) {
   OwnSnapshot own =
       make_own_snapshot(c, fragment.key, call.source->present, &call.constant[kColor][0], arena);
   own.program.line_stipple = false; // whole lines are fed back
-  // Culled, colored and, by OSMesa 22.3.6 alone, offset ones.
+  // Culled, colored and, by OSMesa 22.3.6 alone, offset ones. It selects what their mode makes of them, too.
   auto* polygons = arena.make<PolygonConstants>(*make_polygon_constants(c, arena));
-  if (c.specification_answers) std::fill_n(polygons->offset, 3, false);
+  if (c.specification_answers) {
+    std::fill_n(polygons->offset, 3, false);
+    if (c.state.render_mode.mode == GL_SELECT) std::fill_n(polygons->mode, 2, PolygonMode::Fill);
+  }
   own.program.polygons = polygons;
   DrawRecord draw{call, own.layout, &own.program, make_raster_constants(c, arena), &fragment};
   draw.first_provokes = first_provokes(c);

@@ -206,4 +206,21 @@ TEST_CASE("depths that are fed back have no offset", "[spec][answers]") {
   }
 }
 
+TEST_CASE("a polygon is selected whatever its mode is", "[spec][answers]") {
+  for (const bool specification : {false, true}) {
+    const SpecificationContext a(specification);
+    const Gl& gl = a.gl;
+    gl.PolygonMode(GL_FRONT_AND_BACK, GL_POINT);
+    GLuint names[8] = {};
+    gl.SelectBuffer(8, names);
+    gl.RenderMode(GL_SELECT);
+    gl.Begin(GL_TRIANGLES); // around the view volume: no corner is inside
+    gl.Vertex2f(-9, -8);
+    gl.Vertex2f(9, -7);
+    gl.Vertex2f(0, 9);
+    gl.End();
+    CHECK(gl.RenderMode(GL_RENDER) == int(specification));
+  }
+}
+
 } // namespace softgl::test

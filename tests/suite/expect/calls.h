@@ -7,6 +7,7 @@
 
 #include "expect/machine.h"
 #include "expect/primitive.h"
+#include "expect/render_mode.h"
 
 namespace softgl::suite {
 
@@ -34,6 +35,8 @@ private:
   bool play_pixels(const Call& call);
   bool play_fragments(const Call& call);
   bool play_paint(const Call& call);
+  bool play_special(const Call& call);
+  bool play_evaluators(const Call& call);
 
   void enable(GLenum name, bool on);
   std::vector<Matrix4>& matrices(); // the stack of the matrix mode
@@ -56,7 +59,8 @@ private:
   bool play_compressed_images(const Call& call);
   void draw_image(const PixelImage& image);
   void draw_polygon(const std::vector<int>& corners, int provoking, bool edge_flags);
-  void draw_line(int from, int to, Interval along = 0);
+  /// `begins`: the stipple begins with this line.
+  void draw_line(int from, int to, bool begins, Interval along = 0);
   void clip_plane(int plane, const std::vector<double>& equation);
   bool play_arrays(const Call& call);
   void set_array(ArrayState& array, int size, GLenum type, int stride, const Argument& memory);
@@ -66,6 +70,14 @@ private:
   void bitmap(const Call& call);
   void window_position(const Vec4& at);
   void paint_elements(const std::vector<Interval>& elements, const Call& call, size_t first);
+  void receive(GLenum token, const std::vector<LitVertex>& vertices);
+  bool receives_pixels(GLenum token); // false if they are to be drawn
+  void paint_numbers(const std::vector<Interval>& numbers, int size, void (*paint)(Interval, Interval*));
+  void set_map(const Call& call, int dimensions);
+  void evaluate(int dimensions, double u, double v);
+  void evaluate_mesh(const Call& call);
+  bool enable_map(GLenum name, bool on);
+  std::vector<double> map_answer(GLenum target, GLenum query) const; // of glGetMap
 
   State state_;
   Rasterizer raster_;
@@ -77,7 +89,9 @@ private:
   GLenum expected_error_ = GL_NO_ERROR;
   bool skips_next_ = false;                              // a call that raises an error does nothing
   std::vector<std::pair<LitVertex, bool>> raster_saved_; // as state_.saved
-  GLuint query_ = 0;                                     // that counts, and what came of all
+  RenderModeState render_mode_;
+  EvaluatorMaps evaluator_maps_;
+  GLuint query_ = 0; // that counts, and what came of all
   std::map<GLuint, FragmentCount> queries_;
   GLuint list_ = 0; // that is compiled
   bool list_executes_ = false;

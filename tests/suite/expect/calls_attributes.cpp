@@ -38,7 +38,8 @@ void Machine::enable(GLenum name, bool on) {
   case GL_FOG: s.fog.on = on; break;
   case GL_DITHER: s.color_buffer.dither = on; break;
   default:
-    if (!enable_texture(name, on)) throw std::logic_error("glEnable of what the machine does not know");
+    if (!enable_texture(name, on) && !enable_map(name, on))
+      throw std::logic_error("glEnable of what the machine does not know");
   }
 }
 

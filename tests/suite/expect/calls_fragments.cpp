@@ -78,11 +78,15 @@ bool Machine::play_fragments(const Call& call) {
   case Command::ClearDepth: depth.clear = call.n(0); return true;
   case Command::ClearColor: color.clear_color = vec4(numbers_of(call, 0)); return true;
   case Command::ClearAccum: state_.accumulation_clear = vec4(numbers_of(call, 0)); return true;
-  case Command::Accum: raster_.accumulate(state_, call.e(0), call.n(1)); return true;
+  case Command::Accum:
+    if (render_mode_.mode == GL_RENDER) raster_.accumulate(state_, call.e(0), call.n(1));
+    return true;
   case Command::BeginQuery: query_ = GLuint(call.n(1)), raster_.passed = {0, 0}; return true;
   case Command::DeleteQueries: return true; // of names that are used no more
   case Command::EndQuery: queries_[query_] = raster_.passed; return true;
-  case Command::Clear: raster_.clear(state_, GLbitfield(call.n(0))); return true;
+  case Command::Clear: // nothing changes while primitives are selected or fed back (corollary 18)
+    if (render_mode_.mode == GL_RENDER) raster_.clear(state_, GLbitfield(call.n(0)));
+    return true;
   case Command::Hint:
   case Command::Flush:
   case Command::Finish: return true;

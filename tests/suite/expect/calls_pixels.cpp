@@ -107,8 +107,9 @@ void Machine::bitmap(const Call& call) {
       throw std::logic_error("a bitmap that a GL may round either way");
   const int x = int(std::floor(raster_position_.window.x - call.n(2)));
   const int y = int(std::floor(raster_position_.window.y - call.n(3)));
+  const bool draws = !receives_pixels(GL_BITMAP_TOKEN);
   const int width = int(call.n(0)), height = int(call.n(1));
-  for (int j = 0; j < height; j++)
+  for (int j = 0; j < height && draws; j++)
     for (int i = 0; i < width; i++)
       if (bitmap_bit(state_.unpack, call.v(6), width, i, j))
         raster_.pixel(state_, x + i, y + j, raster_position_, raster_position_.window.z);
@@ -120,10 +121,12 @@ bool Machine::play_pixels(const Call& call) {
     raster_position_ = transform(vec4(values_of(call)));
     raster_position_valid_ = is_inside(state_, raster_position_);
     if (raster_position_valid_) to_window(raster_position_);
+    if (raster_position_valid_ && render_mode_.mode == GL_SELECT) note_hit(render_mode_, {raster_position_});
     return true;
   }
   if (std::string(facts_of(call.command).name).starts_with("WindowPos")) {
     window_position(vec4(values_of(call)));
+    if (render_mode_.mode == GL_SELECT) note_hit(render_mode_, {raster_position_});
     return true;
   }
   const auto n = [&](size_t i) { return int(call.n(i)); };
@@ -137,14 +140,14 @@ bool Machine::play_pixels(const Call& call) {
   case Command::PixelMapfv: state_.pixel.transfer.maps[call.e(0)] = call.v(2); return true;
   case Command::PixelZoom: state_.pixel.zoom[0] = call.n(0), state_.pixel.zoom[1] = call.n(1); return true;
   case Command::DrawPixels: {
-    if (!raster_position_valid_) return true;
+    if (!raster_position_valid_ || receives_pixels(GL_DRAW_PIXEL_TOKEN)) return true;
     PixelImage image = unpack(state_.unpack, call.arguments[4], call.e(2), call.e(3), n(0), n(1), 1);
     transfer(state_.pixel.transfer, image, true);
     draw_image(image);
     return true;
   }
   case Command::CopyPixels: {
-    if (!raster_position_valid_) return true;
+    if (!raster_position_valid_ || receives_pixels(GL_COPY_PIXEL_TOKEN)) return true;
     const PixelKind kind = call.e(4) == GL_COLOR     ? PixelKind::Color
                            : call.e(4) == GL_STENCIL ? PixelKind::Stencil
                                                      : PixelKind::Depth;

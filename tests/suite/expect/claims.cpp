@@ -69,6 +69,18 @@ std::vector<double> Machine::answer(GLenum name) {
   case GL_VIEWPORT: return {s.viewport.box, s.viewport.box + 4};
   case GL_DEPTH_RANGE: return {s.viewport.near, s.viewport.far};
   case GL_LIST_BASE: return {double(s.list_base)};
+  case GL_RENDER_MODE: return {double(render_mode_.mode)};
+  case GL_NAME_STACK_DEPTH: return {double(render_mode_.names.size())};
+  case GL_SELECTION_BUFFER_SIZE: return {std::max(render_mode_.selection_size, 0) * 1.0};
+  case GL_FEEDBACK_BUFFER_SIZE: return {std::max(render_mode_.feedback_size, 0) * 1.0};
+  case GL_FEEDBACK_BUFFER_TYPE: return {double(render_mode_.feedback_type)};
+  case GL_MAP1_GRID_SEGMENTS: return {double(s.evaluators.grid1.count)};
+  case GL_MAP1_GRID_DOMAIN: return {s.evaluators.grid1.first, s.evaluators.grid1.last};
+  case GL_MAP2_GRID_SEGMENTS:
+    return {double(s.evaluators.grid2[0].count), double(s.evaluators.grid2[1].count)};
+  case GL_MAP2_GRID_DOMAIN:
+    return {s.evaluators.grid2[0].first, s.evaluators.grid2[0].last, s.evaluators.grid2[1].first,
+            s.evaluators.grid2[1].last};
   case GL_VERTEX_ARRAY_SIZE: return {double(s.vertex_array.size)};
   case GL_VERTEX_ARRAY_TYPE: return {double(s.vertex_array.type)};
   case GL_VERTEX_ARRAY_STRIDE: return {double(s.vertex_array.given_stride)};
@@ -89,11 +101,20 @@ Claims Machine::error_claim(const Call& call) {
     if (call.command == Command::End) return right_if(!open_);
     if (call.command == Command::EndList) return right_if(open_ || !list_);
     if (call.command == Command::NewList) return right_if(open_ || list_);
+    if (call.command == Command::RenderMode)
+      return right_if(
+          open_ || (call.e(0) == GL_SELECT ? render_mode_.selection_size : render_mode_.feedback_size) < 0);
+    if (call.command == Command::SelectBuffer) return right_if(open_ || render_mode_.mode == GL_SELECT);
+    if (call.command == Command::FeedbackBuffer) return right_if(open_ || render_mode_.mode == GL_FEEDBACK);
+    if (call.command == Command::LoadName)
+      return right_if(open_ || (render_mode_.mode == GL_SELECT && render_mode_.names.empty()));
     return open_ ? Claims::Right : Claims::Unknown;
   case GL_STACK_UNDERFLOW:
     if (call.command == Command::PopMatrix) return right_if(matrices().size() == 1);
     if (call.command == Command::PopAttrib) return right_if(state_.saved.empty());
     if (call.command == Command::PopClientAttrib) return right_if(state_.saved_clients.empty());
+    if (call.command == Command::PopName)
+      return right_if(render_mode_.mode == GL_SELECT && render_mode_.names.empty());
     break;
   }
   return Claims::Unknown;
@@ -105,12 +126,19 @@ Claims Machine::claim(const Call& call) {
     const GLenum name = call.e(0);
     if (name >= GL_CLIP_PLANE0 && name < GL_CLIP_PLANE0 + kClipPlanes)
       return right_if(state_.transform.clip_enabled[name - GL_CLIP_PLANE0] == (call.n(1) != 0));
+    if (name == GL_AUTO_NORMAL) return right_if(state_.evaluators.auto_normal == (call.n(1) != 0));
+    if (const int dimensions = map_dimensions(name))
+      return right_if(state_.evaluators.on[dimensions - 1][map_index(name)] == (call.n(1) != 0));
     if (name == GL_LIGHTING) return right_if(state_.lighting.lighting == (call.n(1) != 0));
     const ArrayState* array = array_named(name);
     return array ? right_if(array->on == (call.n(1) != 0)) : Claims::Unknown;
   }
-  const std::vector<double> known = answer(call.e(0));
-  return known.empty() ? Claims::Unknown : right_if(same(known, call.v(1)));
+  if (call.command == Command::IsList) // an empty one is one, too
+    return right_if((state_.lists.count(call.e(0)) > 0) == (call.n(1) != 0));
+  if (call.command != Command::GetFloatv && call.command != Command::GetMapfv) return Claims::Unknown;
+  const std::vector<double> known =
+      call.command == Command::GetFloatv ? answer(call.e(0)) : map_answer(call.e(0), call.e(1));
+  return known.empty() ? Claims::Unknown : right_if(same(known, call.arguments.back().numbers));
 }
 
 } // namespace softgl::suite

@@ -55,7 +55,7 @@ void Machine::play(const Call& call) {
   for (const auto group :
        {&Machine::play_vertices, &Machine::play_lists, &Machine::play_attributes, &Machine::play_matrices,
         &Machine::play_lighting, &Machine::play_rasterization, &Machine::play_textures, &Machine::play_pixels,
-        &Machine::play_fragments, &Machine::play_paint})
+        &Machine::play_fragments, &Machine::play_special, &Machine::play_evaluators, &Machine::play_paint})
     if ((this->*group)(call)) return;
   throw std::logic_error(std::string("the machine does not know gl") + facts_of(call.command).name);
 }

@@ -69,33 +69,46 @@ void Machine::draw_polygon(const std::vector<int>& corners, int provoking, bool 
   }
   polygon = clip_polygon(state_, std::move(polygon));
   for (LitVertex& v : polygon) to_window(v);
-  if (!polygon.empty()) raster_.polygon(state_, polygon);
+  if (polygon.empty()) return;
+  if (render_mode_.mode == GL_RENDER)
+    raster_.polygon(state_, polygon);
+  else
+    receive_polygon(render_mode_, state_.polygon, polygon);
 }
 
-void Machine::draw_line(int from, int to, Interval along) {
+void Machine::draw_line(int from, int to, bool begins, Interval along) {
   LitVertex a = vertices_[size_t(from)], b = vertices_[size_t(to)];
   if (state_.lighting.shade_model == GL_FLAT) a.front = b.front;
   if (!clip_line(state_, a, b)) return;
   to_window(a), to_window(b);
-  raster_.line(state_, a, b, along);
+  if (render_mode_.mode == GL_RENDER)
+    raster_.line(state_, a, b, along);
+  else
+    receive(begins ? GL_LINE_RESET_TOKEN : GL_LINE_TOKEN, {a, b});
 }
 
 void Machine::end() {
   const int n = int(vertices_.size());
   switch (mode_) { // table 2.12 says which vertex gives a flat polygon its color
   case GL_POINTS:
-    for (LitVertex& p : vertices_)
-      if (is_inside(state_, p)) to_window(p), raster_.point(state_, p);
+    for (LitVertex& p : vertices_) {
+      if (!is_inside(state_, p)) continue;
+      to_window(p);
+      if (render_mode_.mode == GL_RENDER)
+        raster_.point(state_, p);
+      else
+        receive(GL_POINT_TOKEN, {p});
+    }
     break;
   case GL_LINES:
-    for (int i = 0; i + 1 < n; i += 2) draw_line(i, i + 1);
+    for (int i = 0; i + 1 < n; i += 2) draw_line(i, i + 1, true);
     break;
   case GL_LINE_STRIP:
   case GL_LINE_LOOP: {
     Interval along; // each line may have a fragment more or less
     for (int i = 0; i + 1 < n + (mode_ == GL_LINE_LOOP && n > 2); i++) {
       const int next = (i + 1) % n;
-      draw_line(i, next, along);
+      draw_line(i, next, i == 0, along);
       if (!state_.line.stippled) continue;
       LitVertex a = vertices_[size_t(i)], b = vertices_[size_t(next)];
       to_window(a), to_window(b);

@@ -43,6 +43,7 @@ void restore(State& state, const SavedAttributes& saved) {
   if (mask & GL_LINE_BIT) state.line = from.line;
   if (mask & GL_LIST_BIT) state.list_base = from.list_base;
   if (mask & GL_VIEWPORT_BIT) state.viewport = from.viewport;
+  if (mask & GL_EVAL_BIT) state.evaluators = from.evaluators;
   if (mask & GL_ENABLE_BIT) {
     state.lighting.lighting = from.lighting.lighting,
     state.lighting.color_material = from.lighting.color_material;
@@ -67,6 +68,9 @@ void restore(State& state, const SavedAttributes& saved) {
     state.polygon.offset_line = from.polygon.offset_line;
     state.polygon.offset_fill = from.polygon.offset_fill;
     state.color_buffer.dither = from.color_buffer.dither;
+    for (int d = 0; d < 2; d++)
+      std::copy(from.evaluators.on[d], from.evaluators.on[d] + kEvaluatorTargets, state.evaluators.on[d]);
+    state.evaluators.auto_normal = from.evaluators.auto_normal;
   }
 }
 

@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "expect/evaluators.h"
 #include "expect/texture_state.h"
 #include "script/script.h"
 #include "spec/lighting_bounds.h"
@@ -115,6 +116,7 @@ struct Attributes {
   PointState point;
   LineState line;
   ViewportState viewport;
+  EvaluatorState evaluators;
   GLuint list_base = 0;
 };
 

@@ -16,7 +16,6 @@ GlTable load_functions(const Resolver& resolve) {
   SUITE_COMMAND(GetTexLevelParameteriv, "")
   SUITE_COMMAND(GetTexParameterfv, "")
   SUITE_COMMAND(GetTexEnviv, "")
-  SUITE_COMMAND(GetQueryObjectuiv, "")
 #undef SUITE_COMMAND
 #undef SUITE_COMMAND_NOT_IN_LISTS
 #undef SUITE_QUERY

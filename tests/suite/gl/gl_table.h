@@ -28,7 +28,6 @@ struct GlTable {
   decltype(&::glGetTexLevelParameteriv) GetTexLevelParameteriv = nullptr;
   decltype(&::glGetTexParameterfv) GetTexParameterfv = nullptr;
   decltype(&::glGetTexEnviv) GetTexEnviv = nullptr;
-  decltype(&::glGetQueryObjectuiv) GetQueryObjectuiv = nullptr;
 };
 
 /// Functions that the library does not have stay null.

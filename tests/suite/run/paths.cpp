@@ -99,7 +99,8 @@ std::optional<Script> polygon_mode(const Script& body) {
   return with(s, body);
 }
 std::optional<Script> polygon_offset(const Script& body) {
-  if (enables(body, GL_DEPTH_TEST)) return {};
+  // Depths that are selected or fed back are seen; the chapter special has its own tests of the offset.
+  if (enables(body, GL_DEPTH_TEST) || calls(body, Command::RenderMode)) return {};
   Script s;
   s.PolygonOffset(1.0, 1.0), s.Enable(GL_POLYGON_OFFSET_FILL);
   return with(s, body);

@@ -4,6 +4,7 @@
 #include "lighting/chapter.h"
 #include "pixels/chapter.h"
 #include "raster/chapter.h"
+#include "special/chapter.h"
 #include "texture/chapter.h"
 #include "vertices/chapter.h"
 
@@ -12,7 +13,7 @@ namespace softgl::suite {
 const std::vector<Chapter>& chapters() {
   static const std::vector<Chapter> chapters = {
       {"lighting", lighting_tests}, {"vertices", vertices_tests}, {"texture", texture_tests},
-      {"pixels", pixels_tests},     {"raster", raster_tests},
+      {"pixels", pixels_tests},     {"raster", raster_tests},     {"special", special_tests},
   };
   return chapters;
 }

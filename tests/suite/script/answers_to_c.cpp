@@ -5,13 +5,48 @@
 
 namespace softgl::suite {
 
+namespace {
+
+// A function that compares the numbers of a query. `parameters` and `arguments` lead to the answer.
+std::string compares_numbers(const std::string& name, const std::string& parameters,
+                             const std::string& arguments, const std::string& type) {
+  return "static void expect" + name + "(" + parameters + R"(, const GLfloat* expected, int count) {
+  )" + type +
+         R"( got[64] = {0};
+  gl)" + name +
+         "(" + arguments + R"(, got);
+  for (int i = 0; i < count; i++) {
+    const double size = expected[i] < 0 ? -expected[i] : expected[i], off = (double)got[i] - expected[i];
+    const double most = 5e-5 * (size < 0.02 ? 0.02 : size);
+    if (off >= -most && off <= most) continue;
+    if (!wrong) printf("gl)" +
+         name + R"((0x%04x)[%d] is %g, expected %g\n", name, i, (double)got[i], expected[i]);
+    wrong = 1;
+  }
+}
+
+)";
+}
+
+// A function that compares a boolean.
+std::string compares_boolean(const std::string& name) {
+  return "static void expect" + name + R"((GLuint name, GLboolean expected) {
+  const GLboolean got = gl)" +
+         name + R"((name);
+  if (got != expected && !wrong) printf("gl)" +
+         name + R"((0x%04x) is %d, expected %d\n", name, got, expected);
+  wrong |= got != expected;
+}
+
+)";
+}
+
+} // namespace
+
 std::string answers_in_c(const Script& script, bool all_errors) {
   const auto any = [&](const auto& is) { return std::any_of(script.calls.begin(), script.calls.end(), is); };
   const bool errors = all_errors || any([](const Call& c) { return c.error != GL_NO_ERROR; });
-  const bool floats = any([](const Call& c) { return c.command == Command::GetFloatv; });
-  const bool switches = any([](const Call& c) { return c.command == Command::IsEnabled; });
-  if (!errors && !floats && !switches) return "";
-  std::string text = "static int wrong = 0;\n\n";
+  std::string text;
   if (errors)
     text += R"(static void expectError(GLenum expected) {
   const GLenum got = glGetError();
@@ -20,29 +55,19 @@ std::string answers_in_c(const Script& script, bool all_errors) {
 }
 
 )";
-  if (floats)
-    text += R"(static void expectGetFloatv(GLenum name, const GLfloat* expected, int count) {
-  GLfloat got[16] = {0};
-  glGetFloatv(name, got);
-  for (int i = 0; i < count; i++) {
-    const double size = expected[i] < 0 ? -expected[i] : expected[i], off = got[i] - expected[i];
-    const double most = 5e-5 * (size < 0.02 ? 0.02 : size);
-    if (off >= -most && off <= most) continue;
-    if (!wrong) printf("glGetFloatv(0x%04x)[%d] is %g, expected %g\n", name, i, got[i], expected[i]);
-    wrong = 1;
-  }
-}
-
-)";
-  if (switches)
-    text += R"(static void expectIsEnabled(GLenum name, GLboolean expected) {
-  const GLboolean got = glIsEnabled(name);
-  if (got != expected && !wrong) printf("glIsEnabled(0x%04x) is %d, expected %d\n", name, got, expected);
-  wrong |= got != expected;
-}
-
-)";
-  return text;
+  const auto answers = [&](Command command) {
+    return any([&](const Call& c) { return c.command == command && c.error == GL_NO_ERROR; });
+  };
+  if (answers(Command::GetFloatv)) text += compares_numbers("GetFloatv", "GLenum name", "name", "GLfloat");
+  if (answers(Command::GetMapfv))
+    text += compares_numbers("GetMapfv", "GLenum map, GLenum name", "map, name", "GLfloat");
+  if (answers(Command::GetQueryiv))
+    text += compares_numbers("GetQueryiv", "GLenum target, GLenum name", "target, name", "GLint");
+  if (answers(Command::GetQueryObjectuiv))
+    text += compares_numbers("GetQueryObjectuiv", "GLuint query, GLenum name", "query, name", "GLuint");
+  for (const Command command : {Command::IsEnabled, Command::IsList, Command::IsQuery})
+    if (answers(command)) text += compares_boolean(facts_of(command).name);
+  return text.empty() ? "" : "static int wrong = 0;\n\n" + text;
 }
 
 } // namespace softgl::suite

@@ -11,16 +11,17 @@ namespace {
 // How a stack is filled and emptied.
 struct StackCommands {
   GLenum depth;
-  bool matrices, client;
+  bool matrices, client, names;
   const char *push, *pop; // in C
 };
 const StackCommands& stack_commands(GLenum depth) {
   static const StackCommands commands[] = {
-      {GL_ATTRIB_STACK_DEPTH, false, false, "glPushAttrib(0)", "glPopAttrib()"},
-      {GL_CLIENT_ATTRIB_STACK_DEPTH, false, true, "glPushClientAttrib(0)", "glPopClientAttrib()"},
-      {GL_MODELVIEW_STACK_DEPTH, true, false, "glPushMatrix()", "glPopMatrix()"},
-      {GL_PROJECTION_STACK_DEPTH, true, false, "glPushMatrix()", "glPopMatrix()"},
-      {GL_TEXTURE_STACK_DEPTH, true, false, "glPushMatrix()", "glPopMatrix()"}};
+      {GL_ATTRIB_STACK_DEPTH, false, false, false, "glPushAttrib(0)", "glPopAttrib()"},
+      {GL_CLIENT_ATTRIB_STACK_DEPTH, false, true, false, "glPushClientAttrib(0)", "glPopClientAttrib()"},
+      {GL_NAME_STACK_DEPTH, false, false, true, "glPushName(0)", "glPopName()"},
+      {GL_MODELVIEW_STACK_DEPTH, true, false, false, "glPushMatrix()", "glPopMatrix()"},
+      {GL_PROJECTION_STACK_DEPTH, true, false, false, "glPushMatrix()", "glPopMatrix()"},
+      {GL_TEXTURE_STACK_DEPTH, true, false, false, "glPushMatrix()", "glPopMatrix()"}};
   for (const StackCommands& c : commands)
     if (c.depth == depth) return c;
   throw std::logic_error("a stack that the player does not know");
@@ -104,10 +105,16 @@ bool Player::stack_is_right(GLenum depth, GLenum limit) {
     return got == entries && raised == error;
   };
   const auto push = [&] {
-    stack.matrices ? gl_.PushMatrix() : stack.client ? gl_.PushClientAttrib(0) : gl_.PushAttrib(0);
+    stack.matrices ? gl_.PushMatrix()
+    : stack.client ? gl_.PushClientAttrib(0)
+    : stack.names  ? gl_.PushName(0)
+                   : gl_.PushAttrib(0);
   };
   const auto pop = [&] {
-    stack.matrices ? gl_.PopMatrix() : stack.client ? gl_.PopClientAttrib() : gl_.PopAttrib();
+    stack.matrices ? gl_.PopMatrix()
+    : stack.client ? gl_.PopClientAttrib()
+    : stack.names  ? gl_.PopName()
+                   : gl_.PopAttrib();
   };
   const int bottom = stack.matrices;
   GLint most = 0;
@@ -142,10 +149,16 @@ void Player::paint(const Call& call) {
     break;
   }
   case Command::PaintStack: {
+    const bool names = stack_commands(call.e(0)).names; // a stack of names is there while something selects
+    GLuint hits[4] = {};
+    if (names) gl_.SelectBuffer(4, hits), gl_.RenderMode(GL_SELECT);
     const bool right = stack_is_right(call.e(0), call.e(1));
+    if (names) gl_.RenderMode(GL_RENDER);
     paint(n(2), n(3), kPaintedSquare, !right, right, 0);
     break;
   }
+  case Command::PaintFeedback: paint_feedback(call); break;
+  case Command::PaintSelection: paint_selection(call); break;
   case Command::PaintTexLevel:
     if (!gl_.GetTexLevelParameteriv) return;
     gl_.GetTexLevelParameteriv(call.e(0), n(1), call.e(2), integers), judge(integers[0], 3);
@@ -256,12 +269,18 @@ std::string paint_to_c(const Call& call, const std::string& indent) {
       return inner + "glGetIntegerv(" + n(0) + ", &depth);\n" + inner + "right = depth == " + entries +
              " && glGetError() == " + error + " && right;\n";
     };
-    return indent + "{\n" + inner + "GLint depth = 0, most = 0, right = 1;\n" + inner + "glGetIntegerv(" +
-           n(1) + ", &most);\n" + repeated(stack.push) + is("most", "GL_NO_ERROR") + inner + stack.push +
-           ";\n" + is("most", "GL_STACK_OVERFLOW") + repeated(stack.pop) + is(bottom, "GL_NO_ERROR") + inner +
-           stack.pop + ";\n" + is(bottom, "GL_STACK_UNDERFLOW") + inner + "paint(" + n(2) + ", " + n(3) +
-           ", " + std::to_string(kPaintedSquare) + ", !right, right, 0);\n" + indent + "}\n";
+    const std::string selects = inner + "GLuint hits[4];\n" + inner + "glSelectBuffer(4, hits);\n" + inner +
+                                "glRenderMode(GL_SELECT);\n",
+                      renders = inner + "glRenderMode(GL_RENDER);\n";
+    return indent + "{\n" + inner + "GLint depth = 0, most = 0, right = 1;\n" + (stack.names ? selects : "") +
+           inner + "glGetIntegerv(" + n(1) + ", &most);\n" + repeated(stack.push) +
+           is("most", "GL_NO_ERROR") + inner + stack.push + ";\n" + is("most", "GL_STACK_OVERFLOW") +
+           repeated(stack.pop) + is(bottom, "GL_NO_ERROR") + inner + stack.pop + ";\n" +
+           is(bottom, "GL_STACK_UNDERFLOW") + (stack.names ? renders : "") + inner + "paint(" + n(2) + ", " +
+           n(3) + ", " + std::to_string(kPaintedSquare) + ", !right, right, 0);\n" + indent + "}\n";
   }
+  case Command::PaintFeedback: return indent + "paintFeedback(" + n(0) + ", " + n(1) + ");\n";
+  case Command::PaintSelection: return indent + "paintSelection(" + n(0) + ");\n";
   case Command::PaintTexLevel:
     return judged("GLint", "glGetTexLevelParameteriv(" + n(0) + ", " + n(1) + ", " + n(2) + ", answer)", 3);
   case Command::PaintTexParameter:

@@ -27,6 +27,7 @@ std::vector<std::byte> doubles(const std::vector<double>& numbers) {
 // Turns an argument of a call into one of a function of C.
 struct Converter {
   std::vector<std::unique_ptr<std::vector<std::byte>>>& memory;
+  GLint result = 0; // of the last function that has one
 
   template <class T> T convert(const Argument& a) {
     if constexpr (std::is_pointer_v<T>) {
@@ -48,11 +49,14 @@ struct Converter {
     }
   }
 
-  template <class... P, size_t... I>
-  void invoke(void (*function)(P...), const Call& call, std::index_sequence<I...>) {
-    function(convert<P>(call.arguments[I])...);
+  template <class R, class... P, size_t... I>
+  void invoke(R (*function)(P...), const Call& call, std::index_sequence<I...>) {
+    if constexpr (std::is_void_v<R>)
+      function(convert<P>(call.arguments[I])...);
+    else
+      result = GLint(function(convert<P>(call.arguments[I])...));
   }
-  template <class... P> void invoke(void (*function)(P...), const Call& call) {
+  template <class R, class... P> void invoke(R (*function)(P...), const Call& call) {
     invoke(function, call, std::index_sequence_for<P...>{});
   }
 };
@@ -99,8 +103,13 @@ void Player::play(const Script& script) {
 #undef SUITE_QUERY
     default: paint(call); break;
     }
-    if (call.command == Command::GetFloatv) check_floats(call);
-    if (call.command == Command::IsEnabled) check_enabled(call);
+    if (facts_of(call.command).query) check_query(call);
+    if (call.error == GL_NO_ERROR) {
+      const std::vector<std::byte>* last = memory_.empty() ? nullptr : memory_.back().get();
+      if (call.command == Command::RenderMode) mode_result_ = converter.result;
+      if (call.command == Command::FeedbackBuffer) feedback_ = last, feedback_type_ = call.e(1);
+      if (call.command == Command::SelectBuffer) selection_ = last;
+    }
     check_error(call);
   }
 }
@@ -123,25 +132,46 @@ void Player::check_error(const Call& call) {
   error_ = GL_NO_ERROR;
 }
 
-void Player::check_floats(const Call& call) {
-  const std::vector<double>& wanted = call.v(1);
-  std::vector<GLfloat> got(std::max<size_t>(wanted.size(), 16), -98765.0f); // of a GL that answers nothing
-  gl_.GetFloatv(call.e(0), got.data());
+void Player::check_query(const Call& call) {
+  bool got = false;
+  switch (call.command) {
+  case Command::IsEnabled: got = gl_.IsEnabled(call.e(0)) != GL_FALSE; break;
+  case Command::IsList: got = gl_.IsList(call.e(0)) != GL_FALSE; break;
+  case Command::IsQuery: got = gl_.IsQuery(call.e(0)) != GL_FALSE; break;
+  default: check_numbers(call); return;
+  }
+  if (got == (call.n(1) != 0) || call.error != GL_NO_ERROR || !fault_.empty()) return;
+  char text[120];
+  std::snprintf(text, sizeof text, "gl%s(0x%04x) is wrong: %d, should be %d", facts_of(call.command).name,
+                call.e(0), got, !got);
+  fault_ = text;
+}
+
+void Player::check_numbers(const Call& call) {
+  const std::vector<double>& wanted = call.arguments.back().numbers;
+  const size_t count = std::max<size_t>(wanted.size(), 64);
+  std::vector<GLfloat> got(count, -98765.0f); // of a GL that answers nothing
+  std::vector<GLint> integers(count, -98765);
+  std::vector<GLuint> naturals(count, 98765);
+  switch (call.command) {
+  case Command::GetFloatv: gl_.GetFloatv(call.e(0), got.data()); break;
+  case Command::GetMapfv: gl_.GetMapfv(call.e(0), call.e(1), got.data()); break;
+  case Command::GetQueryiv:
+    gl_.GetQueryiv(call.e(0), call.e(1), integers.data());
+    std::copy(integers.begin(), integers.end(), got.begin());
+    break;
+  default:
+    gl_.GetQueryObjectuiv(call.e(0), call.e(1), naturals.data());
+    std::copy(naturals.begin(), naturals.end(), got.begin());
+  }
+  if (call.error != GL_NO_ERROR) return;
   for (size_t i = 0; i < wanted.size(); i++) {
     if (std::abs(double(got[i]) - wanted[i]) <= 5e-5 * std::max(std::abs(wanted[i]), 0.02)) continue;
     char text[120];
-    std::snprintf(text, sizeof text, "glGetFloatv(0x%04x)[%zu] is wrong: %.9g, should be %.9g", call.e(0), i,
-                  double(got[i]), wanted[i]);
+    std::snprintf(text, sizeof text, "gl%s(0x%04x)[%zu] is wrong: %.9g, should be %.9g",
+                  facts_of(call.command).name, call.e(0), i, double(got[i]), wanted[i]);
     if (fault_.empty()) fault_ = text;
   }
-}
-
-void Player::check_enabled(const Call& call) {
-  const bool wanted = call.n(1) != 0, got = gl_.IsEnabled(call.e(0)) != GL_FALSE;
-  if (got == wanted || !fault_.empty()) return;
-  char text[120];
-  std::snprintf(text, sizeof text, "glIsEnabled(0x%04x) is wrong: %d", call.e(0), got);
-  fault_ = text;
 }
 
 } // namespace softgl::suite

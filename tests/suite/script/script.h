@@ -108,11 +108,13 @@ private:
   void paint(const Call& call);
   bool stack_is_right(GLenum depth, GLenum limit);
   void paint(double x, double y, double size, double red, double green, double blue);
+  void paint_feedback(const Call& call);
+  void paint_selection(const Call& call);
   std::vector<GLubyte> read_colors(int x, int y, int width, int height);
   void paint_elements(const Call& call, size_t first, const std::vector<std::byte>& bytes, bool swapped);
   void check_error(const Call& call);
-  void check_floats(const Call& call);
-  void check_enabled(const Call& call);
+  void check_query(const Call& call);
+  void check_numbers(const Call& call);
 
   const GlTable& gl_;
   bool inside_ = false;        // between Begin and End, where no error can be asked for
@@ -120,6 +122,9 @@ private:
   const char* erroneous_ = "";
   std::string fault_;
   std::vector<std::unique_ptr<std::vector<std::byte>>> memory_;
+  GLint mode_result_ = 0; // of the last glRenderMode that raised no error
+  GLenum feedback_type_ = GL_2D;
+  const std::vector<std::byte>*feedback_ = nullptr, *selection_ = nullptr; // buffers
 };
 
 /// The calls as statements of C, one a line. What they paint needs paint_in_c before.
@@ -133,6 +138,8 @@ std::string answers_in_c(const Script& script, bool all_errors);
 std::string paint_in_c(const Script& script);
 /// PaintPixels and the like as a statement.
 std::string paint_to_c(const Call& call, const std::string& indent);
+/// Functions of C for scripts that select or feed back: the buffers, and what is painted of them.
+std::string special_in_c(const Script& script);
 
 /// Pixels of the squares that say whether a GL answers right, and their red for an error.
 constexpr int kPaintedSquare = 8;

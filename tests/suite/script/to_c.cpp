@@ -53,7 +53,8 @@ std::string mask_bits(GLbitfield bits, bool of_client) {
                                {GL_POLYGON_STIPPLE_BIT, "GL_POLYGON_STIPPLE_BIT"},
                                {GL_FOG_BIT, "GL_FOG_BIT"},
                                {GL_VIEWPORT_BIT, "GL_VIEWPORT_BIT"},
-                               {GL_LIST_BIT, "GL_LIST_BIT"}};
+                               {GL_LIST_BIT, "GL_LIST_BIT"},
+                               {GL_EVAL_BIT, "GL_EVAL_BIT"}};
   static const Names client = {{GL_CLIENT_PIXEL_STORE_BIT, "GL_CLIENT_PIXEL_STORE_BIT"},
                                {GL_CLIENT_VERTEX_ARRAY_BIT, "GL_CLIENT_VERTEX_ARRAY_BIT"}};
   if (bits == GL_ALL_ATTRIB_BITS && !of_client) return "GL_ALL_ATTRIB_BITS";
@@ -83,6 +84,7 @@ std::string list(const std::vector<double>& numbers, const char* type, bool real
 
 std::string vector_argument(const Call& call, const Argument& a) {
   const std::string name = facts_of(call.command).name;
+  if (facts_of(call.command).query) return list(a.numbers, "GLfloat", true);
   if ((name.ends_with("Textures") || name.ends_with("Queries")) && call.arguments.size() == 2)
     return list(a.numbers, "GLuint", false);
   if (call.command == Command::ClipPlane || name.ends_with("d") || name.ends_with("dv"))
@@ -132,6 +134,11 @@ std::string c_argument(const Call& call, size_t i) {
   case 'f': return number(a.number, true);
   case 'd': return number(a.number, false);
   case 'v': return vector_argument(call, a);
+  case 'o': // special_in_c
+    if (call.error != GL_NO_ERROR) return call.command == Command::FeedbackBuffer ? "fed" : "selected";
+    return call.command == Command::FeedbackBuffer
+               ? "feedbackMemory(" + std::to_string(a.numbers.size()) + ", " + c_argument(call, 1) + ")"
+               : "selectionMemory(" + std::to_string(a.numbers.size()) + ")";
   case 'p': return memory_argument(a);
   default: break;
   }
@@ -163,9 +170,19 @@ std::string to_c(const Script& script, const char* indent) {
       continue;
     }
     const CommandFacts& facts = facts_of(call.command);
-    text += indent + std::string(facts.query ? "expect" : "gl") + facts.name + "(";
-    for (size_t i = 0; i < call.arguments.size(); i++) text += (i ? ", " : "") + c_argument(call, i);
-    if (call.command == Command::GetFloatv) text += ", " + std::to_string(call.v(1).size());
+    const bool returns = call.command == Command::RenderMode && call.error == GL_NO_ERROR;
+    const bool expects = facts.query && call.error == GL_NO_ERROR;
+    text += indent + std::string(expects ? "expect" : returns ? "result = gl" : "gl") + facts.name + "(";
+    for (size_t i = 0; i < call.arguments.size(); i++) {
+      // What raises an error writes no answer.
+      const bool answer = facts.query && !expects && i + 1 == call.arguments.size();
+      if (!answer)
+        text += (i ? ", " : "") + c_argument(call, i);
+      else if (facts.kinds[i] == 'v')
+        text += ", (void*)(GLuint[64]){0}";
+    }
+    const std::vector<double>& numbers = call.arguments.empty() ? V() : call.arguments.back().numbers;
+    if (expects && !numbers.empty()) text += ", " + std::to_string(numbers.size());
     text += ");\n";
     if (call.error == GL_NO_ERROR) {
       if (call.command == Command::Begin) inside = true;
