@@ -6,6 +6,7 @@
 #include "base/unit_range.h"
 #include "context/context.h"
 #include "geometry/geometry.h"
+#include "shaders/common/seeded_faults.h"
 #include "shaders/fragment/fragment_program.h"
 #include "shaders/raster/raster_constants.h"
 #include "snapshot/raster_snapshot.h"
@@ -42,12 +43,14 @@ void write_hit_record(RenderModeState& m) {
   if (!m.hit) return;
   auto write = [&](GLuint v) { feed_back_value(m, m.selection_buffer, m.selection_size, v); };
   write(GLuint(m.name_stack_depth));
-  write(record_depth(m.least_depth));
-  write(record_depth(m.greatest_depth));
-  for (int i = 0; i < m.name_stack_depth; ++i) write(m.name[i]);
+  const bool swapped = SOFTGL_FAULT(hit_depths_swapped);
+  write(record_depth(swapped ? m.greatest_depth : m.least_depth));
+  write(record_depth(swapped ? m.least_depth : m.greatest_depth));
+  for (int i = 0; i < m.name_stack_depth; ++i)
+    write(m.name[SOFTGL_FAULT(names_reversed) ? m.name_stack_depth - 1 - i : i]);
   ++m.hits;
-  m.hit = false;
-  m.least_depth = 1, m.greatest_depth = 0;
+  if (!SOFTGL_FAULT(hit_stays)) m.hit = false;
+  if (!SOFTGL_FAULT(hit_depths_stay)) m.least_depth = 1, m.greatest_depth = 0;
 }
 
 namespace {
@@ -59,10 +62,11 @@ void put_vertex(RenderModeState& m, const Vec4& window, const Vec4& color, const
   feed_back_value(m, window.y);
   if (m.feedback_type == GL_2D) return;
   feed_back_value(m, window.z);
-  if (m.feedback_type == GL_4D_COLOR_TEXTURE) feed_back_value(m, window.w);
+  if (m.feedback_type == GL_4D_COLOR_TEXTURE)
+    feed_back_value(m, SOFTGL_FAULT(feedback_w_inverted) ? 1 / window.w : window.w);
   if (m.feedback_type == GL_3D) return;
   for (int i = 0; i < 4; ++i) feed_back_value(m, color[i]);
-  if (m.feedback_type == GL_3D_COLOR) return;
+  if (m.feedback_type == GL_3D_COLOR || SOFTGL_FAULT(feedback_without_texture)) return;
   for (int i = 0; i < 4; ++i) feed_back_value(m, coordinates[i]);
 }
 
@@ -87,7 +91,10 @@ public:
   void lines(const DrawRecord& draw, const AssembledLines& batch) override {
     for (int32_t i = 0; i < batch.count; ++i) {
       const Slot* const end[2] = {batch.corner[0][i], batch.corner[1][i]};
-      if (!selects()) feed_back_token(mode_, batch.begins >> i & 1 ? GL_LINE_RESET_TOKEN : GL_LINE_TOKEN);
+      if (!selects()) {
+        const bool begins = batch.begins >> i & 1 && !SOFTGL_FAULT(line_reset_ignored);
+        feed_back_token(mode_, begins ? GL_LINE_RESET_TOKEN : GL_LINE_TOKEN);
+      }
       for (const Slot* e : end) selects() ? note_hit(mode_, e->v[2]) : vertex(draw, e, end[1]);
     }
   }
@@ -109,8 +116,10 @@ private:
   void vertex(const DrawRecord& draw, const Slot* v, const Slot* provoking) {
     auto value = [](const Slot& s) { return Vec4(s.v[0], s.v[1], s.v[2], s.v[3]); };
     const ShadedLayout& l = draw.layout;
-    const Slot* colors = draw.raster->flat ? provoking : v;
-    const float y = surface_.y_up ? v->v[1] : float(surface_.height) - v->v[1];
+    const bool flat = draw.raster->flat && !SOFTGL_FAULT(feedback_never_flat);
+    const Slot* colors = flat ? provoking : v;
+    const float y =
+        surface_.y_up != SOFTGL_FAULT(feedback_from_above) ? v->v[1] : float(surface_.height) - v->v[1];
     put_vertex(mode_, {v->v[0], y, v->v[2], 1.0f / v->v[3]}, value(colors[l.color]), value(v[l.texcoord[0]]));
   }
 
@@ -134,6 +143,10 @@ void feed_back(Context& c, const DrawCall& call) {
     std::fill_n(polygons->offset, 3, false);
     if (c.state.render_mode.mode == GL_SELECT) std::fill_n(polygons->mode, 2, PolygonMode::Fill);
   }
+  const bool selects = c.state.render_mode.mode == GL_SELECT;
+  if (selects ? SOFTGL_FAULT(culled_polygons_hit) : SOFTGL_FAULT(culled_polygons_fed_back))
+    polygons->cull_front = polygons->cull_back = false;
+  if (!selects && SOFTGL_FAULT(feedback_without_modes)) std::fill_n(polygons->mode, 2, PolygonMode::Fill);
   own.program.polygons = polygons;
   DrawRecord draw{call, own.layout, &own.program, make_raster_constants(c, arena), &fragment};
   draw.first_provokes = first_provokes(c);
@@ -152,13 +165,17 @@ void feed_back(Context& c, const DrawCall& call) {
 }
 
 void feed_back_raster_position(Context& c) {
+  if (SOFTGL_FAULT(raster_position_no_hit)) return;
   if (c.state.render_mode.mode == GL_SELECT) note_hit(c.state.render_mode, c.state.raster_position.window.z);
 }
 
 void feed_back_pixels(Context& c, GLenum token) {
   RenderModeState& m = c.state.render_mode;
+  if (m.mode == GL_SELECT && SOFTGL_FAULT(images_hit)) note_hit(m, c.state.raster_position.window.z);
   if (m.mode != GL_FEEDBACK) return;
   const RasterPosition& p = c.state.raster_position;
+  if (SOFTGL_FAULT(copy_is_draw) && token == GL_COPY_PIXEL_TOKEN) token = GL_DRAW_PIXEL_TOKEN;
+  if (SOFTGL_FAULT(bitmap_not_fed_back) && token == GL_BITMAP_TOKEN) return;
   feed_back_token(m, token);
   put_vertex(m, p.window, p.color, p.texcoord[0]);
 }

@@ -4,6 +4,7 @@
 
 #include "base/assert.h"
 #include "context/evaluator_maps.h"
+#include "shaders/common/seeded_faults.h"
 
 namespace softgl {
 namespace {
@@ -30,7 +31,8 @@ struct Horner {
   void point(const float* points, int step, int components, float* out) const {
     for (int k = 0; k < components; ++k) {
       float p = points[k];
-      for (int i = 1; i < order; ++i) p = s * p + weight[i] * points[i * step + k];
+      for (int i = 1; i < order - (SOFTGL_FAULT(last_point_ignored) && order > 2 ? 1 : 0); ++i)
+        p = s * p + weight[i] * points[i * step + k];
       out[k] = p;
     }
   }

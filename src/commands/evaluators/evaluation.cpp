@@ -7,6 +7,7 @@
 #include "commands/vertices/attribute_doors.h"
 #include "commands/vertices/vertex_stream.h"
 #include "context/context.h"
+#include "shaders/common/seeded_faults.h"
 
 namespace softgl {
 namespace {
@@ -20,7 +21,10 @@ int highest(uint32_t enabled, EvaluatorTarget first, EvaluatorTarget last) {
     if (enabled >> target & 1) return target;
   return -1;
 }
-int vertex_map(uint32_t enabled) { return highest(enabled, kMapVertex3, kMapVertex4); }
+int vertex_map(uint32_t enabled) {
+  if (SOFTGL_FAULT(vertex_3_wins) && enabled & bit(kMapVertex3)) return kMapVertex3;
+  return highest(enabled, kMapVertex3, kMapVertex4);
+}
 
 /// A place in the domain; of one dimension: u alone.
 struct Coordinates {
@@ -28,6 +32,7 @@ struct Coordinates {
   float u, v;
 };
 float in_unit_interval(const EvaluatorDomain& domain, float u) {
+  if (SOFTGL_FAULT(map_domain_ignored)) return u;
   return (u - domain.first) * domain.per_unit;
 }
 
@@ -57,7 +62,7 @@ void evaluate_with_normal(const Context& c, int target, const Coordinates& at, f
   float a[4], b[4]; // along u, along v
   surface_tangents(surface_of(c, target), in_unit_interval(map.u, at.u), in_unit_interval(map.v, at.v),
                    vertex, a, b);
-  if (target == kMapVertex4) { // of (x, y, z) / w, times w squared
+  if (target == kMapVertex4 && !SOFTGL_FAULT(auto_normal_before_w)) { // of (x, y, z) / w, times w squared
     for (int k = 0; k < 3; ++k) {
       a[k] = a[k] * vertex[3] - a[3] * vertex[k];
       b[k] = b[k] * vertex[3] - b[3] * vertex[k];
@@ -70,6 +75,7 @@ void evaluate_with_normal(const Context& c, int target, const Coordinates& at, f
   float scale = squared != 0 ? 1.0f / std::sqrt(squared) : 1.0f;
   // The derivatives are those of the unit square; a domain that runs backwards turns them round.
   if ((map.u.per_unit < 0) != (map.v.per_unit < 0)) scale = -scale;
+  if (SOFTGL_FAULT(auto_normal_turned)) scale = -scale;
   for (int k = 0; k < 3; ++k) normal[k] *= scale;
 }
 
@@ -99,19 +105,21 @@ void evaluate_vertex(Context& c, const Coordinates& at) {
   };
   if (enabled & bit(kMapColor4)) set_evaluated(kColor, kMapColor4);
   if (enabled & bit(kMapIndex)) set_evaluated(kColorIndex, kMapIndex);
-  if (const int target = highest(enabled, kMapTexCoord1, kMapTexCoord4); target >= 0)
+  if (const int target =
+          highest(enabled, kMapTexCoord1, SOFTGL_FAULT(texture_4_ignored) ? kMapTexCoord3 : kMapTexCoord4);
+      target >= 0)
     set_evaluated(kTexCoord0, target);
   float vertex[4] = {0, 0, 0, 1};
-  if (at.dimensions == 2 && state.auto_normal) {
+  if (at.dimensions == 2 && state.auto_normal && !SOFTGL_FAULT(auto_normal_ignored)) {
     float normal[4] = {0, 0, 0, 1};
     evaluate_with_normal(c, vertex_target, at, vertex, normal);
     set(kNormal, normal);
   } else {
-    if (enabled & bit(kMapNormal)) set_evaluated(kNormal, kMapNormal);
+    if (enabled & bit(kMapNormal) && !SOFTGL_FAULT(normal_map_ignored)) set_evaluated(kNormal, kMapNormal);
     evaluate(c, vertex_target, at, vertex);
   }
   emit_vertex4(c, vertex[0], vertex[1], vertex[2], vertex[3]);
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < count && !SOFTGL_FAULT(evaluated_values_stay); ++i) {
     const float* v = changed[i].before;
     set_attribute4(c, changed[i].slot, v[0], v[1], v[2], v[3]);
   }
@@ -120,6 +128,7 @@ void evaluate_vertex(Context& c, const Coordinates& at) {
 float grid_step(const GridDirection& grid) { return (grid.last - grid.first) / float(grid.count); }
 /// Of value i of a grid, computed as `sum`: exact at both ends of the grid, which 5.1 requires.
 float exact_at_ends(const GridDirection& grid, int64_t i, float sum) {
+  if (SOFTGL_FAULT(grid_from_0)) return sum - grid.first;
   return i == 0 ? grid.first : i == grid.count ? grid.last : sum;
 }
 float grid_value(const GridDirection& grid, GLint i) {
@@ -139,6 +148,7 @@ void for_each_value(const GridDirection& grid, GLint first, int64_t last, Visit 
 /// The primitive of a strip of a filled mesh. The specification says a strip of quadrilaterals. Where only
 /// its triangles are seen, they are OSMesa's.
 GLenum filled_strip(const Context& c) {
+  if (SOFTGL_FAULT(mesh_of_triangles)) return GL_TRIANGLE_STRIP;
   const bool whole = c.state.lighting.shade_model == GL_FLAT || !c.state.polygon.all_filled();
   return whole ? GL_QUAD_STRIP : GL_TRIANGLE_STRIP;
 }
@@ -157,10 +167,12 @@ void EvalPoint2(Context& c, GLint i, GLint j) {
 }
 
 void EvalMesh1(Context& c, GLenum mode, GLint i1, GLint i2) {
-  if (mode != GL_POINT && mode != GL_LINE) return set_error(c, GL_INVALID_ENUM, "mode");
+  if (mode != GL_POINT && mode != GL_LINE && !SOFTGL_FAULT(mesh_of_any_mode))
+    return set_error(c, GL_INVALID_ENUM, "mode");
   if (vertex_map(c.state.evaluator.map1_enabled) < 0) return;
   Begin(c, mode == GL_POINT ? GL_POINTS : GL_LINE_STRIP);
-  for_each_value(c.state.evaluator.grid1, i1, i2, [&](float u, float) { EvalCoord1(c, u); });
+  for_each_value(c.state.evaluator.grid1, SOFTGL_FAULT(mesh_whole) ? 0 : i1, i2,
+                 [&](float u, float) { EvalCoord1(c, u); });
   End(c);
 }
 
@@ -177,7 +189,7 @@ void EvalMesh2(Context& c, GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) 
     End(c);
     break;
   case GL_LINE:
-    for_each_value(in_v, j1, j2, [&](float v, float) {
+    for_each_value(in_v, j1, SOFTGL_FAULT(mesh_line_lost) ? j2 - 1 : j2, [&](float v, float) {
       Begin(c, GL_LINE_STRIP);
       for_each_value(in_u, i1, i2, [&](float u, float) { EvalCoord2(c, u, v); });
       End(c);
@@ -190,7 +202,7 @@ void EvalMesh2(Context& c, GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) 
     break;
   default: {
     const GLenum strip = filled_strip(c);
-    for_each_value(in_v, j1, int64_t(j2) - 1, [&](float v, float next) {
+    for_each_value(in_v, j1, int64_t(j2) - (SOFTGL_FAULT(mesh_strip_lost) ? 2 : 1), [&](float v, float next) {
       Begin(c, strip);
       for_each_value(in_u, i1, i2, [&](float u, float) {
         EvalCoord2(c, u, v);

@@ -7,6 +7,7 @@
 #include "commands/generated/commands.h"
 #include "commands/get_conversion.h"
 #include "context/context.h"
+#include "shaders/common/seeded_faults.h"
 
 namespace softgl {
 namespace {
@@ -27,8 +28,9 @@ constexpr DirectionNames kNamesOfMap1 = {"u2", "stride", "order"},
 /// The argument that is wrong; null if none is. The last of a domain as a float may be the first.
 template <class T>
 const char* wrong_argument(const GivenDirection<T>& d, int components, const DirectionNames& names) {
-  return first_wrong({{names.last, d.first == d.last || float(d.first) == float(d.last)},
-                      {names.stride, d.stride < components},
+  return first_wrong({{names.last, (d.first == d.last || float(d.first) == float(d.last)) &&
+                                       !SOFTGL_FAULT(empty_domain_taken)},
+                      {names.stride, d.stride < components && !SOFTGL_FAULT(small_stride_taken)},
                       {names.order, d.order < 1 || d.order > kMaxEvaluatorOrder}});
 }
 
@@ -46,15 +48,18 @@ template <class T> void set_map(Context& c, int dimensions, GLenum target, const
     return set_error(c, GL_INVALID_VALUE, wrong);
   if (const char* wrong = wrong_argument(v, components, kNamesOfMap2[1]))
     return set_error(c, GL_INVALID_VALUE, wrong);
-  if (c.state.texture.active_unit != 0) return set_error(c, GL_INVALID_OPERATION);
+  if (c.state.texture.active_unit != 0 && !SOFTGL_FAULT(map_in_any_unit))
+    return set_error(c, GL_INVALID_OPERATION);
   std::unique_ptr<float[]> points(new float[size_t(u.order) * size_t(v.order) * size_t(components)]);
   float* to = points.get();
   for (ptrdiff_t i = 0; i < u.order; ++i)
     for (ptrdiff_t j = 0; j < v.order; ++j) {
       const T* point = from + i * u.stride + j * v.stride;
+      if (SOFTGL_FAULT(map_stride_ignored)) point = from + (i * v.order + j) * components;
       for (int k = 0; k < components; ++k) *to++ = float(point[k]);
     }
   EvaluatorMap& map = c.evaluator_maps.map[dimensions - 1][target - first_map_target(dimensions)];
+  if (SOFTGL_FAULT(map_replaced_once) && map.points) return;
   map.u = domain_of(u);
   map.v = domain_of(v);
   map.points = std::move(points);

@@ -8,6 +8,7 @@
 #include "commands/framebuffer/flush.h"
 #include "commands/generated/commands.h"
 #include "context/context.h"
+#include "shaders/common/seeded_faults.h"
 #include "snapshot/drawn_box.h"
 #include "snapshot/render_targets.h"
 #include "surface/stored_color.h"
@@ -34,7 +35,7 @@ void Clear(Context& c, GLbitfield mask) {
       ~GLbitfield(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT))
     return set_error(c, GL_INVALID_VALUE, "mask");
   if (!prepare_draw_target(c)) return set_error(c, GL_INVALID_FRAMEBUFFER_OPERATION);
-  if (c.state.render_mode.mode != GL_RENDER) return;
+  if (c.state.render_mode.mode != GL_RENDER && !SOFTGL_FAULT(clears_in_any_mode)) return;
   const RenderTarget& target = *c.draw;
   if (!c.bindings.draw) c.framebuffer.unresolved = true; // OSMesa: also when nothing is cleared in the end
   const Surface& surface = target.surface;
