@@ -7,6 +7,7 @@
 #include "base/assert.h"
 #include "base/fast_paths.h"
 #include "frame/frame.h"
+#include "shaders/common/seeded_faults.h"
 
 namespace softgl {
 
@@ -269,6 +270,7 @@ void execute_tile(const Surface& surface, uint32_t tile, const TileChunk* work, 
       break;
     case TileSegment::Clear: execute_clear(*segment.clear, surface, tile); break;
     }
+    if (samples && SOFTGL_FAULT(query_of_last_tile)) *segment.draw->samples = 0;
     if (samples) std::atomic_ref(*segment.draw->samples).fetch_add(samples, std::memory_order_relaxed);
   });
 }

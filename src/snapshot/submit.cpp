@@ -21,6 +21,8 @@ namespace {
 /// until they are.
 uint64_t* active_counter(Context& c) {
   const std::shared_ptr<uint64_t>& samples = c.queries.samples;
+  if (SOFTGL_FAULT(query_needs_buffer) && c.state.color_buffer.draw_buffer == GL_NONE) return nullptr;
+  if (SOFTGL_FAULT(query_needs_colors) && !c.state.color_buffer.mask[0]) return nullptr;
   if (samples) [[unlikely]]
     c.frame.retain(samples, sizeof *samples);
   return samples.get();
@@ -41,7 +43,10 @@ void submit(Context& c, const DrawCall& call) {
   check_call(call);
   // The frame's arena is needed now: no run of live vertices may be open in it.
   SOFTGL_ASSERT(c.builder.compiling || !c.builder.base);
-  if (c.state.render_mode.mode != GL_RENDER) return feed_back(c, call);
+  if (c.state.render_mode.mode != GL_RENDER) {
+    if (SOFTGL_FAULT(query_counts_hits) && c.queries.samples) ++*c.queries.samples;
+    return feed_back(c, call);
+  }
   update_snapshots(c, call);
   const SnapshotCache& cache = c.snapshots;
   uint64_t* const samples = active_counter(c);
@@ -90,7 +95,8 @@ const RasterConstants* make_constants_of_copy(Context& c, unsigned samples) {
 
 void submit_pixels(Context& c, const PixelImage& image, const WindowBox& box) {
   append_rectangle(c, make_fragment_program(c, c.frame.arena(), &image),
-                   make_raster_constants(c, c.frame.arena()), box, active_counter(c));
+                   make_raster_constants(c, c.frame.arena()), box,
+                   SOFTGL_FAULT(query_without_images) ? nullptr : active_counter(c));
 }
 
 void submit_stencils(Context& c, const PixelImage& image, const WindowBox& box, uint32_t write_mask,

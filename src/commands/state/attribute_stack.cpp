@@ -188,6 +188,7 @@ void PushAttrib(Context& c, GLbitfield mask) {
 
 void PopAttrib(Context& c) {
   if (c.attribute_stack.server.empty()) return set_error(c, GL_STACK_UNDERFLOW);
+  if (SOFTGL_FAULT(query_ends_with_attributes)) c.queries.samples.reset();
   track_color_material(c);
   const SavedAttributes& saved = c.attribute_stack.server.back();
   const GLenum window_draw_buffer = c.state.color_buffer.draw_buffer,

@@ -3,6 +3,7 @@
 // know.
 #pragma once
 
+#include <set>
 #include <stdexcept>
 
 #include "expect/machine.h"
@@ -78,6 +79,7 @@ private:
   void evaluate_mesh(const Call& call);
   bool enable_map(GLenum name, bool on);
   std::vector<double> map_answer(GLenum target, GLenum query) const; // of glGetMap
+  std::vector<double> query_answer(const Call& call);                // of glGetQuery and glGetQueryObject
 
   State state_;
   Rasterizer raster_;
@@ -93,7 +95,8 @@ private:
   EvaluatorMaps evaluator_maps_;
   GLuint query_ = 0; // that counts, and what came of all
   std::map<GLuint, FragmentCount> queries_;
-  GLuint list_ = 0; // that is compiled
+  std::set<GLuint> complete_; // queries whose result was asked for
+  GLuint list_ = 0;           // that is compiled
   bool list_executes_ = false;
   Claims claims_ = Claims::Right;
 };

@@ -1,5 +1,6 @@
 // Fog (3.10), the operations on fragments, and the whole framebuffer (4.1, 4.2).
 #include <algorithm>
+#include <utility>
 
 #include "expect/calls.h"
 
@@ -81,9 +82,13 @@ bool Machine::play_fragments(const Call& call) {
   case Command::Accum:
     if (render_mode_.mode == GL_RENDER) raster_.accumulate(state_, call.e(0), call.n(1));
     return true;
-  case Command::BeginQuery: query_ = GLuint(call.n(1)), raster_.passed = {0, 0}; return true;
-  case Command::DeleteQueries: return true; // of names that are used no more
-  case Command::EndQuery: queries_[query_] = raster_.passed; return true;
+  case Command::BeginQuery:
+    query_ = GLuint(call.n(1)), queries_[query_] = raster_.passed = {0, 0}, complete_.erase(query_);
+    return true;
+  case Command::EndQuery: queries_[std::exchange(query_, 0)] = raster_.passed; return true;
+  case Command::DeleteQueries:
+    for (const double name : call.arguments[1].numbers) queries_.erase(GLuint(name));
+    return true;
   case Command::Clear: // nothing changes while primitives are selected or fed back (corollary 18)
     if (render_mode_.mode == GL_RENDER) raster_.clear(state_, GLbitfield(call.n(0)));
     return true;

@@ -44,6 +44,7 @@ bool Machine::play_paint(const Call& call) {
   }
   case Command::PaintQuery: {
     const FragmentCount& count = queries_[GLuint(call.n(0))];
+    complete_.insert(GLuint(call.n(0)));
     for (int byte = 0; byte < 2; byte++) {
       const bool known = count.low >> 8 == count.high >> 8;
       const Interval gray = byte == 1 ? Interval(count.low >> 8, count.high >> 8)

@@ -90,6 +90,18 @@ std::vector<double> Machine::answer(GLenum name) {
   return {};
 }
 
+std::vector<double> Machine::query_answer(const Call& call) {
+  if (call.command == Command::GetQueryiv) // how many bits a counter has is the subject's own
+    return call.e(1) == GL_CURRENT_QUERY ? std::vector<double>{double(query_)} : std::vector<double>();
+  const GLuint name = call.e(0);
+  if (name == query_ || !queries_.contains(name)) return {-1}; // raises an error
+  if (call.e(1) == GL_QUERY_RESULT_AVAILABLE)                  // for certain behind the result
+    return complete_.contains(name) ? std::vector<double>{1} : std::vector<double>();
+  complete_.insert(name);
+  const FragmentCount& count = queries_[name];
+  return count.low == count.high ? std::vector<double>{double(count.low)} : std::vector<double>();
+}
+
 Claims Machine::error_claim(const Call& call) {
   switch (call.error) {
   case GL_INVALID_ENUM:
@@ -108,6 +120,11 @@ Claims Machine::error_claim(const Call& call) {
     if (call.command == Command::FeedbackBuffer) return right_if(open_ || render_mode_.mode == GL_FEEDBACK);
     if (call.command == Command::LoadName)
       return right_if(open_ || (render_mode_.mode == GL_SELECT && render_mode_.names.empty()));
+    if (call.command == Command::BeginQuery) return right_if(open_ || query_ || call.n(1) == 0);
+    if (call.command == Command::EndQuery) return right_if(open_ || !query_);
+    if (call.command == Command::DeleteQueries) return right_if(open_ || query_);
+    if (call.command == Command::GetQueryObjectuiv)
+      return right_if(open_ || !queries_.contains(call.e(0)) || query_ == call.e(0));
     return open_ ? Claims::Right : Claims::Unknown;
   case GL_STACK_UNDERFLOW:
     if (call.command == Command::PopMatrix) return right_if(matrices().size() == 1);
@@ -135,9 +152,10 @@ Claims Machine::claim(const Call& call) {
   }
   if (call.command == Command::IsList) // an empty one is one, too
     return right_if((state_.lists.count(call.e(0)) > 0) == (call.n(1) != 0));
-  if (call.command != Command::GetFloatv && call.command != Command::GetMapfv) return Claims::Unknown;
-  const std::vector<double> known =
-      call.command == Command::GetFloatv ? answer(call.e(0)) : map_answer(call.e(0), call.e(1));
+  if (call.command == Command::IsQuery) return right_if(queries_.contains(call.e(0)) == (call.n(1) != 0));
+  const std::vector<double> known = call.command == Command::GetFloatv  ? answer(call.e(0))
+                                    : call.command == Command::GetMapfv ? map_answer(call.e(0), call.e(1))
+                                                                        : query_answer(call);
   return known.empty() ? Claims::Unknown : right_if(same(known, call.arguments.back().numbers));
 }
 

@@ -29,6 +29,24 @@ Test wrong(const char* name, const char* section, const char* sentence, GLenum e
       need);
 }
 
+// Each call is wrong while the query 7 counts, which it does not disturb, nor the query 6.
+Test wrong_while_counting(const char* name, const char* section, const char* sentence, GLenum error,
+                          Calls calls, bool between_vertices = false) {
+  return raster_test(
+      std::string("error.") + name, section, sentence,
+      [=](Script& s) {
+        s.BeginQuery(GL_SAMPLES_PASSED, 6), tint(s, 1), box(s, 60, 70, 81, 90), s.EndQuery(GL_SAMPLES_PASSED);
+        s.BeginQuery(GL_SAMPLES_PASSED, 7), tint(s, 0), box(s, 20, 20, 53, 61);
+        for (const auto& call : calls) {
+          if (between_vertices) s.Begin(GL_POINTS);
+          call(s), s.raises(error);
+          if (between_vertices) s.End();
+        }
+        box(s, 60, 20, 77, 43), s.EndQuery(GL_SAMPLES_PASSED), s.PaintQuery(7, 32, 0), s.PaintQuery(6, 0, 0);
+      },
+      kVersion15);
+}
+
 } // namespace
 
 std::vector<Test> raster_error_tests() {
@@ -101,6 +119,40 @@ std::vector<Test> raster_error_tests() {
                 s.Raises(GL_INVALID_OPERATION), s.BeginQuery(GL_SAMPLES_PASSED, 8), s.PaintError(0, 0),
                 s.Raises(GL_INVALID_OPERATION), s.BeginQuery(GL_SAMPLES_PASSED, 7), s.PaintError(8, 0),
                 s.EndQuery(GL_SAMPLES_PASSED), s.PaintQuery(7, 32, 0);
+          },
+          kVersion15),
+      wrong_while_counting("query_result_inside", "6.1.12",
+                           "The count of a query that counts is GL_INVALID_OPERATION.", GL_INVALID_OPERATION,
+                           {[](Script& s) { s.GetQueryObjectuiv(7, GL_QUERY_RESULT, V{0}); },
+                            [](Script& s) { s.GetQueryObjectuiv(7, GL_QUERY_RESULT_AVAILABLE, V{0}); }}),
+      wrong_while_counting("query_result_of_none", "6.1.12",
+                           "The count of a name that is no query's is GL_INVALID_OPERATION.",
+                           GL_INVALID_OPERATION,
+                           {[](Script& s) { s.GetQueryObjectuiv(0, GL_QUERY_RESULT, V{0}); },
+                            [](Script& s) { s.GetQueryObjectuiv(97, GL_QUERY_RESULT, V{0}); },
+                            [](Script& s) { s.GetQueryObjectuiv(97, GL_QUERY_RESULT_AVAILABLE, V{0}); }}),
+      wrong_while_counting("query_names", "2.5, 6.1.12", "An unknown target or name is GL_INVALID_ENUM.",
+                           GL_INVALID_ENUM,
+                           {[](Script& s) { s.GetQueryiv(GL_FLAT, GL_CURRENT_QUERY, V{0}); },
+                            [](Script& s) { s.GetQueryiv(GL_SAMPLES_PASSED, GL_QUERY_RESULT, V{0}); },
+                            [](Script& s) { s.GetQueryObjectuiv(6, GL_CURRENT_QUERY, V{0}); },
+                            [](Script& s) { s.EndQuery(GL_FLAT); }}),
+      wrong_while_counting(
+          "query_deleted_inside", "4.1.7", "glDeleteQueries while a query counts is GL_INVALID_OPERATION.",
+          GL_INVALID_OPERATION,
+          {[](Script& s) { s.DeleteQueries(1, V{6}); }, [](Script& s) { s.DeleteQueries(1, V{7}); }}),
+      wrong_while_counting(
+          "query_inside_begin", "2.6.3, 4.1.7",
+          "Commands of queries between glBegin and glEnd are GL_INVALID_OPERATION.", GL_INVALID_OPERATION,
+          {[](Script& s) { s.EndQuery(GL_SAMPLES_PASSED); }, [](Script& s) { s.IsQuery(7, 0); },
+           [](Script& s) { s.BeginQuery(GL_SAMPLES_PASSED, 9); }},
+          true),
+      raster_test(
+          "error.query_delete", "2.5, 4.1.7", "A negative number of queries to delete is GL_INVALID_VALUE.",
+          [](Script& s) {
+            s.BeginQuery(GL_SAMPLES_PASSED, 7), tint(s, 0), box(s, 20, 20, 53, 61),
+                s.EndQuery(GL_SAMPLES_PASSED);
+            s.DeleteQueries(-1, V{7}), s.raises(GL_INVALID_VALUE), s.IsQuery(7, 1), s.PaintQuery(7, 32, 0);
           },
           kVersion15),
       raster_test("error.inside_begin", "2.6.3",
