@@ -1,4 +1,6 @@
 // From shaded vertices to tile lists, and from tile lists to pixels.
+#include <cstring>
+
 #include "base/float_environment.h"
 #include "frame/tile_worker.h"
 #include "geometry/geometry.h"
@@ -93,45 +95,57 @@ struct Binning {
   }
 };
 
+/// Works tile lists off. The hash is of the picture: which list a triangle stands in depends on the
+/// instruction set.
+class Execution {
+public:
+  explicit Execution(const std::vector<TileLists::Touched>& touched) : touched_(touched) {
+    std::memset(surface_.color, 0, pixels_ * 4); // of tiles that stay untouched: what memory held before
+    run(); // opens the tiles, which sets their depths: drawn once only, nothing would be in front of those
+  }
+  void clear_depths() { std::fill_n(surface_.depth_stencil, pixels_, 0xffffffu); }
+  void run() {
+    for (const auto& t : touched_)
+      execute_tile(surface_, t.tile, t.first, *kernels().raster, *block_, nullptr);
+  }
+  uint64_t hash() const {
+    return hash_of(surface_.color, pixels_ * 4, hash_of(surface_.depth_stencil, pixels_ * 4));
+  }
+
+private:
+  const std::vector<TileLists::Touched>& touched_;
+  const Surface surface_ = current_context->framebuffer.surface;
+  const size_t pixels_ = size_t(surface_.tiles_x) * size_t(surface_.tiles_y) * kTilePixels;
+  std::unique_ptr<FragmentBlock> block_ = std::make_unique<FragmentBlock>();
+};
+
 void binning(benchmark::State& state) {
   const FloatEnvironment environment;
   ShadedMesh scene(512, int(state.range(0)));
   const Surface surface = current_context->framebuffer.surface;
   Binning bins;
   for (auto _ : state) bins.run(scene, surface);
-  uint64_t hash = 0;
-  for (const auto& t : bins.run(scene, surface)) {
-    hash = hash_of(&t.tile, sizeof t.tile, hash);
-    for_each_segment(t.first, [&](const TileSegment& segment) {
-      hash = hash_of(&segment.count, sizeof segment.count, hash);
-      if (segment.kind != TileSegment::Fragments) return; // pointers
-      const SmallFragments f = segment.fragments();
-      hash = hash_of(f.depth, segment.count * sizeof *f.depth, hash);
-      hash = hash_of(f.color, segment.count * sizeof *f.color, hash);
-      hash = hash_of(f.pixel, segment.count * sizeof *f.pixel, hash);
-    });
-  }
+  Execution execution(bins.run(scene, surface));
+  execution.clear_depths();
+  execution.run();
   count_work(state, "triangle", scene.steps);
-  print_hash(state, hash);
+  print_hash(state, execution.hash());
 }
 
 /// The tile lists of the same meshes, worked off.
 void tiles(benchmark::State& state) {
   const FloatEnvironment environment;
   ShadedMesh scene(512, int(state.range(0)));
-  const Surface surface = current_context->framebuffer.surface;
   Binning bins;
-  const auto& touched = bins.run(scene, surface);
-  auto block = std::make_unique<FragmentBlock>();
-  const size_t pixels = size_t(surface.tiles_x) * size_t(surface.tiles_y) * kTilePixels;
+  Execution execution(bins.run(scene, current_context->framebuffer.surface));
   for (auto _ : state) {
     state.PauseTiming();
-    std::fill_n(surface.depth_stencil, pixels, 0xffffffu);
+    execution.clear_depths();
     state.ResumeTiming();
-    for (const auto& t : touched) execute_tile(surface, t.tile, t.first, *kernels().raster, *block, nullptr);
+    execution.run();
   }
   count_work(state, "triangle", scene.steps);
-  print_hash(state, hash_of(surface.color, pixels * 4, hash_of(surface.depth_stencil, pixels * 4)));
+  print_hash(state, execution.hash());
 }
 
 BENCHMARK_CAPTURE(assembly, unclipped, 1.0f)->Unit(benchmark::kMicrosecond);
