@@ -10,7 +10,7 @@
 namespace softgl::test {
 namespace {
 
-constexpr int kSeedsPerRow = 10;
+constexpr int kSeedsPerRow = 10, kRowsPerFamily = 6;
 const char kLibraryLine[] = "# drawn by ";
 
 } // namespace
@@ -36,14 +36,14 @@ uint64_t draw_hash(const Gl& gl, const Scene& scene, uint64_t first, uint64_t co
   return h;
 }
 
-Manifest capture(const Gl& gl, int blocks) {
+Manifest capture(const Gl& gl) {
   Manifest manifest{library_text(gl), {}};
   auto add = [&](const Scene& scene, uint64_t first, uint64_t count) {
     manifest.rows.push_back({scene.name, first, count, draw_hash(gl, scene, first, count)});
   };
   for (const Scene& scene : named_scenes()) add(scene, 0, 1);
   for (const Scene& family : families())
-    for (int i = 0; i < blocks; i++) add(family, uint64_t(i) * kSeedsPerRow, kSeedsPerRow);
+    for (int i = 0; i < kRowsPerFamily; i++) add(family, uint64_t(i) * kSeedsPerRow, kSeedsPerRow);
   return manifest;
 }
 
@@ -69,7 +69,7 @@ Manifest read_manifest(const std::string& path) {
 void write_manifest(const std::string& path, const Manifest& manifest) {
   std::ofstream file(path);
   file << kLibraryLine << manifest.library
-       << "\n# scene, first seed, number of seeds, hash of their colors and depths\n";
+       << "\n# scene, first seed, number of seeds, hash of their colors, depths, stencils and errors\n";
   for (const ManifestRow& row : manifest.rows) {
     char line[128];
     std::snprintf(line, sizeof line, "%s %" PRIu64 " %" PRIu64 " %016" PRIx64 "\n", row.scene.c_str(),

@@ -8,8 +8,7 @@
 
 namespace softgl::test {
 
-/// Pictures of seeds [first, first + count) of a family, or a named scene: one hash of all their colors and
-/// depths.
+/// Pictures of seeds [first, first + count) of a family, or a named scene: one hash of all of them.
 struct ManifestRow {
   std::string scene;
   uint64_t first = 0, count = 1, hash = 0;
@@ -23,8 +22,8 @@ struct Manifest {
 /// "GL_VERSION, GL_RENDERER" of a library.
 std::string library_text(const Gl& gl);
 uint64_t draw_hash(const Gl& gl, const Scene& scene, uint64_t first, uint64_t count);
-/// Draws every named scene, and of every family `blocks` times ten seeds.
-Manifest capture(const Gl& gl, int blocks);
+/// Draws every named scene, and of every family sixty seeds, ten for a row.
+Manifest capture(const Gl& gl);
 /// Throws std::runtime_error, also for a scene that does not exist.
 Manifest read_manifest(const std::string& path);
 void write_manifest(const std::string& path, const Manifest& manifest);

@@ -28,7 +28,9 @@ uint64_t Picture::hash() const {
   add(uint64_t(width), 4), add(uint64_t(height), 4);
   for (uint8_t c : color) add(c, 1);
   for (uint32_t d : depth) add(d, 4);
+  for (uint8_t s : stencil) add(s, 1);
   for (float f : floats) add(std::bit_cast<uint32_t>(f), 4);
+  for (GLenum e : errors) add(e, 4);
   return h;
 }
 

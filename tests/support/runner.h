@@ -18,7 +18,7 @@ struct Picture {
   std::vector<uint8_t> stencil;
   std::vector<GLenum> errors;
 
-  /// FNV-1a over size, colors, depths and floats.
+  /// FNV-1a over size, colors, depths, stencils, floats and errors.
   uint64_t hash() const;
 };
 
