@@ -23,6 +23,29 @@ SOFTGL_INLINE IntV compare_words(Compare function, IntV value, IntV other) {
   return splat(-1);
 }
 
+namespace { // so that no member is visible outside
+
+/// The same for many words: without a switch, of which a processor predicts the target badly.
+struct WordComparison {
+  bool equality, unequal;
+  IntV lead, opposite;
+
+  explicit WordComparison(Compare f)
+      : equality(f == Compare::Equal || f == Compare::NotEqual), unequal(f == Compare::NotEqual) {
+    // Words are at most 0x3f800000: value - lead is less than each of them.
+    const bool any = f == Compare::Always || f == Compare::Never;
+    const bool equal = f == Compare::LessEqual || f == Compare::Greater;
+    lead = splat(any ? 0x40000000 : equal ? 1 : 0);
+    opposite = splat(f == Compare::Never || f == Compare::Greater || f == Compare::GreaterEqual ? -1 : 0);
+  }
+  SOFTGL_MEMBER IntV operator()(IntV value, IntV other) const {
+    if (equality) return unequal ? value != other : value == other;
+    return ((value - lead) < other) ^ opposite;
+  }
+};
+
+} // namespace
+
 /// GL 1.5, 4.1.5: the stencil values where `where` is set.
 SOFTGL_INLINE IntV stencil_result(StencilOperation operation, const FragmentConstants& k, IntV where,
                                   IntV s) {
@@ -61,6 +84,7 @@ struct Merger {
   const bool over = is_over(key), sum = is_sum(key),
              floats = DepthFormat(key.depth_format) == DepthFormat::Z32F;
   const IntV mask = splat(int32_t(word_mask(key)));
+  const WordComparison nearer{Compare(key.depth_function)};
 
   /// Stencil and depth test with their writes to `place`; gives the lanes that live on.
   SOFTGL_MEMBER IntV depth_stencil(IntV live, IntV z, uint32_t* place) const {
@@ -71,16 +95,15 @@ struct Merger {
 
   /// Of words with a depth and a stencil value each.
   SOFTGL_MEMBER IntV word_depth_stencil(IntV live, IntV z, uint32_t* place) const {
-    const Compare depth_function = Compare(key.depth_function);
     IntV words = load(place);
     const IntV depth = words & 0xffffff;
     if (program.bounds_depth) live &= in_bounds(depth);
     if (key.stencil) {
       IntV s = (IntV)((UintV)words >> 24);
-      live = test_both(live, compare_words(depth_function, z, depth), s);
+      live = test_both(live, nearer(z, depth), s);
       words = depth | (s << 24);
     } else {
-      live &= compare_words(depth_function, z, depth);
+      live &= nearer(z, depth);
     }
     if (key.depth_write) words = choose(live & 0xffffff, z, words);
     store(place, words);
@@ -101,14 +124,14 @@ struct Merger {
     return (stored >= splat(int32_t(k.least_bound))) & (stored <= splat(int32_t(k.greatest_bound)));
   }
 
-  /// Both tests, of stencil values `s`, which change; `nearer`: the depth test passes.
-  SOFTGL_MEMBER IntV test_both(IntV live, IntV nearer, IntV& s) const {
+  /// Both tests, of stencil values `s`, which change; `near`: the depth test passes.
+  SOFTGL_MEMBER IntV test_both(IntV live, IntV near, IntV& s) const {
     const FragmentConstants& k = *program.constants;
     const IntV passes = live & compare_words(Compare(key.stencil_function),
                                              splat(int32_t(k.stencil_reference & k.stencil_value_mask)),
                                              s & int32_t(k.stencil_value_mask));
     s = stencil_result(StencilOperation(key.stencil_fail), k, live & ~passes, s);
-    live = passes & nearer;
+    live = passes & near;
     s = stencil_result(StencilOperation(key.stencil_depth_fail), k, passes & ~live, s);
     s = stencil_result(StencilOperation(key.stencil_pass), k, live, s);
     return live;
@@ -116,14 +139,14 @@ struct Merger {
 
   /// Of a plane of floats; its stencil values lie behind them.
   SOFTGL_MEMBER IntV float_depth_stencil(IntV live, IntV z, uint32_t* place) const {
-    const IntV stored = load(place), nearer = compare_words(Compare(key.depth_function), z, stored);
+    const IntV stored = load(place), passes = nearer(z, stored);
     if (program.bounds_depth) live &= in_bounds(stored);
     if (key.stencil) {
       IntV s = load(place + kTilePixels);
-      live = test_both(live, nearer, s);
+      live = test_both(live, passes, s);
       store(place + kTilePixels, s);
     } else {
-      live &= nearer;
+      live &= passes;
     }
     if (key.depth_write) store(place, choose(live, z, stored));
     return live;

@@ -18,8 +18,8 @@ SOFTGL_INLINE FloatV row_number(int i) {
 }
 
 /// y of the lanes of a vector that begins at row `row` of a block.
-SOFTGL_INLINE FloatV row_coordinates(int32_t block_y, int row) {
-  const FloatV y = splat(float(block_y + row));
+SOFTGL_INLINE FloatV row_coordinates(float block_y, int row) {
+  const FloatV y = splat(block_y + float(row));
   return kWidth == 16 ? y + row_number(0) : y;
 }
 
@@ -28,10 +28,11 @@ struct BlockPlane {
   FloatV column[kWidth < 8 ? 2 : 1];
   FloatV gy;
 };
-SOFTGL_INLINE BlockPlane block_plane(const Plane& p, int32_t x) {
+/// `x`: of the first column.
+SOFTGL_INLINE BlockPlane block_plane(const Plane& p, float x) {
   BlockPlane b;
   for (int i = 0; i < (kWidth < 8 ? 2 : 1); ++i)
-    b.column[i] = splat(p.gx) * (splat(float(x)) + row_of_eight(i)) + splat(p.a);
+    b.column[i] = splat(p.gx) * (splat(x) + row_of_eight(i)) + splat(p.a);
   b.gy = splat(p.gy);
   return b;
 }

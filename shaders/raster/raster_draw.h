@@ -47,6 +47,7 @@ struct RasterDraw {
   bool replaces_words; // what is left to do for shaded fragments: to compare depths, and replace RGBA8 words
   bool early_depth;    // a fragment's depth can be tested before its stages run
   bool final_depth;    // and written, too: nothing tests it again
+  bool lasting_depth;  // where no depth changes, nothing tests it again
   bool whole_blocks;   // no edge is looked at in blocks that lie inside all of them
   uint32_t color_mask; // of an RGBA8 word
   uint64_t* samples;   // DrawRecord::samples

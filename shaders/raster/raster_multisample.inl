@@ -12,7 +12,7 @@ namespace SOFTGL_ISA {
 struct SampleBatch {
   StripBatch pixels;
   uint16_t covered[kSamples][kLanes / kStripLanes]; // bit i: lane i of the strip
-  alignas(64) uint32_t depth[kSamples][kLanes];
+  alignas(64) uint32_t depth[kSamples][kLanes];     // unless they are final
 };
 
 /// Lanes of a strip whose alpha is large enough for a sample: as OSMesa 22.3.6, the first samples go last.
@@ -27,6 +27,8 @@ static void merge_samples(const RasterDraw& draw, const TileTarget& tile, Fragme
   const Merger merger{*draw.program};
   const EncodedMerger encoded{merger};
   const bool by_alpha = r.per_sample && r.alpha_to_coverage, one = r.per_sample && r.alpha_to_one;
+  const bool replaces = draw.replaces_words && !tile.depth_stencil && !by_alpha,
+             drops = draw.program->drops();
   const int step = depth_step(DepthFormat(merger.key.depth_format));
   alignas(64) float alpha[kLanes];
   for (int i = 0; i < block.lanes; i += kWidth) {
@@ -42,9 +44,21 @@ static void merge_samples(const RasterDraw& draw, const TileTarget& tile, Fragme
     const uint32_t* depth = draw.program->writes_depth ? block.depth : batch.depth[s];
     for (int k = 0; k < batch.pixels.strips; ++k) {
       const int first = k * kStripLanes;
+      const uint32_t covered = batch.covered[s][k];
+      if (!covered) continue;
+      if (replaces) {
+        uint32_t* target = static_cast<uint32_t*>(samples.color) + batch.pixels.pixel[k];
+        const bool whole = covered == (1u << kStripLanes) - 1 && !drops;
+        for (int i = 0; whole && i < kStripLanes; i += kWidth) store(target + i, load(words + first + i));
+        for (int i = 0; !whole && i < kStripLanes; i += kWidth) {
+          const IntV live = load(block.live + first + i) & mask_of_bits(covered >> i);
+          store(target + i, choose(live, load(words + first + i), load(target + i)));
+        }
+        continue;
+      }
       alignas(64) uint32_t live[kStripLanes];
       for (int i = 0; i < kStripLanes; i += kWidth) {
-        IntV v = load(block.live + first + i) & mask_of_bits(uint32_t(batch.covered[s][k]) >> i);
+        IntV v = load(block.live + first + i) & mask_of_bits(covered >> i);
         if (by_alpha) v &= covered_by_alpha(load(alpha + first + i), s);
         store(live + i, v);
       }
@@ -61,8 +75,8 @@ static void run_samples(const RasterDraw& draw, const TileTarget& tile, Fragment
   else
     interpolate_strips<false>(draw, batch.pixels, block);
   run_stages(*draw.program, block);
-  merge_samples(draw, merged_tile(draw, tile), block, batch);
-  batch.pixels.strips = 0;
+  merge_samples(draw, merged_tile(draw, tile, batch.pixels.changes), block, batch);
+  batch.pixels.clear();
 }
 
 namespace { // so that no member is visible outside
@@ -70,10 +84,10 @@ namespace { // so that no member is visible outside
 /// Which samples of a tile's pixels a primitive covers: where coverage is the pixel's, all of a covered one.
 template <int Edges> struct SampleCoverage {
   TileEdges edges[kSamples];
-  EdgeSteps<Edges> steps; // the same for all samples
-  TileEdges widest;       // outside of these no sample is covered
+  EdgeSteps<Edges> steps;      // the same for all samples
+  TileEdges widest, narrowest; // outside and inside of these no sample is covered, and all are
   bool seen[kSamples];
-  bool any = false; // sample is seen
+  bool any = false, all = true; // samples are seen
   bool per_sample;
   bool round;
   int64_t center_x, center_y, radius2; // of a round one, from the tile's corner
@@ -89,12 +103,13 @@ template <int Edges> struct SampleCoverage {
                : per_sample ? (p.c[i] - int64_t(p.a[i]) * kSampleX[s] + int64_t(p.b[i]) * kSampleY[s]) >> 8
                             : p.c[i];
       seen[s] = clip_to_tile<Edges>(draw, p, c, tile.x, tile.y, edges[s]);
+      all = all && seen[s];
       if (!seen[s]) continue;
-      if (any)
-        for (int i = 0; i < Edges; ++i)
-          widest.c[i] = widest.c[i] > edges[s].c[i] ? widest.c[i] : edges[s].c[i];
-      else
-        widest = edges[s];
+      if (!any) widest = narrowest = edges[s];
+      for (int i = 0; i < Edges; ++i) {
+        widest.c[i] = widest.c[i] > edges[s].c[i] ? widest.c[i] : edges[s].c[i];
+        narrowest.c[i] = narrowest.c[i] < edges[s].c[i] ? narrowest.c[i] : edges[s].c[i];
+      }
       any = true;
     }
   }
@@ -105,6 +120,11 @@ template <int Edges> struct SampleCoverage {
   }
   /// Of the block at (x, y) of the tile.
   SOFTGL_MEMBER void of_block(int x, int y, uint64_t covered[kSamples]) const {
+    int32_t e[Edges];
+    if (all && !round && place_block<Edges>(narrowest, x, y, e) == BlockPlace::Inside) {
+      for (int s = 0; s < kSamples; ++s) covered[s] = box_mask(narrowest, x, y);
+      return;
+    }
     for (int s = 0; s < kSamples; ++s) {
       if (s > 0 && !per_sample)
         covered[s] = covered[0];
@@ -133,66 +153,58 @@ template <bool Depth, int Edges>
 static void multisampled_primitive(const RasterDraw& draw, const TileTarget& tile, const RasterPrimitive& p,
                                    FragmentBlock& block, SampleBatch& batch) {
   const SampleCoverage<Edges> coverage(draw, p, tile);
+  const FragmentProgram& program = *draw.program;
+  const float scale = depth_scale(program.key);
+  const bool floats = DepthFormat(program.key.depth_format) == DepthFormat::Z32F;
+  const int step = depth_step(DepthFormat(program.key.depth_format));
   const RasterConstants& r = *draw.raster;
   const uint64_t* stipple = Edges == 3 ? r.stipple : nullptr; // triangles only: not lines and points
-  const float scale = depth_scale(draw.program->key);
-  const bool floats = DepthFormat(draw.program->key.depth_format) == DepthFormat::Z32F;
   const int32_t x0 = p.x0 > tile.x ? p.x0 - tile.x : 0, y0 = p.y0 > tile.y ? p.y0 - tile.y : 0;
   const int32_t x1 = p.x1 < tile.x + kTileSize ? p.x1 - tile.x : kTileSize,
                 y1 = p.y1 < tile.y + kTileSize ? p.y1 - tile.y : kTileSize;
-  const Compare function = Compare(draw.program->key.depth_function);
-  const bool writes = draw.final_depth && draw.program->key.depth_write;
   for (int by = y0 & ~7; by < y1; by += 8) {
     for (int bx = x0 & ~7; bx < x1; bx += 8) {
       if (coverage.misses_block(bx, by)) continue;
-      uint64_t covered[kSamples], any = 0;
-      coverage.of_block(bx, by, covered);
+      const float x = float(tile.x + bx), y = float(tile.y + by);
+      const int pixel = pixel_in_tile(bx, by);
+      uint64_t live[kSamples], any = 0;
+      bool changes = false;
+      coverage.of_block(bx, by, live);
+      alignas(64) uint32_t depth[kSamples][64];
       for (int s = 0; s < kSamples; ++s) {
-        if (!(r.sample_mask >> s & 1)) covered[s] = 0;
-        if (stipple) covered[s] &= stipple[(by >> 1 & 12) | (bx >> 3 & 3)]; // tiles begin at multiples of 32
-        any |= covered[s];
+        if (!(r.sample_mask >> s & 1)) live[s] = 0;
+        if (stipple) live[s] &= stipple[(by >> 1 & 12) | (bx >> 3 & 3)]; // tiles begin at multiples of 32
+        if constexpr (Depth) {
+          const float dx = r.per_sample ? float(kSampleX[s]) / 256 : 0.0f,
+                      dy = r.per_sample ? float(kSampleY[s]) / 256 : 0.0f;
+          if (live[s])
+            live[s] = test_block(draw, p, x + dx, y + dy, live[s],
+                                 tile.depth_stencil + s * kTilePixels * step + pixel, depth[s], changes);
+        }
+        any |= live[s];
       }
-      for (int strip = 0; any; ++strip, any >>= kStripLanes) {
+      for (int first = 0; any; first += kStripLanes, any >>= kStripLanes) {
         const uint32_t mask = uint32_t(any) & 0xffff;
         if (!mask) continue;
         const int k = batch.pixels.strips, lane = k * kStripLanes;
-        const int pixel = pixel_in_tile(bx, by) + strip * kStripLanes;
-        const FloatV x = splat(float(tile.x + bx)), y = splat(float(tile.y + by + 2 * strip));
-        uint32_t live[kSamples], any_live = 0;
-        for (int s = 0; s < kSamples; ++s) live[s] = uint32_t(covered[s] >> (kStripLanes * strip)) & 0xffff;
-        for (int i = 0; i < kStripLanes / kWidth; ++i) {
-          const int at_lane = lane + i * kWidth;
-          const FloatV px = x + row_of_eight(i), py = y + row_number(i);
-          store(block.x + at_lane, round_to_int(px));
-          store(block.y + at_lane, round_to_int(py));
-          if constexpr (Depth) {
-            const auto depth = [&](float dx, float dy) __attribute__((always_inline)) {
-              const FloatV z = at(p.plane[kPlaneZ], px + dx, py + dy) + p.depth_offset;
-              return floats ? depth_float(z) : depth_bits(z, scale);
-            };
-            IntV z{};
-            if (!r.per_sample || draw.program->writes_depth) { // for stages that change it
-              const float center = r.per_sample ? 0.5f : 0.0f;
-              z = depth(center, center);
-              store(block.depth + at_lane, z);
-            }
-            for (int s = 0; s < kSamples; ++s) {
-              if (r.per_sample) z = depth(float(kSampleX[s]) / 256, float(kSampleY[s]) / 256);
-              if (!draw.final_depth) store(batch.depth[s] + at_lane, z);
-              if (!draw.early_depth) continue;
-              uint32_t* place = tile.depth_stencil + s * kTilePixels + pixel + i * kWidth;
-              const IntV there = load(place), passes = compare_words(function, z, there & 0xffffff);
-              if (writes)
-                store(place, choose(passes & mask_of_bits(live[s] >> (i * kWidth)) & 0xffffff, z, there));
-              live[s] &= ~(~sign_bits(passes) << (i * kWidth) & ((2u << (kWidth - 1)) - 1) << (i * kWidth));
-            }
+        for (int i = 0; i < kStripLanes; i += kWidth) {
+          const FloatV px = splat(x) + row_of_eight(i / kWidth), py = row_coordinates(y, (first + i) >> 3);
+          store(block.x + lane + i, round_to_int(px));
+          store(block.y + lane + i, round_to_int(py));
+          store(block.live + lane + i, mask_of_bits(mask >> i));
+          if (Depth && program.writes_depth) { // for stages that change it
+            const float center = r.per_sample ? 0.5f : 0.0f;
+            const FloatV z = at(p.plane[kPlaneZ], px + center, py + center) + p.depth_offset;
+            store(block.depth + lane + i, floats ? depth_float(z) : depth_bits(z, scale));
           }
         }
-        for (int s = 0; s < kSamples; ++s) batch.covered[s][k] = uint16_t(live[s]), any_live |= live[s];
-        if (!any_live) continue;
-        for (int i = 0; i < kStripLanes; i += kWidth)
-          store(block.live + lane + i, mask_of_bits(any_live >> i));
-        batch.pixels.add(p, pixel);
+        for (int s = 0; s < kSamples; ++s) {
+          batch.covered[s][k] = uint16_t(live[s] >> first);
+          if (Depth && !draw.final_depth)
+            for (int i = 0; i < kStripLanes; i += kWidth)
+              store(batch.depth[s] + lane + i, load(depth[s] + first + i));
+        }
+        batch.pixels.add(p, pixel + first, changes);
         if (batch.pixels.full()) run_samples(draw, tile, block, batch);
       }
     }

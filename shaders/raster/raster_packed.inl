@@ -54,9 +54,11 @@ static void merge_fragments(const TileTarget& tile, const FragmentProgram& progr
   }
 }
 
-/// The tile as the end of a fragment sees it: without depths that are tested and written before.
-SOFTGL_INLINE TileTarget merged_tile(const RasterDraw& draw, TileTarget tile) {
-  if (draw.final_depth) tile.depth_stencil = nullptr;
+/// The tile as the end of fragments sees it: without depths that are tested and written before. `changes`: a
+/// fragment among them has a depth that is not the stored one. Without one, as where a light is added to what
+/// the light before it has drawn, no test can end otherwise than before.
+SOFTGL_INLINE TileTarget merged_tile(const RasterDraw& draw, TileTarget tile, bool changes) {
+  if (draw.final_depth || (draw.lasting_depth && !changes)) tile.depth_stencil = nullptr;
   return tile;
 }
 
@@ -71,7 +73,8 @@ constexpr int kQuadsBox = 32;
 /// or by quads, of which lanes may be dead. The lanes of a quad lie as in a strip; so of two on one pixel the
 /// later one has the higher lane, too.
 struct PackedBatch {
-  int32_t lanes = 0; // or four times the quads
+  int32_t lanes = 0;    // or four times the quads
+  bool changes = false; // as of test_block(), of any of them
   uint16_t pixel[kLanes];
   const RasterPrimitive* primitive[kLanes];
 };
@@ -117,43 +120,51 @@ static void run_packed(const RasterDraw& draw, const TileTarget& tile, FragmentB
     color[count] = color[i], block.depth[count] = block.depth[i], batch.pixel[count] = batch.pixel[i];
     count += block.live[i] != 0;
   }
-  merge_fragments(merged_tile(draw, tile), program, {batch.pixel, block.depth, color}, count);
-  batch.lanes = 0;
+  merge_fragments(merged_tile(draw, tile, batch.changes), program, {batch.pixel, block.depth, color}, count);
+  batch.lanes = 0, batch.changes = false;
 }
 
 /// The depths of the pixels `covered` of a block, and which of them pass depth and stencil test if those are
 /// early; then they are written if nothing tests them again. Depths of vectors without a covered pixel are
-/// not set.
-SOFTGL_INLINE uint64_t test_block(const RasterDraw& draw, const TileTarget& tile, const RasterPrimitive& p,
-                                  int bx, int by, uint64_t covered, uint32_t* depth) {
+/// not set. `x` and `y`: where the first pixel has its depth; `stored`: its word. `changes` is set if a depth
+/// that passes may be written later, and is not the stored one.
+SOFTGL_INLINE uint64_t test_block(const RasterDraw& draw, const RasterPrimitive& p, float x, float y,
+                                  uint64_t covered, uint32_t* stored, uint32_t* depth, bool& changes) {
   constexpr uint64_t kAll = (uint64_t(1) << (kWidth - 1) << 1) - 1;
   const FragmentKey& key = draw.program->key;
-  const Compare function = Compare(key.depth_function);
+  const WordComparison compare{Compare(key.depth_function)};
   const float scale = depth_scale(key);
-  const bool floats = DepthFormat(key.depth_format) == DepthFormat::Z32F, early = draw.early_depth;
-  const bool writes = draw.final_depth && key.depth_write;
-  uint32_t* stored = tile.depth_stencil + pixel_in_tile(bx, by);
+  const bool floats = DepthFormat(key.depth_format) == DepthFormat::Z32F;
   const FragmentConstants& k = *draw.program->constants;
-  const BlockPlane plane = block_plane(p.plane[kPlaneZ], tile.x + bx);
+  const BlockPlane plane = block_plane(p.plane[kPlaneZ], x);
   const FloatV offset = splat(p.depth_offset);
-  uint64_t live = covered;
+  const auto depth_at = [&](int i) __attribute__((always_inline)) {
+    return plane.gy * row_coordinates(y, i >> 3) + plane.column[kWidth < 8 ? i / kWidth & 1 : 0] + offset;
+  };
+  if (!draw.early_depth) {
+    for (int i = 0; i < 64; i += kWidth)
+      if (covered >> i & kAll)
+        store(depth + i, floats ? depth_float(depth_at(i)) : depth_bits(depth_at(i), scale));
+    changes = true;
+    return covered;
+  }
+  const IntV written = splat(draw.final_depth && key.depth_write ? 0xffffff : 0);
+  uint64_t live = 0;
+  IntV changed = IntV{};
   for (int i = 0; i < 64; i += kWidth) {
     if (!(covered >> i & kAll)) continue;
-    const FloatV y = row_coordinates(tile.y + by, i >> 3);
-    const FloatV z = plane.gy * y + plane.column[kWidth < 8 ? i / kWidth & 1 : 0] + offset;
-    const IntV word = floats ? depth_float(z) : depth_bits(z, scale);
+    const IntV word = depth_bits(depth_at(i), scale), there = load(stored + i), old = there & 0xffffff;
     store(depth + i, word);
-    if (!early) continue;
-    const IntV there = load(stored + i);
-    IntV passes = compare_words(function, word, there & 0xffffff);
+    IntV passes = compare(word, old) & mask_of_bits(uint32_t(covered >> i));
     if (key.stencil) // whose values stay
       passes &= compare_words(Compare(key.stencil_function),
                               splat(int32_t(k.stencil_reference & k.stencil_value_mask)),
                               (IntV)((UintV)there >> 24) & int32_t(k.stencil_value_mask));
-    live &= ~(uint64_t(~sign_bits(passes) & uint32_t(kAll)) << i);
-    if (writes)
-      store(stored + i, choose(passes & mask_of_bits(uint32_t(covered >> i)) & 0xffffff, word, there));
+    store(stored + i, choose(passes & written, word, there));
+    changed |= passes & (word ^ old);
+    live |= uint64_t(sign_bits(passes)) << i;
   }
+  changes = changes || any(changed);
   return live;
 }
 
@@ -175,9 +186,12 @@ template <bool Depth, int Edges> static void packed_primitive(const RasterDraw& 
       uint64_t live = edges.inside ? box_mask(edges, bx, by) : block_coverage<Edges>(edges, steps, bx, by);
       if (!live) continue;
       alignas(64) uint32_t depth[64];
-      if constexpr (Depth) live = test_block(draw, tile, p, bx, by, live, depth);
-      if (!live) continue;
       const int first = pixel_in_tile(bx, by);
+      bool changes = false;
+      if constexpr (Depth)
+        live = test_block(draw, p, float(tile.x + bx), float(tile.y + by), live, tile.depth_stencil + first,
+                          depth, changes);
+      if (!live) continue;
       auto put = [&](int lane, int bit) __attribute__((always_inline)) {
         block.x[lane] = tile.x + bx + (bit & 7);
         block.y[lane] = tile.y + by + (bit >> 3);
@@ -196,7 +210,7 @@ template <bool Depth, int Edges> static void packed_primitive(const RasterDraw& 
         } else {
           put(batch.lanes, bit);
         }
-        batch.lanes += step;
+        batch.lanes += step, batch.changes |= changes;
         if (batch.lanes == kLanes) run_packed(draw, tile, block, batch);
       }
     }

@@ -11,13 +11,15 @@ namespace SOFTGL_ISA {
 struct StripBatch {
   static constexpr int kMost = kLanes / kStripLanes;
   int32_t strips = 0;
+  bool changes = false; // as of test_block(), of any of them
   int32_t pixel[kMost]; // pixel_in_tile of the strip's first pixel
   const RasterPrimitive* primitive[kMost];
 
   SOFTGL_MEMBER bool full() const { return strips == kMost; }
-  SOFTGL_MEMBER void add(const RasterPrimitive& p, int32_t first_pixel) {
-    pixel[strips] = first_pixel, primitive[strips++] = &p;
+  SOFTGL_MEMBER void add(const RasterPrimitive& p, int32_t first_pixel, bool strip_changes) {
+    pixel[strips] = first_pixel, primitive[strips++] = &p, changes |= strip_changes;
   }
+  SOFTGL_MEMBER void clear() { strips = 0, changes = false; }
 };
 
 /// Fills the inputs of a block's strips.
@@ -97,8 +99,8 @@ static void run_strips(const RasterDraw& draw, const TileTarget& tile, FragmentB
   if (batch.strips == 0) return;
   interpolate_strips(draw, batch, block);
   run_stages(*draw.program, block);
-  merge_strips(draw, merged_tile(draw, tile), block, batch);
-  batch.strips = 0;
+  merge_strips(draw, merged_tile(draw, tile, batch.changes), block, batch);
+  batch.clear();
 }
 
 // Of the lanes of a strip, from its first pixel.
@@ -123,8 +125,11 @@ template <bool Depth, int Edges> static void strips_primitive(const RasterDraw& 
       if (stipple) live &= stipple[(by >> 1 & 12) | (bx >> 3 & 3)]; // tiles begin at multiples of 32
       if (!live) continue;
       alignas(64) uint32_t depth[64];
-      if constexpr (Depth) live = test_block(draw, tile, p, bx, by, live, depth);
       const int pixel = pixel_in_tile(bx, by);
+      bool changes = false;
+      if constexpr (Depth)
+        live = test_block(draw, p, float(tile.x + bx), float(tile.y + by), live, tile.depth_stencil + pixel,
+                          depth, changes);
       for (int s = 0; live; s += kStripLanes, live >>= kStripLanes) {
         const uint32_t mask = uint32_t(live) & 0xffff;
         if (!mask) continue;
@@ -136,7 +141,7 @@ template <bool Depth, int Edges> static void strips_primitive(const RasterDraw& 
           store(block.x + lane + i, x + load(kStripColumn + i));
           store(block.y + lane + i, y + load(kStripRow + i));
         }
-        batch.add(p, pixel + s);
+        batch.add(p, pixel + s, changes);
         if (batch.full()) run_strips(draw, tile, block, batch);
       }
     }

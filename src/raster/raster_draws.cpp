@@ -119,11 +119,11 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
   // With NotEqual a fragment may fail now and pass when those before it, of the same batch, are drawn.
   d.early_depth = !stencil_changes && static_cast<Compare>(key.depth_function) != Compare::NotEqual &&
                   !depth_floats && !draw.fragment->writes_depth && takes(FastPath::EarlyDepth);
-  // A fragment that may die later must not write now. Samples are tested for their depth alone.
+  d.lasting_depth = d.early_depth && !draw.fragment->bounds_depth && !draw.fragment->writes_stencil &&
+                    takes(FastPath::FinalDepth);
+  // A fragment that may die later must not write now.
   const bool drops = draw.fragment->drops() || (draw.raster->per_sample && draw.raster->alpha_to_coverage);
-  d.final_depth = d.early_depth && !(key.depth_write && drops) && !draw.fragment->bounds_depth &&
-                  !draw.fragment->writes_stencil && !(key.stencil && draw.raster->samples > 1) &&
-                  takes(FastPath::FinalDepth);
+  d.final_depth = d.lasting_depth && !(key.depth_write && drops);
   d.whole_blocks = takes(FastPath::WholeBlocks);
   return d;
 }

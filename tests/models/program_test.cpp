@@ -131,6 +131,24 @@ TEST_CASE("program: messages name file and line", "[models][program]") {
   CHECK(draw(kTriangle, {"--strict"}).exit_code == 0);
 }
 
+TEST_CASE("program: a file whose elements have no vertices says where they stand", "[models][program]") {
+  const ProgramRun faces = draw("# no vertices\nf 1 2 3\nf 4 5 6\n");
+  CHECK(faces.exit_code == 3);
+  for (const char* place : {"model.obj:2: ", "model.obj:3: "})
+    CHECK(has(
+        faces.errors,
+        place + std::string("a corner names a vertex that does not exist (the file has 0); face skipped\n")));
+  CHECK(has(faces.errors, "no geometry"));
+  for (const char* elements : {"l 1 2\n", "p 1\n"}) {
+    const ProgramRun run = draw(elements);
+    CHECK(run.exit_code == 3);
+    CHECK(lines(run.errors) == 2);
+  }
+  const ProgramRun prose = draw("These are words.\nThat is no model.\n");
+  CHECK(prose.exit_code == 3);
+  CHECK(lines(prose.errors) == 1);
+}
+
 TEST_CASE("program: standard input and output", "[models][program]") {
   const ProgramRun direct = draw(kTriangle);
   const ProgramRun piped = run_softgl({"-", "-o", "-", "--format", "ppm", "--size", "60x40"}, kTriangle);

@@ -50,7 +50,7 @@ LoadedModel load_model(const SourceText& text, unsigned threads, RemarkList& rem
   if (model.face_count == 0 && model.segment_count == 0 && model.point_count == 0) {
     // What stands in a file that is no model is not worth a warning each.
     const std::string sentence = explain_missing_geometry(text);
-    if (model.position_count > 0) warnings.add(remarks, text);
+    if (model.position_count > 0 || model.skips_elements) warnings.add(remarks, text);
     throw ProgramError(kCannotRead, sentence);
   }
   refuse_triangles(model, text.name(), limits.triangles);

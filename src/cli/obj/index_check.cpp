@@ -83,6 +83,7 @@ private:
   }
 
   void remark_face(const ObjChunk& chunk, uint32_t face, const int32_t* corners, uint32_t size) {
+    model_.skips_elements = true;
     bool missing = false;
     for (uint32_t i = 0; i < size; ++i) missing |= uint32_t(corners[i]) >= model_.position_count;
     const char* kind =
@@ -135,6 +136,7 @@ private:
         const char* kind = size == 2 ? "line segment skipped: a vertex does not exist or is not finite"
                                      : "point skipped: its vertex does not exist or is not finite";
         remarks_.add(kind, nullptr, kind);
+        model_.skips_elements = true;
         continue;
       }
       for (size_t i = 0; i < size; ++i) vertices[to + i] = vertices[from + i];

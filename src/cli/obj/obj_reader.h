@@ -23,6 +23,7 @@ struct ObjModel {
   uint64_t object_count = 0, group_count = 0;
   uint64_t face_count = 0, segment_count = 0, point_count = 0;
   bool has_smoothing_groups = false;
+  bool skips_elements = false; // faces, segments or points whose vertices cannot be used
 };
 
 // Throws ProgramError for text that cannot be an OBJ file at all (UTF-16 without a mark). `threads` >= 1.
