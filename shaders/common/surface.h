@@ -35,14 +35,12 @@ constexpr int kept_components(const ColorEncoding& e) {
 }
 /// Z24S8 keeps depth in bits 0-23 and stencil in 24-31 of a uint32_t; Z16 keeps depth in bits 0-15 of a
 /// uint32_t. Z32F keeps a float of [0, 1] in a uint32_t; if there are stencil values, each is a uint32_t
-/// kTilePixels behind its depth.
+/// kTilePixels times the samples behind its depth.
 enum class DepthFormat : uint8_t { None, Z16, Z24S8, Z32F };
 /// The integer that depth 1 is stored as, which is also the mask of the bits of a depth; of floats the mask.
 constexpr uint32_t largest_depth(DepthFormat f) {
   return f == DepthFormat::Z16 ? 0xffff : f == DepthFormat::Z32F ? ~uint32_t(0) : 0xffffff;
 }
-/// Tiles of words from the depths of a sample to those of the next one.
-constexpr int depth_step(DepthFormat f) { return f == DepthFormat::Z32F ? 2 : 1; }
 /// Stencil values lie in the upper bits of the words of depths.
 constexpr bool has_stencil_bits(DepthFormat f) { return f == DepthFormat::Z24S8; }
 
@@ -51,10 +49,10 @@ inline int pixel_in_tile(int x, int y) {
   return ((y & 56) << 6) | ((x & 56) << 3) | ((y & 7) << 3) | (x & 7);
 }
 
-/// What is known of a plane in a tile, and where its pixels are: from place * kTilePixels on. The pixels'
-/// further samples, if there are any, follow in the next places. While it waits, all words are `word`, and
-/// the plane's memory does not have them yet: so a tile that is cleared and never drawn on costs nothing.
-/// Only planes of 32-bit words may wait.
+/// What is known of a plane in a tile, and where its pixels are: from place * kTilePixels on. If a pixel has
+/// several samples they lie side by side, and the tile reaches into the next places. While it waits, all
+/// words are `word`, and the plane's memory does not have them yet: so a tile that is cleared and never drawn
+/// on costs nothing. Only planes of 32-bit words may wait.
 struct TileWords {
   uint32_t word = 0;
   uint32_t known = 0;   // bits that are those of `word` at all pixels
@@ -84,8 +82,9 @@ struct Surface {
   int32_t color_columns, depth_columns; // tiles in a row of each plane
   uint32_t* next_place;                 // of the window: places before it are taken
   uint32_t
-      place_step;  // places from tile to tile: as many as samples, twice as many where planes share memory
-  int32_t samples; // of a pixel: 1 or kSamples
+      place_step;     // places from tile to tile: as many as samples, twice as many where planes share memory
+  int32_t samples;    // of a pixel: 1 or kSamples
+  int32_t pixel_step; // from a pixel to its neighbor, in pixels of one sample: 1 or kSamples
 };
 
 /// Number of tile `tile` of the surface in a plane that has `columns` tiles in a row.
@@ -102,21 +101,23 @@ inline TileWords& depth_words(const Surface& s, uint32_t tile) {
 
 /// The surface of one of the samples of each pixel.
 inline Surface sample_surface(Surface s, int sample) {
-  const size_t pixels = size_t(sample) * kTilePixels;
-  if (s.color) s.color = static_cast<char*>(s.color) + pixels * size_t(bytes_per_pixel(s.color_format));
-  if (s.depth_stencil) s.depth_stencil += pixels * size_t(depth_step(s.depth_format));
+  if (s.color) s.color = static_cast<char*>(s.color) + sample * bytes_per_pixel(s.color_format);
+  if (s.depth_stencil) s.depth_stencil += sample;
   s.samples = 1;
   return s;
 }
 
-inline size_t pixel_index(const TileWords* tiles, int32_t columns, int x, int y) {
-  return tiles[(y >> 6) * columns + (x >> 6)].place * size_t(kTilePixels) + size_t(pixel_in_tile(x, y));
+inline size_t pixel_index(const Surface& s, const TileWords* tiles, int32_t columns, int x, int y) {
+  return tiles[(y >> 6) * columns + (x >> 6)].place * size_t(kTilePixels) +
+         size_t(pixel_in_tile(x, y) * s.pixel_step);
 }
 inline size_t color_index(const Surface& s, int x, int y) {
-  return pixel_index(s.color_tile, s.color_columns, x, y);
+  return pixel_index(s, s.color_tile, s.color_columns, x, y);
 }
 inline size_t depth_index(const Surface& s, int x, int y) {
-  return pixel_index(s.depth_tile, s.depth_columns, x, y);
+  return pixel_index(s, s.depth_tile, s.depth_columns, x, y);
 }
+/// Words from the depths of a tile to its stencil values, where those have words of their own.
+inline size_t stencil_step(const Surface& s) { return size_t(kTilePixels) * size_t(s.pixel_step); }
 
 } // namespace softgl

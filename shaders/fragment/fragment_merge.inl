@@ -78,6 +78,7 @@ namespace { // so that no member is visible outside
 /// What merging of kWidth fragments at a time needs to know of a program.
 struct Merger {
   const FragmentProgram& program;
+  const int stencil_step = kTilePixels; // words from depths that are floats to their stencil values
   const FragmentKey& key = program.key;
   const bool tests = Compare(key.depth_function) != Compare::Always || key.depth_write || key.stencil ||
                      program.bounds_depth;
@@ -96,6 +97,11 @@ struct Merger {
   /// Of words with a depth and a stencil value each.
   SOFTGL_MEMBER IntV word_depth_stencil(IntV live, IntV z, uint32_t* place) const {
     IntV words = load(place);
+    live = word_depth_stencil(live, z, words);
+    store(place, words);
+    return live;
+  }
+  SOFTGL_MEMBER IntV word_depth_stencil(IntV live, IntV z, IntV& words) const {
     const IntV depth = words & 0xffffff;
     if (program.bounds_depth) live &= in_bounds(depth);
     if (key.stencil) {
@@ -106,14 +112,13 @@ struct Merger {
       live &= nearer(z, depth);
     }
     if (key.depth_write) words = choose(live & 0xffffff, z, words);
-    store(place, words);
     return live;
   }
 
   SOFTGL_MEMBER IntV store_stencils(IntV live, IntV stencil, uint32_t* place) const {
     const int32_t mask = program.constants->stencil_write_mask;
     if (floats)
-      store(place + kTilePixels, choose(live & mask, stencil, load(place + kTilePixels)));
+      store(place + stencil_step, choose(live & mask, stencil, load(place + stencil_step)));
     else
       store(place, choose(live & (mask << 24), stencil << 24, load(place)));
     return live;
@@ -142,9 +147,9 @@ struct Merger {
     const IntV stored = load(place), passes = nearer(z, stored);
     if (program.bounds_depth) live &= in_bounds(stored);
     if (key.stencil) {
-      IntV s = load(place + kTilePixels);
+      IntV s = load(place + stencil_step);
       live = test_both(live, passes, s);
-      store(place + kTilePixels, s);
+      store(place + stencil_step, s);
     } else {
       live &= passes;
     }

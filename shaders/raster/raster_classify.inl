@@ -20,6 +20,7 @@ struct SnappedBatch {
 /// replaced. Those with stages were measured before interpolate_triangles(), which makes small ones faster.
 SOFTGL_INLINE int32_t small_box(const RasterDraw& draw) {
   const FragmentProgram& program = *draw.program;
+  if (draw.raster->samples > 1) return kSmallBox;
   if (program.step_count) return kWidth == 4 || program.lod_units ? 32 : kSmallBox;
   return kWidth > 4 && draw.replaces_words ? 28 : 16;
 }

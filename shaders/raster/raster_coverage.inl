@@ -24,31 +24,34 @@ SOFTGL_INLINE void set_edge(TileEdges& t, int i, int32_t c, int32_t a, int32_t b
   t.block_max[i] = ((a < 0 ? -a : 0) + (b > 0 ? b : 0)) * 7;
 }
 
-/// False: no pixel of the tile is covered. Looks at the first `Edges` edges, whose constants are `edge_c`.
-template <int Edges> SOFTGL_INLINE bool clip_to_tile(const RasterDraw& draw, const RasterPrimitive& p,
-                                                     const int64_t* edge_c, int32_t tile_x, int32_t tile_y,
-                                                     TileEdges& t) {
+/// The part of a primitive's box inside the tile; false: there is none.
+SOFTGL_INLINE bool clip_box(const RasterPrimitive& p, int32_t tile_x, int32_t tile_y, TileEdges& t) {
   t.x0 = p.x0 > tile_x ? p.x0 - tile_x : 0;
   t.y0 = p.y0 > tile_y ? p.y0 - tile_y : 0;
   t.x1 = p.x1 < tile_x + kTileSize ? p.x1 - tile_x : kTileSize;
   t.y1 = p.y1 < tile_y + kTileSize ? p.y1 - tile_y : kTileSize;
-  if (t.x0 >= t.x1 || t.y0 >= t.y1) return false;
+  return t.x0 < t.x1 && t.y0 < t.y1;
+}
+
+/// An edge's constant `c` at the first pixel of the tile.
+SOFTGL_INLINE int32_t constant_in_tile(int64_t c, int32_t a, int32_t b, int32_t tile_x, int32_t tile_y) {
+  c += int64_t(b) * tile_y - int64_t(a) * tile_x;
+  return int32_t(c > (1 << 30) ? 1 << 30 : c < -(1 << 30) ? -(1 << 30) : c);
+}
+
+/// False: no pixel of the tile is covered. Looks at the first `Edges` edges.
+template <int Edges> SOFTGL_INLINE bool clip_to_tile(const RasterDraw& draw, const RasterPrimitive& p,
+                                                     int32_t tile_x, int32_t tile_y, TileEdges& t) {
+  if (!clip_box(p, tile_x, tile_y, t)) return false;
   t.inside = draw.whole_blocks;
   t.least = draw.whole_blocks ? 0 : -1;
   for (int i = 0; i < Edges; ++i) {
     const int32_t a = p.a[i], b = p.b[i];
-    int64_t c = edge_c[i] - int64_t(a) * tile_x + int64_t(b) * tile_y;
-    c = c > (1 << 30) ? 1 << 30 : c < -(1 << 30) ? -(1 << 30) : c;
-    set_edge(t, i, int32_t(c), a, b);
+    set_edge(t, i, constant_in_tile(p.c[i], a, b, tile_x, tile_y), a, b);
     if (t.c[i] + t.block_max[i] * 9 < 0) return false;
     t.inside = t.inside && t.c[i] + t.block_min[i] * 9 >= 0;
   }
   return true;
-}
-
-template <int Edges> SOFTGL_INLINE bool clip_to_tile(const RasterDraw& draw, const RasterPrimitive& p,
-                                                     int32_t tile_x, int32_t tile_y, TileEdges& t) {
-  return clip_to_tile<Edges>(draw, p, p.c, tile_x, tile_y, t);
 }
 
 /// The pixels (bit 8 * dy + dx) of the block whose first pixel is (x, y) in the tile.

@@ -99,7 +99,7 @@ struct SmallFragments {
   uint32_t* color; // RGBA8
 };
 
-/// The planes of one tile.
+/// The planes of one tile. Where pixels have several samples, those of a pixel lie side by side.
 struct TileTarget {
   int32_t x, y; // window position of its first pixel
   void* color;
@@ -107,7 +107,6 @@ struct TileTarget {
   bool one_stencil; // all its words have the same bits above depth:
   uint32_t stencil_bits;
   uint64_t* samples = nullptr; // where fragments that pass all tests are counted; null: nowhere
-  size_t color_step = 0;       // bytes from the colors of a sample to those of the next one
 };
 
 } // namespace softgl

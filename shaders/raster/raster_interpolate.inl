@@ -167,15 +167,19 @@ SOFTGL_INLINE void coordinates_at(BlockCoordinates& t, int lane, CoordinatesRead
   for (int k = 0; k < read.count; ++k) store(value[k] + lane, (value_at(q[k], x, y) * w_here) * q_here);
 }
 
-/// The same, and their differences across the lane's 2x2 quad.
-SOFTGL_INLINE void interpolate_unit(BlockCoordinates& t, int lane, CoordinatesRead read, const PlaneV& w,
-                                    const PlaneV q[4], IntV px, IntV py) {
-  coordinates_at(t, lane, read, w, q, to_float(px), to_float(py));
+/// The same, and their differences across the lane's 2x2 quad. `FromCorner`: as of interpolate_block().
+template <bool FromCorner = false> SOFTGL_INLINE void interpolate_unit(BlockCoordinates& t, int lane,
+                                                                       CoordinatesRead read, const PlaneV& w,
+                                                                       const PlaneV q[4], IntV px, IntV py) {
+  const auto center = [](IntV v) __attribute__((always_inline)) {
+    return FromCorner ? to_float(v) + 0.5f : to_float(v);
+  };
+  coordinates_at(t, lane, read, w, q, center(px), center(py));
   if (read.differences == Differences::None) return;
   float* dx[3] = {t.ds_dx, t.dt_dx, t.dr_dx};
   float* dy[3] = {t.ds_dy, t.dt_dy, t.dr_dy};
   const FloatV one = splat(1.0f);
-  const FloatV x0 = to_float(px & ~1), y0 = to_float(py & ~1), x1 = x0 + 1.0f, y1 = y0 + 1.0f;
+  const FloatV x0 = center(px & ~1), y0 = center(py & ~1), x1 = x0 + 1.0f, y1 = y0 + 1.0f;
   struct Place {
     FloatV x, y, w, q;
   };
@@ -188,8 +192,8 @@ SOFTGL_INLINE void interpolate_unit(BlockCoordinates& t, int lane, CoordinatesRe
   };
   if (read.differences == Differences::OfLane) {
     const IntV odd_x = (px & 1) != 0, odd_y = (py & 1) != 0;
-    const Place beside = place(choose(odd_x, x0, x1), to_float(py)),
-                below = place(to_float(px), choose(odd_y, y0, y1));
+    const Place beside = place(choose(odd_x, x0, x1), center(py)),
+                below = place(center(px), choose(odd_y, y0, y1));
     const float* here[3] = {t.s, t.t, t.r};
     for (int k = 0; k < read.count; ++k) {
       const FloatV v = load(here[k] + lane), h = value(k, beside), l = value(k, below);

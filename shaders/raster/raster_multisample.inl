@@ -2,8 +2,8 @@
 // color are of a sample, the stages run once a pixel, at its center.
 #pragma once
 
+#include "shaders/raster/raster_samples.inl"
 #include "shaders/raster/raster_staged.inl"
-#include "shaders/raster/sample_points.h"
 
 namespace softgl {
 namespace SOFTGL_ISA {
@@ -11,59 +11,103 @@ namespace SOFTGL_ISA {
 /// What samples know apart from the strips of their pixels.
 struct SampleBatch {
   StripBatch pixels;
-  uint16_t covered[kSamples][kLanes / kStripLanes]; // bit i: lane i of the strip
-  alignas(64) uint32_t depth[kSamples][kLanes];     // unless they are final
+  uint64_t covered[StripBatch::kMost];           // bit kSamples * i + s: sample s of lane i of the strip
+  alignas(64) uint32_t depth[kLanes * kSamples]; // unless they are final
 };
 
-/// Lanes of a strip whose alpha is large enough for a sample: as OSMesa 22.3.6, the first samples go last.
-SOFTGL_INLINE IntV covered_by_alpha(FloatV alpha, int sample) {
-  return (IntV)(alpha > splat(float(sample) / kSamples));
+/// Samples of a strip for which its alphas are large enough: as OSMesa 22.3.6, the first samples go last.
+static uint64_t covered_by_alpha(const float* alpha) {
+  uint64_t samples = 0;
+  for (int s = 0; s < kSamples; ++s) {
+    uint32_t pixels = 0;
+    for (int i = 0; i < kStripLanes; i += kWidth)
+      pixels |= sign_bits((IntV)(load(alpha + i) > splat(float(s) / kSamples))) << i;
+    samples |= spread_bits(pixels) << s;
+  }
+  return samples;
+}
+
+/// Merges `covered` samples of a strip, whose colors are RGBA8 words: one for all samples of a pixel.
+/// `replaces`: nothing is left of what is there.
+SOFTGL_INLINE void merge_sample_words(const Merger& merger, const uint32_t* words, uint64_t covered,
+                                      bool replaces, uint32_t* target) {
+  if (replaces && covered == ~uint64_t(0)) { // inside of large primitives
+    for (int i = 0; i < kStripLanes; i += kVectorPixels) store(target + i * kSamples, for_samples(words + i));
+    return;
+  }
+  for (int i = 0; i < kStripLanes; i += kVectorPixels) {
+    const uint32_t lanes = uint32_t(covered >> (i * kSamples)) & kAllLanes;
+    if (!lanes) continue;
+    merger.color(mask_of_bits(lanes), for_samples(words + i), target + i * kSamples);
+  }
+}
+
+/// The same of colors that are stored in another way: sample by sample, with its pixels brought together.
+static void merge_sample_colors(const EncodedMerger& encoded, const FragmentBlock& block,
+                                const uint32_t* words, int first, uint64_t covered, uint8_t* target) {
+  const size_t bytes = size_t(bytes_per_pixel(ColorFormat(encoded.key.color_format)));
+  for (int s = 0; s < kSamples; ++s, target += bytes) {
+    alignas(64) uint8_t color[kStripLanes * 16];
+    alignas(64) uint32_t live[kStripLanes];
+    for (size_t i = 0; i < kStripLanes; ++i) {
+      live[i] = uint32_t(mask_of(covered >> (i * kSamples + size_t(s)) & 1));
+      memcpy(color + i * bytes, target + i * kSamples * bytes, bytes);
+    }
+    merge_colors(encoded, block, words, first, live, color, 0);
+    for (size_t i = 0; i < kStripLanes; ++i) memcpy(target + i * kSamples * bytes, color + i * bytes, bytes);
+  }
 }
 
 /// Merges the samples of the strips of `block` whose colors are final.
 static void merge_samples(const RasterDraw& draw, const TileTarget& tile, FragmentBlock& block,
                           const SampleBatch& batch) {
   const RasterConstants& r = *draw.raster;
-  const Merger merger{*draw.program};
+  const FragmentProgram& program = *draw.program;
+  const Merger merger{program, kTilePixels * kSamples};
   const EncodedMerger encoded{merger};
-  const bool by_alpha = r.per_sample && r.alpha_to_coverage, one = r.per_sample && r.alpha_to_one;
-  const bool replaces = draw.replaces_words && !tile.depth_stencil && !by_alpha,
-             drops = draw.program->drops();
-  const int step = depth_step(DepthFormat(merger.key.depth_format));
+  const auto format = ColorFormat(merger.key.color_format);
+  const bool by_alpha = r.per_sample && r.alpha_to_coverage, one = r.per_sample && r.alpha_to_one,
+             drops = program.drops(), sees_words = format == ColorFormat::Rgba8 && !merger.key.encoded;
   alignas(64) float alpha[kLanes];
   for (int i = 0; i < block.lanes; i += kWidth) {
-    store(alpha + i, load(block.color[3] + i));
+    if (by_alpha) store(alpha + i, load(block.color[3] + i));
     if (one) store(block.color[3] + i, splat(1.0f));
   }
   alignas(64) uint32_t words[kLanes];
   pack_block(draw, block, words);
-  for (int s = 0; s < kSamples; ++s) {
-    TileTarget samples = tile;
-    samples.color = static_cast<uint8_t*>(tile.color) + size_t(s) * tile.color_step;
-    if (tile.depth_stencil) samples.depth_stencil += s * kTilePixels * step;
-    const uint32_t* depth = draw.program->writes_depth ? block.depth : batch.depth[s];
-    for (int k = 0; k < batch.pixels.strips; ++k) {
-      const int first = k * kStripLanes;
-      const uint32_t covered = batch.covered[s][k];
-      if (!covered) continue;
-      if (replaces) {
-        uint32_t* target = static_cast<uint32_t*>(samples.color) + batch.pixels.pixel[k];
-        const bool whole = covered == (1u << kStripLanes) - 1 && !drops;
-        for (int i = 0; whole && i < kStripLanes; i += kWidth) store(target + i, load(words + first + i));
-        for (int i = 0; !whole && i < kStripLanes; i += kWidth) {
-          const IntV live = load(block.live + first + i) & mask_of_bits(covered >> i);
-          store(target + i, choose(live, load(words + first + i), load(target + i)));
-        }
-        continue;
-      }
-      alignas(64) uint32_t live[kStripLanes];
-      for (int i = 0; i < kStripLanes; i += kWidth) {
-        IntV v = load(block.live + first + i) & mask_of_bits(covered >> i);
-        if (by_alpha) v &= covered_by_alpha(load(alpha + first + i), s);
-        store(live + i, v);
-      }
-      merge_strip(merger, encoded, samples, block, words, first, batch.pixels.pixel[k], live, depth + first);
+  for (int k = 0; k < batch.pixels.strips; ++k) {
+    const int first = k * kStripLanes;
+    uint64_t covered = batch.covered[k];
+    if (drops) {
+      uint32_t living = 0;
+      for (int i = 0; i < kStripLanes; i += kWidth) living |= sign_bits(load(block.live + first + i)) << i;
+      covered &= all_samples(living);
     }
+    if (by_alpha) covered &= covered_by_alpha(alpha + first);
+    const size_t place = size_t(batch.pixels.pixel[k]) * kSamples;
+    if (tile.depth_stencil || tile.samples) {
+      uint64_t left = 0;
+      for (int i = 0; i < kStripLanes; i += kVectorPixels) {
+        const uint32_t lanes = uint32_t(covered >> (i * kSamples)) & kAllLanes;
+        if (!lanes) continue;
+        IntV live = mask_of_bits(lanes);
+        if (tile.depth_stencil) {
+          const IntV z = program.writes_depth ? for_samples(block.depth + first + i)
+                                              : load(batch.depth + (first + i) * kSamples);
+          live = merger.depth_stencil(live, z, tile.depth_stencil + place + i * kSamples);
+        }
+        if (tile.samples) *tile.samples += count_lanes(live);
+        left |= uint64_t(sign_bits(live)) << (i * kSamples);
+      }
+      covered = left;
+    }
+    if (!covered) continue;
+    if (sees_words)
+      merge_sample_words(merger, words + first, covered, draw.replaces_words,
+                         static_cast<uint32_t*>(tile.color) + place);
+    else
+      merge_sample_colors(encoded, block, words, first, covered,
+                          static_cast<uint8_t*>(tile.color) + place * size_t(bytes_per_pixel(format)));
   }
 }
 
@@ -79,136 +123,98 @@ static void run_samples(const RasterDraw& draw, const TileTarget& tile, Fragment
   batch.pixels.clear();
 }
 
-namespace { // so that no member is visible outside
-
-/// Which samples of a tile's pixels a primitive covers: where coverage is the pixel's, all of a covered one.
-template <int Edges> struct SampleCoverage {
-  TileEdges edges[kSamples];
-  EdgeSteps<Edges> steps;      // the same for all samples
-  TileEdges widest, narrowest; // outside and inside of these no sample is covered, and all are
-  bool seen[kSamples];
-  bool any = false, all = true; // samples are seen
-  bool per_sample;
-  bool round;
-  int64_t center_x, center_y, radius2; // of a round one, from the tile's corner
-
-  SOFTGL_MEMBER SampleCoverage(const RasterDraw& draw, const RasterPrimitive& p, const TileTarget& tile)
-      : per_sample(draw.raster->per_sample), round(p.round), center_x(p.c[0] - 256 * tile.x),
-        center_y(p.c[1] - 256 * tile.y), radius2(p.c[2]) {
-    edge_steps<Edges>(p, steps);
-    for (int s = 0; s < (per_sample ? kSamples : 1); ++s) {
-      int64_t c[Edges];
-      for (int i = 0; i < Edges; ++i)
-        c[i] = round        ? 0
-               : per_sample ? (p.c[i] - int64_t(p.a[i]) * kSampleX[s] + int64_t(p.b[i]) * kSampleY[s]) >> 8
-                            : p.c[i];
-      seen[s] = clip_to_tile<Edges>(draw, p, c, tile.x, tile.y, edges[s]);
-      all = all && seen[s];
-      if (!seen[s]) continue;
-      if (!any) widest = narrowest = edges[s];
-      for (int i = 0; i < Edges; ++i) {
-        widest.c[i] = widest.c[i] > edges[s].c[i] ? widest.c[i] : edges[s].c[i];
-        narrowest.c[i] = narrowest.c[i] < edges[s].c[i] ? narrowest.c[i] : edges[s].c[i];
-      }
-      any = true;
+/// Puts a strip of pixels at (x, y) of the window, of which samples are `covered`, into the block's next
+/// lanes.
+template <bool Depth> SOFTGL_INLINE void put_strip(const RasterDraw& draw, const RasterPrimitive& p,
+                                                   const EarlyTests& tests, int32_t x, int32_t y,
+                                                   uint64_t covered, SampleBatch& batch,
+                                                   FragmentBlock& block) {
+  const int lane = batch.pixels.strips * kStripLanes;
+  batch.covered[batch.pixels.strips] = covered;
+  for (int i = 0; i < kStripLanes; i += kWidth) {
+    const IntV px = splat(x) + load(kStripColumn + i), py = splat(y) + load(kStripRow + i);
+    store(block.x + lane + i, px), store(block.y + lane + i, py);
+    store(block.live + lane + i, pixels_with_samples(covered >> (i * kSamples)));
+    if (Depth && draw.program->writes_depth) { // for stages that change it
+      const float center = draw.raster->per_sample ? 0.5f : 0.0f;
+      const FloatV z = at(p.plane[kPlaneZ], to_float(px) + center, to_float(py) + center) + p.depth_offset;
+      store(block.depth + lane + i, tests.floats ? depth_float(z) : depth_bits(z, tests.scale));
     }
   }
-  /// Most blocks around a line.
-  SOFTGL_MEMBER bool misses_block(int x, int y) const {
-    int32_t e[Edges];
-    return !any || place_block<Edges>(widest, x, y, e) == BlockPlace::Outside;
-  }
-  /// Of the block at (x, y) of the tile.
-  SOFTGL_MEMBER void of_block(int x, int y, uint64_t covered[kSamples]) const {
-    int32_t e[Edges];
-    if (all && !round && place_block<Edges>(narrowest, x, y, e) == BlockPlace::Inside) {
-      for (int s = 0; s < kSamples; ++s) covered[s] = box_mask(narrowest, x, y);
-      return;
-    }
-    for (int s = 0; s < kSamples; ++s) {
-      if (s > 0 && !per_sample)
-        covered[s] = covered[0];
-      else if (!seen[s])
-        covered[s] = 0;
-      else
-        covered[s] =
-            edges[s].inside ? box_mask(edges[s], x, y) : block_coverage<Edges>(edges[s], steps, x, y);
-      if (round) covered[s] &= in_circle(x, y, s);
-    }
-  }
-  uint64_t in_circle(int x, int y, int s) const {
-    uint64_t mask = 0;
-    for (int i = 0; i < 64; ++i) {
-      const int64_t dx = (x + (i & 7)) * 256 + kSampleX[s] - center_x,
-                    dy = (y + (i >> 3)) * 256 + kSampleY[s] - center_y;
-      mask |= uint64_t(dx * dx + dy * dy <= radius2) << i;
-    }
-    return mask;
-  }
-};
-
-} // namespace
+}
 
 template <bool Depth, int Edges>
 static void multisampled_primitive(const RasterDraw& draw, const TileTarget& tile, const RasterPrimitive& p,
                                    FragmentBlock& block, SampleBatch& batch) {
-  const SampleCoverage<Edges> coverage(draw, p, tile);
-  const FragmentProgram& program = *draw.program;
-  const float scale = depth_scale(program.key);
-  const bool floats = DepthFormat(program.key.depth_format) == DepthFormat::Z32F;
-  const int step = depth_step(DepthFormat(program.key.depth_format));
+  SampleEdges<Edges> edges;
+  if (!edges.set(draw, p, tile)) return;
   const RasterConstants& r = *draw.raster;
+  const EarlyTests tests(draw);
+  const SamplePlaces places(r.per_sample);
+  const Plane& z_plane = p.plane[kPlaneZ];
+  const FloatV a = splat(z_plane.a), gx = splat(z_plane.gx), gy = splat(z_plane.gy),
+               offset = splat(p.depth_offset);
+  const uint32_t mask = (r.sample_mask & ((1u << kSamples) - 1)) * 0x11111111u;
   const uint64_t* stipple = Edges == 3 ? r.stipple : nullptr; // triangles only: not lines and points
-  const int32_t x0 = p.x0 > tile.x ? p.x0 - tile.x : 0, y0 = p.y0 > tile.y ? p.y0 - tile.y : 0;
-  const int32_t x1 = p.x1 < tile.x + kTileSize ? p.x1 - tile.x : kTileSize,
-                y1 = p.y1 < tile.y + kTileSize ? p.y1 - tile.y : kTileSize;
-  for (int by = y0 & ~7; by < y1; by += 8) {
-    for (int bx = x0 & ~7; bx < x1; bx += 8) {
-      if (coverage.misses_block(bx, by)) continue;
-      const float x = float(tile.x + bx), y = float(tile.y + by);
-      const int pixel = pixel_in_tile(bx, by);
-      uint64_t live[kSamples], any = 0;
-      bool changes = false;
-      coverage.of_block(bx, by, live);
-      alignas(64) uint32_t depth[kSamples][64];
-      for (int s = 0; s < kSamples; ++s) {
-        if (!(r.sample_mask >> s & 1)) live[s] = 0;
-        if (stipple) live[s] &= stipple[(by >> 1 & 12) | (bx >> 3 & 3)]; // tiles begin at multiples of 32
-        if constexpr (Depth) {
-          const float dx = r.per_sample ? float(kSampleX[s]) / 256 : 0.0f,
-                      dy = r.per_sample ? float(kSampleY[s]) / 256 : 0.0f;
-          if (live[s])
-            live[s] = test_block(draw, p, x + dx, y + dy, live[s],
-                                 tile.depth_stencil + s * kTilePixels * step + pixel, depth[s], changes);
-        }
-        any |= live[s];
-      }
-      for (int first = 0; any; first += kStripLanes, any >>= kStripLanes) {
-        const uint32_t mask = uint32_t(any) & 0xffff;
-        if (!mask) continue;
-        const int k = batch.pixels.strips, lane = k * kStripLanes;
-        for (int i = 0; i < kStripLanes; i += kWidth) {
-          const FloatV px = splat(x) + row_of_eight(i / kWidth), py = row_coordinates(y, (first + i) >> 3);
-          store(block.x + lane + i, round_to_int(px));
-          store(block.y + lane + i, round_to_int(py));
-          store(block.live + lane + i, mask_of_bits(mask >> i));
-          if (Depth && program.writes_depth) { // for stages that change it
-            const float center = r.per_sample ? 0.5f : 0.0f;
-            const FloatV z = at(p.plane[kPlaneZ], px + center, py + center) + p.depth_offset;
-            store(block.depth + lane + i, floats ? depth_float(z) : depth_bits(z, scale));
+  const TileEdges& box = edges.box;
+  for (int by = box.y0 & ~7; by < box.y1; by += 8)
+    for (int bx = box.x0 & ~7; bx < box.x1; bx += 8) {
+      const BlockPlace place = edges.place(bx, by);
+      if (place == BlockPlace::Outside) continue;
+      const int left = box.x0 > bx ? box.x0 - bx : 0, right = box.x1 < bx + 8 ? box.x1 - bx : 8;
+      const int top = box.y0 > by ? box.y0 - by : 0, bottom = box.y1 < by + 8 ? box.y1 - by : 8;
+      const uint32_t columns = (~0u << (left * kSamples)) & (~0u >> ((8 - right) * kSamples)) & mask;
+      uint64_t pattern = ~uint64_t(0);
+      if (stipple) pattern = stipple[(by >> 1 & 12) | (bx >> 3 & 3)]; // tiles begin at multiples of 32
+      const int begin = left & ~(kVectorPixels - 1);
+      for (int strip = top & ~1; strip < bottom; strip += 2) {
+        uint64_t covered = 0;
+        IntV changed = IntV{};
+        const int pixel = pixel_in_tile(bx, by + strip);
+        for (int row = strip < top ? top : strip; row < strip + 2 && row < bottom; ++row) {
+          uint32_t within = columns;
+          if (stipple) within &= uint32_t(all_samples(pattern >> (8 * row) & 0xff));
+          if (p.round) within &= samples_in_circle(p, tile.x + bx, tile.y + by + row);
+          FloatV x = places.x + to_float(load(kLanePixel) + (tile.x + bx + begin));
+          const FloatV of_row = gy * (places.y + float(tile.y + by + row));
+          // Of `live` ones of the vector at a column.
+          const auto vector = [&](int column, IntV live) __attribute__((always_inline)) {
+            const int lane = (row - strip) * 8 + column; // of the strip
+            if constexpr (Depth)
+              live = tests.test(live, of_row + (gx * x + a) + offset,
+                                tile.depth_stencil + (pixel + lane) * kSamples,
+                                batch.depth + (batch.pixels.strips * kStripLanes + lane) * kSamples, changed);
+            x += float(kVectorPixels);
+            covered |= uint64_t(sign_bits(live)) << (lane * kSamples);
+          };
+          if (place == BlockPlace::Inside && within == ~0u) {
+            for (int column = 0; Depth && column < 8; column += kVectorPixels) vector(column, splat(-1));
+            if (!Depth) covered |= uint64_t(~0u) << ((row - strip) * 8 * kSamples);
+            continue;
+          }
+          IntV v[Edges];
+          for (int i = 0; i < Edges; ++i)
+            v[i] = edges.lanes[i] + (box.b[i] * (by + row) - box.a[i] * (bx + begin));
+          for (int column = begin; column < right; column += kVectorPixels) {
+            IntV live = mask_of_bits(within >> (column * kSamples));
+            if (place == BlockPlace::Cut) {
+              IntV outside = v[0];
+              for (int i = 1; i < Edges; ++i) outside |= v[i];
+              for (int i = 0; i < Edges; ++i) v[i] += edges.next[i];
+              live &= outside >= 0;
+            }
+            if (!Depth || any(live))
+              vector(column, live);
+            else
+              x += float(kVectorPixels);
           }
         }
-        for (int s = 0; s < kSamples; ++s) {
-          batch.covered[s][k] = uint16_t(live[s] >> first);
-          if (Depth && !draw.final_depth)
-            for (int i = 0; i < kStripLanes; i += kWidth)
-              store(batch.depth[s] + lane + i, load(depth[s] + first + i));
-        }
-        batch.pixels.add(p, pixel + first, changes);
+        if (!covered) continue;
+        put_strip<Depth>(draw, p, tests, tile.x + bx, tile.y + by + strip, covered, batch, block);
+        batch.pixels.add(p, pixel, any(changed));
         if (batch.pixels.full()) run_samples(draw, tile, block, batch);
       }
     }
-  }
 }
 
 template <bool Depth> static void multisampled_primitives(const TileTarget& tile, const RasterDraw& draw,

@@ -2,7 +2,7 @@
 // packed densely into a block.
 #pragma once
 
-#include "shaders/raster/raster_block.inl"
+#include "shaders/raster/raster_early.inl"
 
 namespace softgl {
 namespace SOFTGL_ISA {
@@ -122,50 +122,6 @@ static void run_packed(const RasterDraw& draw, const TileTarget& tile, FragmentB
   }
   merge_fragments(merged_tile(draw, tile, batch.changes), program, {batch.pixel, block.depth, color}, count);
   batch.lanes = 0, batch.changes = false;
-}
-
-/// The depths of the pixels `covered` of a block, and which of them pass depth and stencil test if those are
-/// early; then they are written if nothing tests them again. Depths of vectors without a covered pixel are
-/// not set. `x` and `y`: where the first pixel has its depth; `stored`: its word. `changes` is set if a depth
-/// that passes may be written later, and is not the stored one.
-SOFTGL_INLINE uint64_t test_block(const RasterDraw& draw, const RasterPrimitive& p, float x, float y,
-                                  uint64_t covered, uint32_t* stored, uint32_t* depth, bool& changes) {
-  constexpr uint64_t kAll = (uint64_t(1) << (kWidth - 1) << 1) - 1;
-  const FragmentKey& key = draw.program->key;
-  const WordComparison compare{Compare(key.depth_function)};
-  const float scale = depth_scale(key);
-  const bool floats = DepthFormat(key.depth_format) == DepthFormat::Z32F;
-  const FragmentConstants& k = *draw.program->constants;
-  const BlockPlane plane = block_plane(p.plane[kPlaneZ], x);
-  const FloatV offset = splat(p.depth_offset);
-  const auto depth_at = [&](int i) __attribute__((always_inline)) {
-    return plane.gy * row_coordinates(y, i >> 3) + plane.column[kWidth < 8 ? i / kWidth & 1 : 0] + offset;
-  };
-  if (!draw.early_depth) {
-    for (int i = 0; i < 64; i += kWidth)
-      if (covered >> i & kAll)
-        store(depth + i, floats ? depth_float(depth_at(i)) : depth_bits(depth_at(i), scale));
-    changes = true;
-    return covered;
-  }
-  const IntV written = splat(draw.final_depth && key.depth_write ? 0xffffff : 0);
-  uint64_t live = 0;
-  IntV changed = IntV{};
-  for (int i = 0; i < 64; i += kWidth) {
-    if (!(covered >> i & kAll)) continue;
-    const IntV word = depth_bits(depth_at(i), scale), there = load(stored + i), old = there & 0xffffff;
-    store(depth + i, word);
-    IntV passes = compare(word, old) & mask_of_bits(uint32_t(covered >> i));
-    if (key.stencil) // whose values stay
-      passes &= compare_words(Compare(key.stencil_function),
-                              splat(int32_t(k.stencil_reference & k.stencil_value_mask)),
-                              (IntV)((UintV)there >> 24) & int32_t(k.stencil_value_mask));
-    store(stored + i, choose(passes & written, word, there));
-    changed |= passes & (word ^ old);
-    live |= uint64_t(sign_bits(passes)) << i;
-  }
-  changes = changes || any(changed);
-  return live;
 }
 
 /// The quads of an 8x8 block, by the bits of their first pixels, that have a pixel of `live`.

@@ -44,31 +44,21 @@ static void pack_block(const RasterDraw& draw, const FragmentBlock& block, uint3
                                 load(block.color[3] + i)));
 }
 
-/// Merges a strip of `block` whose colors are final, lanes from `first` on, with the pixels from `pixel` on.
-/// `live` and `depth` are the strip's, and `words` as of pack_block(). `encoded`: of surfaces that need it.
-SOFTGL_INLINE void merge_strip(const Merger& merger, const EncodedMerger& encoded, const TileTarget& tile,
-                               const FragmentBlock& block, const uint32_t* words, int first, int pixel,
-                               uint32_t* live, const uint32_t* depth) {
+/// Merges colors of a strip of `block`, lanes from `first` on where `live` is set, with the pixels from
+/// `pixel` on. `words`: as of pack_block().
+SOFTGL_INLINE void merge_colors(const EncodedMerger& encoded, const FragmentBlock& block,
+                                const uint32_t* words, int first, const uint32_t* live, void* color,
+                                int pixel) {
+  const Merger& merger = encoded.merger;
   const auto format = ColorFormat(merger.key.color_format);
-  IntV living = IntV{};
-  for (int i = 0; i < kStripLanes; i += kWidth) {
-    IntV v = load(live + i);
-    if (tile.depth_stencil) {
-      v = merger.depth_stencil(v, load(depth + i), tile.depth_stencil + (pixel + i));
-      store(live + i, v);
-    }
-    if (tile.samples) *tile.samples += count_lanes(v);
-    living |= v;
-  }
-  if (!any(living)) return;
   if (format == ColorFormat::Rgba8 && !merger.key.encoded) {
-    uint32_t* target = static_cast<uint32_t*>(tile.color) + pixel;
+    uint32_t* target = static_cast<uint32_t*>(color) + pixel;
     for (int i = 0; i < kStripLanes; i += kWidth)
       merger.color(load(live + i), load(words + first + i), target + i);
     return;
   }
   if (format == ColorFormat::Rgb565) {
-    uint16_t* halves = static_cast<uint16_t*>(tile.color) + pixel;
+    uint16_t* halves = static_cast<uint16_t*>(color) + pixel;
     for (int i = 0; i < kStripLanes; i += kWidth) {
       const IntV kept = load_halves(halves + i), there = expand_565(kept);
       const IntV drawn = cut_565(
@@ -77,7 +67,25 @@ SOFTGL_INLINE void merge_strip(const Merger& merger, const EncodedMerger& encode
     }
     return;
   }
-  encoded.strip(block, first, words + first, live, tile.color, size_t(pixel));
+  encoded.strip(block, first, words + first, live, color, size_t(pixel));
+}
+
+/// Merges a strip of `block` whose colors are final, lanes from `first` on, with the pixels from `pixel` on.
+/// `live` and `depth` are the strip's.
+SOFTGL_INLINE void merge_strip(const EncodedMerger& encoded, const TileTarget& tile,
+                               const FragmentBlock& block, const uint32_t* words, int first, int pixel,
+                               uint32_t* live, const uint32_t* depth) {
+  IntV living = IntV{};
+  for (int i = 0; i < kStripLanes; i += kWidth) {
+    IntV v = load(live + i);
+    if (tile.depth_stencil) {
+      v = encoded.merger.depth_stencil(v, load(depth + i), tile.depth_stencil + (pixel + i));
+      store(live + i, v);
+    }
+    if (tile.samples) *tile.samples += count_lanes(v);
+    living |= v;
+  }
+  if (any(living)) merge_colors(encoded, block, words, first, live, tile.color, pixel);
 }
 
 /// Merges the strips of `block` whose colors are final.
@@ -89,8 +97,7 @@ static void merge_strips(const RasterDraw& draw, const TileTarget& tile, Fragmen
   pack_block(draw, block, words);
   for (int s = 0; s < batch.strips; ++s) {
     const int first = s * kStripLanes;
-    merge_strip(merger, encoded, tile, block, words, first, batch.pixel[s], block.live + first,
-                block.depth + first);
+    merge_strip(encoded, tile, block, words, first, batch.pixel[s], block.live + first, block.depth + first);
   }
 }
 

@@ -4,7 +4,7 @@
 
 #include "shaders/raster/raster_direct.inl"
 #include "shaders/raster/raster_multisample.inl"
-#include "shaders/raster/raster_small.inl"
+#include "shaders/raster/raster_small_samples.inl"
 #include "shaders/raster/raster_spans.inl"
 #include "shaders/raster/raster_staged.inl"
 
@@ -98,7 +98,7 @@ template <bool Staged> static void shade_triangles(const TileTarget& tile, const
         for (int k = 0; k < 3; ++k) __builtin_prefetch(triangle[kWidth + i].corner[k]);
     StoredPlanes stored;
     CornerPlanes planes(lanes < kWidth ? padded : triangle);
-    list_pixels(*draw.raster, tile, planes.position, lanes, pixels);
+    list_pixels<1>(*draw.raster, tile, planes.position, lanes, pixels, nullptr);
     const int32_t all = pixels.end[lanes - 1];
     if (all == 0) continue;
     store_planes(draw, planes, stored);
@@ -113,25 +113,15 @@ template <bool Staged> static void shade_triangles(const TileTarget& tile, const
         return p;
       };
       if constexpr (Staged) {
-        // Lanes of vectors may lie behind the last one of a triangle.
-        constexpr int32_t kBlock = kWidth > 4 ? kLanes : kLanes - kWidth + 1;
-        for (int32_t f = 0; f < end; f += kBlock) {
-          const int32_t most = end - f < kBlock ? end - f : kBlock;
+        for (int32_t f = 0; f < end; f += kNumberedLanes) {
+          const int32_t most = end - f < kNumberedLanes ? end - f : kNumberedLanes;
           alignas(64) int32_t number_of[kLanes];
           for (int32_t i = 0; i < most; i += kWidth) {
             const IntV p = place_at(f + i);
             store(block.x + i, (p & 63) + tile.x), store(block.y + i, ((p >> 6) & 63) + tile.y);
             store(number_of + i, p >> 12);
           }
-          if (kWidth > 4 && number_of[0] != number_of[most - 1])
-            interpolate_triangles(draw, PlanesOfEach{stored, number_of}, 0, most, block, depth + f);
-          else
-            for (int32_t i = 0; i < most;) {
-              const int n = number_of[i];
-              const int32_t next = pixels.end[n] - first - f < most ? pixels.end[n] - first - f : most;
-              interpolate_triangles(draw, PlanesOfOne{stored, n}, i, next, block, depth + f);
-              i = next;
-            }
+          interpolate_numbered(draw, stored, number_of, most, block, depth + f);
           shader.finish(words, f + most);
         }
       } else {
@@ -166,7 +156,11 @@ template <bool Staged> static void shade_triangles(const TileTarget& tile, const
 
 static void tile_triangles(const TileTarget& tile, const RasterDraw& draw, const SmallTriangle* triangle,
                            int32_t count, FragmentBlock& block) {
-  if (draw.program->step_count)
+  if (draw.raster->per_sample)
+    shade_sampled_triangles<true>(tile, draw, triangle, count, block);
+  else if (draw.raster->samples > 1)
+    shade_sampled_triangles<false>(tile, draw, triangle, count, block);
+  else if (draw.program->step_count)
     shade_triangles<true>(tile, draw, triangle, count, block);
   else
     shade_triangles<false>(tile, draw, triangle, count, block);

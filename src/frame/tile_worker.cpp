@@ -33,46 +33,30 @@ bool covers_tile(const ClearRecord& c, const Surface& s, uint32_t tile) {
          b.y1 >= std::min(kTileSize, s.plane_height - y);
 }
 
-/// Where the samples of a tile's pixels lie: how many, and words from one to the next one.
-struct Samples {
-  int32_t count;
-  size_t step;
-};
-Samples color_samples(const Surface& s) { return {s.samples, kTilePixels}; }
-Samples depth_samples(const Surface& s) {
-  return {s.samples, size_t(kTilePixels) * size_t(depth_step(s.depth_format))};
-}
-
 /// Replaces the bits of `mask` in all samples of the pixels of the box; all of the tile when `whole`.
 template <class Word>
-void fill(Word* plane, Samples samples, Word value, Word mask, const Box& box, bool whole) {
-  for (; samples.count > 0; --samples.count, plane += samples.step) {
-    if (whole && mask == static_cast<Word>(~Word(0))) {
-      std::fill_n(plane, kTilePixels, value);
-      continue;
-    }
-    if (whole) {
-      for (int i = 0; i < kTilePixels; ++i) plane[i] = static_cast<Word>((plane[i] & ~mask) | (value & mask));
-      continue;
-    }
-    for (int32_t y = box.y0; y < box.y1; ++y)
-      for (int32_t x = box.x0; x < box.x1; ++x) {
-        Word& w = plane[pixel_in_tile(x, y)];
-        w = static_cast<Word>((w & ~mask) | (value & mask));
-      }
+void fill(Word* plane, int32_t samples, Word value, Word mask, const Box& box, bool whole) {
+  if (whole && mask == static_cast<Word>(~Word(0))) {
+    std::fill_n(plane, kTilePixels * samples, value);
+    return;
   }
+  const auto replace = [&](Word& w) { w = static_cast<Word>((w & ~mask) | (value & mask)); };
+  if (whole) {
+    for (int i = 0; i < kTilePixels * samples; ++i) replace(plane[i]);
+    return;
+  }
+  for (int32_t y = box.y0; y < box.y1; ++y)
+    for (int32_t x = box.x0; x < box.x1; ++x)
+      for (int32_t s = 0; s < samples; ++s) replace(plane[pixel_in_tile(x, y) * samples + s]);
 }
 
-void write_words(uint32_t* plane, Samples samples, TileWords& words) {
+void write_words(uint32_t* plane, int32_t samples, TileWords& words) {
   if (!words.waits) return;
   // A string store does not read the memory first, which lies in a far cache: all of mesh70k takes 1 to 3 %
   // less time.
   const uint64_t pair = words.word | uint64_t(words.word) << 32;
-  for (; samples.count > 0; --samples.count, plane += samples.step) {
-    uint32_t* place = plane;
-    size_t pairs = kTilePixels / 2;
-    asm volatile("rep stosq" : "+D"(place), "+c"(pairs) : "a"(pair) : "memory");
-  }
+  size_t pairs = size_t(kTilePixels) / 2 * size_t(samples);
+  asm volatile("rep stosq" : "+D"(plane), "+c"(pairs) : "a"(pair) : "memory");
   words.waits = false;
 }
 
@@ -83,7 +67,7 @@ size_t first_pixel(const TileWords& words) {
 
 /// Replaces the bits of `mask` in the words of the box. What waits has been written, unless the box is the
 /// whole tile.
-void clear_words(uint32_t* plane, Samples samples, TileWords& words, uint32_t value, uint32_t mask,
+void clear_words(uint32_t* plane, int32_t samples, TileWords& words, uint32_t value, uint32_t mask,
                  const Box& box, bool whole) {
   if (!whole) {
     words.known &= ~mask;
@@ -107,15 +91,15 @@ void clear_color(const ClearRecord& c, const Surface& s, uint32_t tile, const Bo
       if (c.color_mask[i])
         mask |= 0xffu << (8 * i); // GCC 12.2 -fsanitize=undefined makes 0 of (c ? 0xffu : 0u) << 8 * i
     }
-    clear_words(static_cast<uint32_t*>(s.color) + first, color_samples(s), words, value, mask, box, whole);
+    clear_words(static_cast<uint32_t*>(s.color) + first, s.samples, words, value, mask, box, whole);
     break;
   }
   case ColorFormat::Rgb565: {
     const auto r = uint32_t(c.color_value[0]), g = uint32_t(c.color_value[1]), b = uint32_t(c.color_value[2]);
     const uint32_t mask = (c.color_mask[0] ? 0xf800u : 0u) | (c.color_mask[1] ? 0x07e0u : 0u) |
                           (c.color_mask[2] ? 0x001fu : 0u);
-    fill(static_cast<uint16_t*>(s.color) + first, color_samples(s),
-         static_cast<uint16_t>(r << 11 | g << 5 | b), static_cast<uint16_t>(mask), box, whole);
+    fill(static_cast<uint16_t*>(s.color) + first, s.samples, static_cast<uint16_t>(r << 11 | g << 5 | b),
+         static_cast<uint16_t>(mask), box, whole);
     break;
   }
   case ColorFormat::Rgba16: {
@@ -124,16 +108,16 @@ void clear_color(const ClearRecord& c, const Surface& s, uint32_t tile, const Bo
       value |= uint64_t(uint16_t(int32_t(c.color_value[i]))) << (16 * i);
       if (c.color_mask[i]) mask |= uint64_t(0xffff) << (16 * i);
     }
-    fill(static_cast<uint64_t*>(s.color) + first, color_samples(s), value, mask, box, whole);
+    fill(static_cast<uint64_t*>(s.color) + first, s.samples, value, mask, box, whole);
     break;
   }
   case ColorFormat::RgbaFloat: {
     float* plane = static_cast<float*>(s.color) + 4 * first;
-    for (int32_t sample = 0; sample < s.samples; ++sample, plane += 4 * kTilePixels)
-      for (int32_t y = box.y0; y < box.y1; ++y)
-        for (int32_t x = box.x0; x < box.x1; ++x)
+    for (int32_t y = box.y0; y < box.y1; ++y)
+      for (int32_t x = box.x0; x < box.x1; ++x)
+        for (int32_t sample = 0; sample < s.samples; ++sample)
           for (int i = 0; i < 4; ++i)
-            if (c.color_mask[i]) plane[4 * pixel_in_tile(x, y) + i] = c.color_value[i];
+            if (c.color_mask[i]) plane[4 * (pixel_in_tile(x, y) * s.samples + sample) + i] = c.color_value[i];
     break;
   }
   }
@@ -151,8 +135,8 @@ void clear_depth_stencil(const ClearRecord& c, const Surface& s, uint32_t tile, 
     value |= c.stencil_value << 24, mask |= c.stencil_write_mask << 24;
   words.changed = true;
   if (c.stencil && s.depth_format == DepthFormat::Z32F) // these never wait
-    fill(plane + kTilePixels, depth_samples(s), c.stencil_value, c.stencil_write_mask, box, whole);
-  if (mask) clear_words(plane, depth_samples(s), words, value, mask, box, whole);
+    fill(plane + stencil_step(s), s.samples, c.stencil_value, c.stencil_write_mask, box, whole);
+  if (mask) clear_words(plane, s.samples, words, value, mask, box, whole);
 }
 
 void execute_clear(const ClearRecord& c, const Surface& s, uint32_t tile) {
@@ -184,11 +168,9 @@ void open_tile(const Surface& s, uint32_t tile, const RasterDraw& draw) {
 /// Where a draw finds the pixels of the tile.
 void set_target(const Surface& s, uint32_t tile, uint32_t* no_colors, TileTarget& target) {
   target.color = no_colors;
-  target.color_step = 0;
   if (s.color) {
     const auto bytes = size_t(bytes_per_pixel(s.color_format));
     target.color = static_cast<uint8_t*>(s.color) + first_pixel(color_words(s, tile)) * bytes;
-    target.color_step = kTilePixels * bytes;
   }
   target.depth_stencil = nullptr;
   target.one_stencil = takes(FastPath::DepthWords);
@@ -211,11 +193,11 @@ void write_tile(const Surface& s, uint32_t tile) {
       if (s.depth_stencil) depth_words(s, tile).place = words.place;
     }
     if (s.color_format == ColorFormat::Rgba8)
-      write_words(static_cast<uint32_t*>(s.color) + first_pixel(words), color_samples(s), words);
+      write_words(static_cast<uint32_t*>(s.color) + first_pixel(words), s.samples, words);
   }
   if (s.depth_stencil) {
     TileWords& words = depth_words(s, tile);
-    write_words(s.depth_stencil + first_pixel(words), depth_samples(s), words);
+    write_words(s.depth_stencil + first_pixel(words), s.samples, words);
   }
 }
 

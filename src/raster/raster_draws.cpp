@@ -96,12 +96,14 @@ RasterDraw make_raster_draw(const DrawRecord& draw) {
   const auto format = static_cast<ColorFormat>(key.color_format);
   d.opaque = draw.fragment->coverage == Coverage::None && draw.vertex && is_opaque(*draw.vertex) &&
              takes(FastPath::OpaqueColors);
-  // Depths that are floats are tested by strips alone, and so are samples.
+  // Depths that are floats are tested by strips alone, and so are samples but those of small triangles.
   const bool depth_floats = static_cast<DepthFormat>(key.depth_format) == DepthFormat::Z32F,
-             strips = depth_floats || draw.raster->samples > 1;
-  const bool packed = (format == ColorFormat::Rgba8 || format == ColorFormat::Rgb565) && !key.encoded &&
-                      !d.program->writes_depth && !d.raster->stipple && !strips;
-  d.small = packed && !d.program->reads_quads && is_enabled(FastPath::Small);
+             samples = draw.raster->samples > 1, strips = depth_floats || samples;
+  const bool words = (format == ColorFormat::Rgba8 || (format == ColorFormat::Rgb565 && !samples)) &&
+                     !key.encoded && !d.program->writes_depth && !d.raster->stipple && !depth_floats;
+  const bool packed = words && !samples;
+  const bool alpha_covers = d.raster->per_sample && (d.raster->alpha_to_coverage || d.raster->alpha_to_one);
+  d.small = words && !alpha_covers && !d.program->reads_quads && is_enabled(FastPath::Small);
   d.drops_uncovered = !d.small && takes(FastPath::UncoveredTriangles);
   d.quads = packed && d.program->reads_quads && takes(FastPath::Quads);
   d.direct = draw.fragment->step_count == 0 && !d.raster->stipple && format == ColorFormat::Rgba8 &&

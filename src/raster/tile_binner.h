@@ -31,7 +31,8 @@ public:
   /// `in_order`.
   void set_draw(const RasterDraw* draw, bool in_order = false) {
     draw_ = draw;
-    tiny_pixels_ = !is_enabled(FastPath::Tiny) ? 0 : in_order ? kTinyPixelsInOrder : kTinyPixels;
+    const bool tiny = is_enabled(FastPath::Tiny) && draw && draw->raster->samples == 1;
+    tiny_pixels_ = !tiny ? 0 : in_order ? kTinyPixelsInOrder : kTinyPixels;
     shares_planes_ = is_enabled(FastPath::SharedPlanes);
     finishes_points_ = is_enabled(FastPath::Points);
     finishes_lines_ = is_enabled(FastPath::Lines);

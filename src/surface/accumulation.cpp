@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <vector>
 
 namespace softgl {
 namespace {
@@ -205,7 +206,14 @@ void accumulate_tile(const Surface& s, int16_t* numbers, const Accumulation& a, 
   if (a.operation == AccumulationOperation::Return) state.known &= ~Rgba8::mask(a.color_mask);
   const auto run = run_of(s.color_format);
   int16_t* of_tile = numbers + size_t(tile) * kTilePixels * 4;
-  for_each_run(box, whole, [&](int first, int count) { run(a, color, of_tile, first, count); });
+  if (s.pixel_step == 1 || !color)
+    return for_each_run(box, whole, [&](int first, int count) { run(a, color, of_tile, first, count); });
+  // One of several samples: its colors are brought together for a while.
+  const auto bytes = size_t(bytes_per_pixel(s.color_format)), step = bytes * size_t(s.pixel_step);
+  std::vector<unsigned char> colors(kTilePixels * bytes);
+  for (size_t i = 0; i < kTilePixels; ++i) std::memcpy(&colors[i * bytes], color + i * step, bytes);
+  for_each_run(box, whole, [&](int first, int count) { run(a, colors.data(), of_tile, first, count); });
+  for (size_t i = 0; i < kTilePixels; ++i) std::memcpy(color + i * step, &colors[i * bytes], bytes);
 }
 
 } // namespace softgl

@@ -81,7 +81,7 @@ bool Framebuffer::allocate(int width, int height, ColorFormat color_format) {
   if (s.depth_format != DepthFormat::None &&
       !plane_bytes(s.tiles_x, s.tiles_y, n * sizeof(uint32_t), depth_bytes))
     return false;
-  s.samples = samples;
+  s.samples = s.pixel_step = samples;
   s.place_step = uint32_t(samples);
   if (depth_bytes && color_format == ColorFormat::Rgba8)
     s.place_step *= 2, color_bytes += std::exchange(depth_bytes, 0);

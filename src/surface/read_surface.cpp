@@ -15,8 +15,8 @@
 namespace softgl {
 namespace {
 
-/// Copies the pixels of a row block by block: 8 neighbours are contiguous, the next 8 of the row in the tile
-/// are a block further.
+/// Copies the pixels of a row block by block: 8 neighbours are contiguous unless a pixel has several samples,
+/// the next 8 of the row in the tile are a block further.
 template <class Pixel> void copy_row(const Surface& s, const Pixel* plane, const TileWords* tiles,
                                      int32_t columns, int x, int y, int count, Pixel* row) {
   SOFTGL_ASSERT(x >= 0 && count >= 0 && x + count <= s.width && y >= 0 && y < s.height);
@@ -24,9 +24,12 @@ template <class Pixel> void copy_row(const Surface& s, const Pixel* plane, const
   while (count > 0) {
     SOFTGL_ASSERT(tiles[(y >> 6) * columns + (x >> 6)].place != kNoPlace &&
                   !tiles[(y >> 6) * columns + (x >> 6)].waits);
-    const Pixel* from = plane + pixel_index(tiles, columns, x, y);
+    const Pixel* from = plane + pixel_index(s, tiles, columns, x, y);
     int run = std::min(count, kTileSize - (x & (kTileSize - 1)));
-    if (x % kBlock != 0 || run < kBlock) { // a part of a block
+    if (s.pixel_step > 1) {
+      run = std::min(run, kBlock - x % kBlock);
+      for (int i = 0; i < run; ++i) row[i] = from[i * s.pixel_step];
+    } else if (x % kBlock != 0 || run < kBlock) { // a part of a block
       run = std::min(run, kBlock - x % kBlock);
       std::memcpy(row, from, size_t(run) * sizeof(Pixel));
     } else {
@@ -88,8 +91,8 @@ void copy_stencil_row(const Surface& s, int x, int y, int count, uint32_t* row) 
     copy_depth_stencil_row(s, x, y, count, row);
     for (int i = 0; i < count; ++i) row[i] >>= 24;
   } else {
-    copy_row(s, static_cast<const uint32_t*>(s.depth_stencil) + kTilePixels, s.depth_tile, s.depth_columns, x,
-             y, count, row);
+    copy_row(s, static_cast<const uint32_t*>(s.depth_stencil) + stencil_step(s), s.depth_tile,
+             s.depth_columns, x, y, count, row);
   }
 }
 

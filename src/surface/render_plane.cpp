@@ -100,7 +100,7 @@ RenderPlane::RenderPlane(const RenderFormat& f, int w, int h, int n)
   const uint32_t first = f.is_color() && !f.has_alpha() ? 0xff000000u : 0;
   tile.assign(tiles(), TileWords{first, words ? ~0u : 0u, words});
   stored.resize(tiles());
-  const uint32_t step = f.has_stencil_words() || (n > 1 && f.has_floats()) ? 2 : 1;
+  const uint32_t step = f.has_stencil_words() ? 2 : 1;
   for (uint32_t i = 0; i < tiles(); ++i) tile[i].place = i * step * uint32_t(n);
   bytes = size_t(tiles()) * step * size_t(n) * kTilePixels * size_t(pixel_bytes());
   memory = map_pages(bytes);
@@ -131,6 +131,7 @@ void assemble(GLuint name, int width, int height, RenderPlane* color, RenderPlan
   s.tiles_y = (s.height + kTileSize - 1) / kTileSize;
   s.name = name;
   s.y_up = true;
+  s.pixel_step = s.samples;
   s.place_step = uint32_t(s.samples);
   s.color_columns = s.depth_columns = s.tiles_x;
   if (color) {

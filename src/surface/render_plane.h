@@ -44,6 +44,7 @@ RenderFormat render_format(const TexelFormat& texels);
 struct RenderPlane {
   RenderFormat format;
   int width = 0, height = 0, samples = 1, tiles_x = 0, tiles_y = 0;
+  int sample = 0; // the one that load_tile() and store_tile() move
   void* memory = nullptr;
   size_t bytes = 0;
   std::vector<TileWords> tile;
@@ -62,9 +63,10 @@ struct RenderPlane {
   RenderPlane& operator=(const RenderPlane&) = delete;
 
   uint32_t tiles() const { return uint32_t(tiles_x) * uint32_t(tiles_y); }
-  /// The plane's pixels from those of tile `i` on, of the first sample; stencil words are behind those of the
-  /// tile.
+  /// The plane's pixels from those of tile `i` on; stencil words are behind those of the tile.
   unsigned char* pixels(uint32_t i) const;
+  /// Where the sample of the tile's pixel `at` is, counted from pixels().
+  size_t place(size_t at) const { return at * size_t(samples) + size_t(sample); }
   int pixel_bytes() const { return format.is_color() ? bytes_per_pixel(format.color) : 4; }
 };
 

@@ -1,5 +1,7 @@
 #include "surface/sample_resolve.h"
 
+#include <emmintrin.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -47,29 +49,43 @@ void average_samples(const Surface& s, int x, int y, int count, bool linear, uns
 
 namespace {
 
-/// Means of the `count` bytes from `first` on, which are of the first sample, with those of the others.
-void average_run(const uint8_t* first, int count, uint8_t* __restrict to) {
-  constexpr size_t kStep = size_t(kTilePixels) * 4; // bytes to the next sample
-  constexpr float kPart = 1.0f / float(kSamples), kUnit = 1.0f / 255.0f;
-  constexpr float kUlpIsOne = 8388608.0f; // added and subtracted it rounds, and loops stay loops of vectors
+/// Means of the samples of `count` pixels, which lie side by side. Most pixels lie inside of what was drawn,
+/// so their samples are the same: a mean of four equal bytes is that byte.
+void average_run(const uint32_t* samples, int count, uint8_t (*to)[4]) {
   static_assert(kSamples == 4);
-  const uint8_t *b = first + kStep, *c = b + kStep, *d = c + kStep;
+  const __m128 unit = _mm_set1_ps(1.0f / 255.0f), part = _mm_set1_ps(1.0f / kSamples),
+               one = _mm_set1_ps(255.0f);
+  const __m128i zero = _mm_setzero_si128();
   for (int i = 0; i < count; ++i) {
-    float sum = float(first[i]) * kUnit;
-    sum += float(b[i]) * kUnit;
-    sum += float(c[i]) * kUnit;
-    sum += float(d[i]) * kUnit;
-    to[i] = uint8_t(int32_t(((sum * kPart) * 255.0f + kUlpIsOne) - kUlpIsOne));
+    const __m128i words = _mm_loadu_si128(reinterpret_cast<const __m128i*>(samples + kSamples * i));
+    __m128i mean = words;
+    if (_mm_movemask_epi8(_mm_cmpeq_epi32(words, _mm_shuffle_epi32(words, 0))) != 0xffff) {
+      const __m128i low = _mm_unpacklo_epi8(words, zero), high = _mm_unpackhi_epi8(words, zero);
+      const auto value = [&](__m128i v) { return _mm_mul_ps(_mm_cvtepi32_ps(v), unit); };
+      __m128 sum = value(_mm_unpacklo_epi16(low, zero));
+      sum = _mm_add_ps(sum, value(_mm_unpackhi_epi16(low, zero)));
+      sum = _mm_add_ps(sum, value(_mm_unpacklo_epi16(high, zero)));
+      sum = _mm_add_ps(sum, value(_mm_unpackhi_epi16(high, zero)));
+      mean = _mm_cvtps_epi32(_mm_mul_ps(_mm_mul_ps(sum, part), one));
+      mean = _mm_packus_epi16(_mm_packs_epi32(mean, zero), zero);
+    }
+    const int32_t word = _mm_cvtsi128_si32(mean);
+    std::memcpy(to[i], &word, 4);
   }
 }
 
 } // namespace
 
-void average_bytes(const Surface& s, int x, int y, int count, uint8_t (*bytes)[4]) {
-  constexpr int kRun = 8; // pixels of a block's row lie together
-  for (int run; count > 0; x += run, bytes += run, count -= run) {
-    run = std::min(count, kRun - x % kRun);
-    average_run(static_cast<const uint8_t*>(s.color) + 4 * color_index(s, x, y), 4 * run, *bytes);
+void average_bytes(const Surface& s, int x, int y, int width, int height, uint8_t (*bytes)[4], size_t row) {
+  constexpr int kBlock = 8; // pixels a side that lie together: row by row of the window took twice as long
+  for (int lines; height > 0; y += lines, bytes += size_t(lines) * row, height -= lines) {
+    lines = std::min(height, kBlock - y % kBlock);
+    for (int done = 0, run; done < width; done += run) {
+      run = std::min(width - done, kBlock - (x + done) % kBlock);
+      const uint32_t* from = static_cast<const uint32_t*>(s.color) + color_index(s, x + done, y);
+      for (int i = 0; i < lines; ++i)
+        average_run(from + i * kBlock * kSamples, run, bytes + size_t(i) * row + done);
+    }
   }
 }
 
@@ -78,15 +94,17 @@ void resolve_samples(const Surface& from, const Surface& to, uint32_t tile) {
   const int columns = std::min(kTileSize, from.width - x0), rows = std::min(kTileSize, from.height - y0);
   unsigned char row[kTileSize * 16];
   float sample[kTileSize][4], pixels[kTileSize][4];
-  for (int y = y0; y < y0 + rows; ++y) {
-    if (to.color_format == ColorFormat::Rgba8) {
-      constexpr int kRun = 8;
-      for (int x = x0; x < x0 + columns; x += kRun)
+  const bool bytes = to.color_format == ColorFormat::Rgba8;
+  if (bytes) {
+    constexpr int kBlock = 8;
+    for (int y = y0; y < y0 + rows; y += kBlock)
+      for (int x = x0; x < x0 + columns; x += kBlock)
         average_bytes(
-            from, x, y, std::min(kRun, x0 + columns - x),
-            reinterpret_cast<uint8_t(*)[4]>(static_cast<uint8_t*>(to.color) + 4 * color_index(to, x, y)));
-      continue;
-    }
+            from, x, y, std::min(kBlock, x0 + columns - x), std::min(kBlock, y0 + rows - y),
+            reinterpret_cast<uint8_t(*)[4]>(static_cast<uint8_t*>(to.color) + 4 * color_index(to, x, y)),
+            kBlock);
+  }
+  for (int y = y0; !bytes && y < y0 + rows; ++y) {
     average_samples(from, x0, y, columns, false, row, sample, pixels);
     for (int i = 0; i < columns; ++i)
       store_color(to.color_format, pixels[i], to.color, color_index(to, x0 + i, y));
@@ -96,7 +114,9 @@ void resolve_samples(const Surface& from, const Surface& to, uint32_t tile) {
   const auto words = [&](const Surface& s) {
     return s.depth_stencil + depth_words(s, tile).place * size_t(kTilePixels);
   };
-  std::memcpy(words(to), words(from), kTilePixels * sizeof(uint32_t));
+  const uint32_t* first = words(from);
+  uint32_t* word = words(to);
+  for (int i = 0; i < kTilePixels; ++i) word[i] = first[i * from.pixel_step];
   depth_words(to, tile).known = 0;
 }
 

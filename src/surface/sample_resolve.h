@@ -1,6 +1,7 @@
 // From the samples of a pixel to one color.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "shaders/common/surface.h"
@@ -13,8 +14,10 @@ namespace softgl {
 void average_samples(const Surface& surface, int x, int y, int count, bool linear, unsigned char* row,
                      float (*sample)[4], float (*pixels)[4]);
 
-/// The same of a surface of bytes, as the bytes that are drawn of the means.
-void average_bytes(const Surface& surface, int x, int y, int count, uint8_t (*bytes)[4]);
+/// The same of a rectangle of a surface of bytes, as the bytes that are drawn of the means; `row`: pixels
+/// from one row of `bytes` to the next one.
+void average_bytes(const Surface& surface, int x, int y, int width, int height, uint8_t (*bytes)[4],
+                   size_t row);
 
 /// Sets the pixels of a tile of `to`, which has one sample a pixel, from those of `from`: colors are
 /// averaged, depths and stencil values are those of the first sample. Nothing of the tiles may wait to be

@@ -51,14 +51,22 @@ void load_tile(RenderPlane& p, const TextureImage& image, int z, uint32_t tile) 
   for_each_run(p, tile, [&](int x, int y, size_t at, auto count) {
     const unsigned char* texels = image.at(x, y, z);
     if (p.format.is_color()) {
-      texels_to_pixels(*image.format, p.format.color, texels, count, pixels + at * size_t(p.pixel_bytes()));
+      const auto bytes = size_t(p.pixel_bytes());
+      if (p.samples == 1) {
+        texels_to_pixels(*image.format, p.format.color, texels, count, pixels + at * bytes);
+        return;
+      }
+      unsigned char run[kRun * 16];
+      texels_to_pixels(*image.format, p.format.color, texels, count, run);
+      for (size_t i = 0; i < size_t(count); ++i)
+        std::memcpy(pixels + p.place(at + i) * bytes, run + i * bytes, bytes);
       return;
     }
     for (int i = 0; i < count; ++i, texels += texel_bytes) {
-      auto* word = reinterpret_cast<uint32_t*>(pixels) + at + i;
+      auto* word = reinterpret_cast<uint32_t*>(pixels) + p.place(at + size_t(i));
       if (floats) {
         std::memcpy(word, texels, 4);
-        if (!image.stencils.empty()) word[kTilePixels] = *image.stencil_at(x + i, y, z);
+        if (!image.stencils.empty()) word[kTilePixels * p.samples] = *image.stencil_at(x + i, y, z);
         continue;
       }
       uint32_t texel;
@@ -89,8 +97,16 @@ void store_tile(RenderPlane& p, TextureImage& image, int z, uint32_t tile) {
   for_each_run(p, tile, [&](int x, int y, size_t at, auto count) {
     unsigned char* texels = image.at(x, y, z);
     __builtin_prefetch(texels + kRowsAhead * image.row_bytes, 1);
-    const unsigned char* from =
-        words.waits ? reinterpret_cast<const unsigned char*>(same) : pixels + at * size_t(p.pixel_bytes());
+    const auto bytes = size_t(p.pixel_bytes());
+    const unsigned char* from = pixels + at * bytes;
+    unsigned char run[kRun * 16];
+    if (words.waits) {
+      from = reinterpret_cast<const unsigned char*>(same);
+    } else if (p.samples > 1) {
+      for (size_t i = 0; i < size_t(count); ++i)
+        std::memcpy(run + i * bytes, pixels + p.place(at + i) * bytes, bytes);
+      from = run;
+    }
     if (p.format.is_color()) {
       pixels_to_texels(*image.format, p.format.color, from, count, texels);
       return;
@@ -105,8 +121,9 @@ void store_tile(RenderPlane& p, TextureImage& image, int z, uint32_t tile) {
     for (int i = 0; i < count; ++i, texels += texel_bytes) {
       if (p.format.has_floats()) {
         std::memcpy(texels, from + 4 * i, 4);
-        const auto* stencil = reinterpret_cast<const uint32_t*>(pixels) + at + kTilePixels;
-        if (!image.stencils.empty()) *image.stencil_at(x + i, y, z) = uint8_t(stencil[i]);
+        const auto* stencils = reinterpret_cast<const uint32_t*>(pixels) + kTilePixels * p.samples;
+        if (!image.stencils.empty())
+          *image.stencil_at(x + i, y, z) = uint8_t(stencils[p.place(at + size_t(i))]);
       } else {
         uint32_t word;
         std::memcpy(&word, from + 4 * i, 4);

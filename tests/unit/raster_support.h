@@ -21,19 +21,19 @@ struct Canvas {
   std::vector<uint32_t> color, depth;
   std::vector<TileWords> color_tiles, depth_tiles;
   Surface surface{};
-  Canvas(int width, int height, ColorFormat format = ColorFormat::Rgba8) {
+  Canvas(int width, int height, ColorFormat format = ColorFormat::Rgba8, int samples = 1) {
     surface.width = width, surface.height = height;
     surface.tiles_x = (width + 63) / 64, surface.tiles_y = (height + 63) / 64;
     surface.color_format = format;
     surface.depth_format = DepthFormat::Z24S8;
-    const size_t pixels = size_t(surface.tiles_x) * size_t(surface.tiles_y) * kTilePixels;
+    const size_t pixels = size_t(surface.tiles_x) * size_t(surface.tiles_y) * kTilePixels * size_t(samples);
     color.assign(pixels * size_t(bytes_per_pixel(format)) / 4, 0x20406080u);
     depth.assign(pixels, 0x00ffffffu);
     surface.plane_width = width, surface.plane_height = height;
-    surface.samples = 1, surface.place_step = 1;
+    surface.samples = surface.pixel_step = samples, surface.place_step = uint32_t(samples);
     surface.color_columns = surface.depth_columns = surface.tiles_x;
     color_tiles.resize(size_t(surface.tiles_x) * size_t(surface.tiles_y));
-    for (size_t i = 0; i < color_tiles.size(); ++i) color_tiles[i].place = uint32_t(i);
+    for (size_t i = 0; i < color_tiles.size(); ++i) color_tiles[i].place = uint32_t(i) * surface.place_step;
     depth_tiles = color_tiles;
     surface.color_tile = color_tiles.data();
     surface.depth_tile = depth_tiles.data();
@@ -62,7 +62,11 @@ struct Draw {
     program.key.depth_format = uint64_t(surface.depth_format);
     raster.x1 = surface.width, raster.y1 = surface.height;
     raster.line_width = raster.point_size = 1;
-    raster.samples = 1, raster.pixel_center = 0.5f, raster.to_first_pixel = 255, raster.edge_shift = 8;
+    raster.samples = surface.samples;
+    raster.per_sample = surface.samples > 1;
+    raster.pixel_center = raster.per_sample ? 0.0f : 0.5f;
+    raster.to_first_pixel = raster.per_sample ? 0 : 255;
+    raster.edge_shift = raster.per_sample ? 0 : 8;
     raster.sample_mask = 15;
     record.layout.color = 1;
     record.layout.slots = 2;

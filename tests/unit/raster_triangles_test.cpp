@@ -2,23 +2,25 @@
 // against each other.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include "raster_support.h"
+#include "shaders/raster/sample_points.h"
 
 using namespace raster_test;
 
 namespace {
 
-float value(const float* a, const float p[3][4], float px,
-            float py) { // plane through three corners, OSMesa's order
+/// Of the plane through three corners, in OSMesa's order, whose origin is `center` of the first pixel.
+float value(const float* a, const float p[3][4], float center, float px, float py) {
   const float dx01 = p[0][0] - p[1][0], dy01 = p[0][1] - p[1][1], dx20 = p[2][0] - p[0][0],
               dy20 = p[2][1] - p[0][1];
   const float r = 1.0f / (dx01 * dy20 - dy01 * dx20);
   const float sx01 = dx01 * r, sy01 = dy01 * r, sx20 = dx20 * r, sy20 = dy20 * r;
   const float gx = (a[0] - a[1]) * sy20 - (a[2] - a[0]) * sy01;
   const float gy = (a[2] - a[0]) * sx01 - (a[0] - a[1]) * sx20;
-  const float origin = a[0] - (gx * (p[0][0] - 0.5f) + gy * (p[0][1] - 0.5f));
+  const float origin = a[0] - (gx * (p[0][0] - center) + gy * (p[0][1] - center));
   return gy * py + (gx * px + origin);
 }
 
@@ -27,14 +29,15 @@ uint32_t byte_of(float v) {
   return uint32_t(std::lrint(c * 255.0f));
 }
 
-/// One triangle, pixel by pixel over the whole surface.
+/// One triangle, pixel by pixel: all that lie within a pixel of its corners' box.
 void reference_triangle(const Canvas& canvas, const RasterConstants& rc, const ShadedVertices::Slot* v) {
   const Surface& s = canvas.surface;
   float p[3][4], c[3][4];
   int64_t x[3], y[3];
   for (int k = 0; k < 3; ++k) memcpy(p[k], v[2 * k].v, 16), memcpy(c[k], v[2 * k + 1].v, 16);
+  const float center = rc.pixel_center;
   for (int k = 0; k < 3; ++k)
-    x[k] = std::llrint((p[k][0] - 0.5f) * 256.0f), y[k] = std::llrint((p[k][1] - 0.5f) * 256.0f);
+    x[k] = std::llrint((p[k][0] - center) * 256.0f), y[k] = std::llrint((p[k][1] - center) * 256.0f);
   const int64_t area = (x[0] - x[1]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[0] - y[1]);
   if (area == 0 || (area > 0 && (rc.cull & 1)) || (area < 0 && (rc.cull & 2))) return;
   if (area < 0) {
@@ -48,25 +51,35 @@ void reference_triangle(const Canvas& canvas, const RasterConstants& rc, const S
     ec[i] = ea[i] * x[i] - eb[i] * y[i] + ((ea[i] < 0 || (ea[i] == 0 && eb[i] < 0)) ? 1 : 0);
   }
   auto* color = static_cast<uint32_t*>(s.color);
-  for (int py = rc.y0; py < rc.y1; ++py)
-    for (int px = rc.x0; px < rc.x1; ++px) {
-      bool covered = true;
-      for (int i = 0; i < 3; ++i) covered = covered && ec[i] - 256 * ea[i] * px + 256 * eb[i] * py > 0;
-      if (!covered) continue;
-      const size_t at = color_index(s, px, py);
-      const float z[3] = {p[0][2], p[1][2], p[2][2]}, w[3] = {p[0][3], p[1][3], p[2][3]};
-      const float fz = value(z, p, float(px), float(py));
-      const uint32_t depth = uint32_t(std::lrint((fz > 0 ? (fz < 1 ? fz : 1.0f) : 0.0f) * 16777215.0f));
-      if (depth >= s.depth_stencil[at]) continue;
-      s.depth_stencil[at] = depth;
-      const float rw = 1.0f / value(w, p, float(px), float(py));
-      uint32_t packed = 0;
-      for (int k = 0; k < 4; ++k) {
-        const float a[3] = {c[0][k] * w[0], c[1][k] * w[1], c[2][k] * w[2]};
-        packed |= byte_of(value(a, p, float(px), float(py)) * rw) << (8 * k);
-      }
-      color[at] = packed;
+  const float z[3] = {p[0][2], p[1][2], p[2][2]}, w[3] = {p[0][3], p[1][3], p[2][3]};
+  const auto draw_sample = [&](int px, int py, int sample) {
+    const int sx = rc.per_sample ? kSampleX[sample] : 0, sy = rc.per_sample ? kSampleY[sample] : 0;
+    const int64_t x = px * 256 + sx, y = py * 256 + sy;
+    for (int i = 0; i < 3; ++i)
+      if (ec[i] - ea[i] * x + eb[i] * y <= 0) return;
+    const size_t at = color_index(s, px, py) + size_t(sample);
+    const float fz = value(z, p, center, float(x) / 256, float(y) / 256);
+    const uint32_t depth = uint32_t(std::lrint((fz > 0 ? (fz < 1 ? fz : 1.0f) : 0.0f) * 16777215.0f));
+    if (depth >= s.depth_stencil[at]) return;
+    s.depth_stencil[at] = depth;
+    const float cx = float(px) + (0.5f - center), cy = float(py) + (0.5f - center); // the pixel's center
+    const float rw = 1.0f / value(w, p, center, cx, cy);
+    color[at] = 0;
+    for (int k = 0; k < 4; ++k) {
+      const float a[3] = {c[0][k] * w[0], c[1][k] * w[1], c[2][k] * w[2]};
+      color[at] |= byte_of(value(a, p, center, cx, cy) * rw) << (8 * k);
     }
+  };
+  const auto first = [](const int64_t* v, int low) {
+    return std::max(low, int(std::min({v[0], v[1], v[2]}) / 256) - 1);
+  };
+  const auto end = [](const int64_t* v, int high) {
+    return std::min(high, int(std::max({v[0], v[1], v[2]}) / 256) + 2);
+  };
+  for (int py = first(y, rc.y0); py < end(y, rc.y1); ++py)
+    for (int px = first(x, rc.x0); px < end(x, rc.x1); ++px)
+      for (int sample = 0; sample < s.samples; ++sample)
+        if (rc.sample_mask >> sample & 1) draw_sample(px, py, sample);
 }
 
 Canvas drawn(const Vertices& v, bool small, int scissor = 0, uint8_t cull = 0, const Kernels& k = kernels(),
@@ -148,6 +161,36 @@ TEST_CASE("triangles reach up to 64 pixels out of a small scissor box", "[raster
       CHECK(got == expected);
     }
   }
+}
+
+TEST_CASE("samples of triangles equal the plain scalar rasterizer", "[raster]") {
+  for (int category = 0; category < kCategories; ++category)
+    for (int round = 0; round < 3; ++round) {
+      INFO("category " << category << " round " << round);
+      const Vertices v =
+          random_triangles(uint32_t(500 + 10 * category + round), Category(category), 700, 157, 131);
+      Canvas expected(157, 131, ColorFormat::Rgba8, kSamples);
+      Draw draw(expected.surface);
+      if (round == 1) draw.raster.x0 = 13, draw.raster.y0 = 26, draw.raster.x1 -= 39, draw.raster.y1 -= 7;
+      if (round == 2) draw.raster.sample_mask = 6, draw.raster.cull = 1;
+      {
+        const FloatEnvironment environment;
+        for (size_t i = 0; i < v.size(); i += 6) reference_triangle(expected, draw.raster, &v[i]);
+      }
+      for (int isa = 0; isa <= int(detect_isa()); ++isa) {
+        const Kernels* k = find_kernels(Isa(isa));
+        if (!k) continue;
+        for (bool small : {true, false}) {
+          INFO("instruction set " << isa_name(Isa(isa)) << (small ? ", small ones apart" : ""));
+          Canvas got(157, 131, ColorFormat::Rgba8, kSamples);
+          draw.derive();
+          REQUIRE(draw.derived.small);
+          draw.derived.small = small;
+          draw_triangles(got, draw, v, *k);
+          CHECK(got == expected);
+        }
+      }
+    }
 }
 
 TEST_CASE("small triangles, blocks, units and instruction sets draw the same", "[raster]") {

@@ -145,10 +145,8 @@ void blit_resolved_colors(Context& c, const Blit& blit, const BlitSamples& sampl
   if (s.color_format == ColorFormat::Rgba8 && keeps_bytes(s.encoding) && !s.encoding.srgb) {
     // The surface that is drawn to has bytes, too: then it is the same to round now.
     auto* bytes = reinterpret_cast<uint8_t(*)[4]>(arena.allocate_array<uint32_t>(blit.source_pixels()));
-    for (size_t j = 0; j < rows; ++j) {
-      average_bytes(s, x, y + int(j), width, bytes + j * columns);
-      spread_colors(c.read->texels, bytes + j * columns, columns);
-    }
+    average_bytes(s, x, y, width, int(rows), bytes, columns);
+    spread_colors(c.read->texels, bytes, blit.source_pixels());
     return submit_copy(c, blit.image(PixelElement::Bytes, bytes, arena), blit.box(), samples.to);
   }
   std::vector<unsigned char> row(columns * 16);

@@ -17,22 +17,16 @@
 namespace softgl {
 namespace {
 
-/// Sample `sample` of the plane's pixels for a while: its tiles begin there.
+/// Sample `sample` of the plane's pixels for a while.
 class SampleOfPlane {
 public:
-  SampleOfPlane(RenderPlane& plane, int sample)
-      : plane_(plane), places_(uint32_t(sample) * (plane.format.has_floats() ? 2 : 1)) {
-    for (TileWords& tile : plane_.tile) tile.place += places_;
-  }
-  ~SampleOfPlane() {
-    for (TileWords& tile : plane_.tile) tile.place -= places_;
-  }
+  SampleOfPlane(RenderPlane& plane, int sample) : plane_(plane) { plane_.sample = sample; }
+  ~SampleOfPlane() { plane_.sample = 0; }
   SampleOfPlane(const SampleOfPlane&) = delete;
   SampleOfPlane& operator=(const SampleOfPlane&) = delete;
 
 private:
   RenderPlane& plane_;
-  uint32_t places_;
 };
 
 /// The texels that a renderbuffer would have, were it a texture. Stencil values alone lie beside depths.
