@@ -167,6 +167,9 @@ static void multisampled_primitive(const RasterDraw& draw, const TileTarget& til
       uint64_t pattern = ~uint64_t(0);
       if (stipple) pattern = stipple[(by >> 1 & 12) | (bx >> 3 & 3)]; // tiles begin at multiples of 32
       const int begin = left & ~(kVectorPixels - 1);
+      FloatV of_column[8 / kVectorPixels]; // the parts of depths
+      for (int i = begin; Depth && i < right; i += kVectorPixels)
+        of_column[i / kVectorPixels] = gx * (places.x + to_float(load(kLanePixel) + (tile.x + bx + i))) + a;
       for (int strip = top & ~1; strip < bottom; strip += 2) {
         uint64_t covered = 0;
         IntV changed = IntV{};
@@ -175,16 +178,14 @@ static void multisampled_primitive(const RasterDraw& draw, const TileTarget& til
           uint32_t within = columns;
           if (stipple) within &= uint32_t(all_samples(pattern >> (8 * row) & 0xff));
           if (p.round) within &= samples_in_circle(p, tile.x + bx, tile.y + by + row);
-          FloatV x = places.x + to_float(load(kLanePixel) + (tile.x + bx + begin));
           const FloatV of_row = gy * (places.y + float(tile.y + by + row));
           // Of `live` ones of the vector at a column.
           const auto vector = [&](int column, IntV live) __attribute__((always_inline)) {
             const int lane = (row - strip) * 8 + column; // of the strip
             if constexpr (Depth)
-              live = tests.test(live, of_row + (gx * x + a) + offset,
+              live = tests.test(live, of_row + of_column[column / kVectorPixels] + offset,
                                 tile.depth_stencil + (pixel + lane) * kSamples,
                                 batch.depth + (batch.pixels.strips * kStripLanes + lane) * kSamples, changed);
-            x += float(kVectorPixels);
             covered |= uint64_t(sign_bits(live)) << (lane * kSamples);
           };
           if (place == BlockPlace::Inside && within == ~0u) {
@@ -203,10 +204,7 @@ static void multisampled_primitive(const RasterDraw& draw, const TileTarget& til
               for (int i = 0; i < Edges; ++i) v[i] += edges.next[i];
               live &= outside >= 0;
             }
-            if (!Depth || any(live))
-              vector(column, live);
-            else
-              x += float(kVectorPixels);
+            if (!Depth || any(live)) vector(column, live);
           }
         }
         if (!covered) continue;

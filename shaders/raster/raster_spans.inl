@@ -68,8 +68,11 @@ template <int Samples, class Parts> SOFTGL_INLINE uint16_t* list_rows(const Span
                                                                       int32_t rows, Parts parts,
                                                                       uint16_t* next, uint16_t* samples) {
   typedef uint16_t Row __attribute__((vector_size(2 * kRowPlaces)));
-  typedef int16_t SignedRow __attribute__((vector_size(2 * kRowPlaces)));
+  constexpr int kTogether = kWidth == 4 ? 8 : 16; // comparisons of longer vectors GCC 12 takes apart
+  typedef int16_t Columns __attribute__((vector_size(2 * kTogether)));
   constexpr Row kColumns = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+  Columns column_numbers;
+  memcpy(&column_numbers, &kColumns, sizeof column_numbers);
   // By eights: how many rows a triangle has is hard to predict.
   for (int32_t row = 0; row < rows; row += 8)
 #pragma GCC unroll 8
@@ -78,15 +81,17 @@ template <int Samples, class Parts> SOFTGL_INLINE uint16_t* list_rows(const Span
       for (int part = 0; part < parts; ++part) {
         const Row places = kColumns + uint16_t(s + uint32_t(part * kRowPlaces));
         memcpy(next + part * kRowPlaces, &places, sizeof places);
-        if constexpr (Samples > 1) {
-          const SignedRow column = (SignedRow)kColumns + int16_t(part * kRowPlaces);
-          SignedRow covered = {};
-          for (int n = 0; n < Samples; ++n) {
-            const uint32_t of_sample = spans.part[row + k][n][lane];
-            covered |= (column >= int16_t(of_sample)) & (column < int16_t(of_sample >> 16)) & int16_t(1 << n);
+        if constexpr (Samples > 1)
+          for (int first = part * kRowPlaces; first < (part + 1) * kRowPlaces; first += kTogether) {
+            const Columns column = column_numbers + int16_t(first);
+            Columns covered = {};
+            for (int n = 0; n < Samples; ++n) {
+              const uint32_t of_sample = spans.part[row + k][n][lane];
+              covered |=
+                  (column >= int16_t(of_sample)) & (column < int16_t(of_sample >> 16)) & int16_t(1 << n);
+            }
+            memcpy(samples + first, &covered, sizeof covered);
           }
-          memcpy(samples + part * kRowPlaces, &covered, sizeof covered);
-        }
       }
       next += s >> 16;
       if constexpr (Samples > 1) samples += s >> 16;

@@ -22,7 +22,7 @@ struct Frame::Workers {
   struct Scratch {
     BinnerScratch binner;
     FragmentBlock block;
-    uint32_t no_colors[kTilePixels]; // of surfaces without a color plane
+    uint32_t no_colors[kTilePixels * kSamples]; // of surfaces without a color plane
   };
   struct Worker {
     Scratch* scratch;
