@@ -71,6 +71,18 @@ SOFTGL_INLINE void find_corners(const RasterDraw& draw, const TriangleInput& in,
   }
 }
 
+/// The next kWidth of `count` triangles; if fewer are left these, and copies of the first of them, in
+/// `padded`. Those behind them are fetched, which another processor may have shaded.
+SOFTGL_INLINE const SmallTriangle* whole_group(const SmallTriangle* triangle, int32_t count,
+                                               SmallTriangle padded[kWidth]) {
+  if (count >= 2 * kWidth)
+    for (int i = 0; i < kWidth; ++i)
+      for (int k = 0; k < 3; ++k) __builtin_prefetch(triangle[kWidth + i].corner[k]);
+  if (count >= kWidth) return triangle;
+  for (int i = 0; i < kWidth; ++i) padded[i] = triangle[i < count ? i : 0];
+  return padded;
+}
+
 /// Loads slot `slot` (`back_slot` where the triangle is back-facing) of the three corners of kWidth
 /// triangles.
 SOFTGL_INLINE void load_slot(const SmallTriangle* t, int slot, int back_slot, FloatV out[3][4]) {

@@ -76,14 +76,10 @@ template <bool PerSample> static void shade_sampled_triangles(const TileTarget& 
   const uint32_t mask = r.sample_mask & ((1u << kSamples) - 1);
   for (; count > 0; triangle += kWidth, count -= kWidth) {
     const int lanes = count < kWidth ? count : kWidth;
-    SmallTriangle padded[kWidth]; // the last ones, and copies of the first of them
-    if (lanes < kWidth)
-      for (int i = 0; i < kWidth; ++i) padded[i] = triangle[i < lanes ? i : 0];
-    if (count >= 2 * kWidth) // the next ones, which another processor may have shaded
-      for (int i = 0; i < kWidth; ++i)
-        for (int k = 0; k < 3; ++k) __builtin_prefetch(triangle[kWidth + i].corner[k]);
+    SmallTriangle padded[kWidth];
+    const SmallTriangle* const group = whole_group(triangle, count, padded);
     StoredPlanes stored;
-    CornerPlanes planes(lanes < kWidth ? padded : triangle, r.pixel_center);
+    CornerPlanes planes(group, r.pixel_center);
     list_pixels<PerSample ? kSamples : 1>(r, tile, planes.position, lanes, pixels, pixels.samples);
     const int32_t all = pixels.end[lanes - 1];
     if (all == 0) continue;
@@ -94,9 +90,8 @@ template <bool PerSample> static void shade_sampled_triangles(const TileTarget& 
       alignas(64) int32_t number_of[kLanes];
       for (int32_t i = 0; i < most; i += kWidth) {
         const IntV p = load_halves(pixels.place + first + i);
-        store_halves(pixel + i, (p & 0xe07) | ((p >> 3) & 0x38) | ((p << 3) & 0x1c0)); // pixel_in_tile
-        store(block.x + i, (p & 63) + tile.x), store(block.y + i, ((p >> 6) & 63) + tile.y);
-        store(number_of + i, p >> 12);
+        store_halves(pixel + i, pixels_in_tile(p));
+        put_places(p, tile, i, number_of, block);
         const IntV covered = PerSample ? load_halves(pixels.samples + first + i) : splat(-1);
         store(samples + i, covered & int32_t(mask));
       }

@@ -21,6 +21,17 @@ struct SampledPixels : SmallPixels {
   alignas(64) uint16_t samples[kMost + kSmallBox];
 };
 
+/// pixel_in_tile() of the pixels at the places of SmallPixels.
+SOFTGL_INLINE IntV pixels_in_tile(IntV place) {
+  return (place & 0xe07) | ((place >> 3) & 0x38) | ((place << 3) & 0x1c0);
+}
+/// Makes lanes [lane, lane + kWidth) of the block those pixels, and sets the numbers of their triangles.
+SOFTGL_INLINE void put_places(IntV place, const TileTarget& tile, int lane, int32_t* number_of,
+                              FragmentBlock& block) {
+  store(block.x + lane, (place & 63) + tile.x), store(block.y + lane, ((place >> 6) & 63) + tile.y);
+  store(number_of + lane, place >> 12);
+}
+
 /// A side that bounds spans. With t = (value + 0.5) / a pixels up to floor(t) are inside, or, on the left,
 /// from ceil(t) on: that is the test value - a * x >= 0 of whole numbers, since t is 1 / (2 |a|) > 2^-16 off
 /// every integer, and its rounding errors are below 2^-16 up to 128.

@@ -90,14 +90,10 @@ template <bool Staged> static void shade_triangles(const TileTarget& tile, const
   const bool killing = Staged && draw.program->tests_alpha();
   for (; count > 0; triangle += kWidth, count -= kWidth) {
     const int lanes = count < kWidth ? count : kWidth;
-    SmallTriangle padded[kWidth]; // the last ones, and copies of the first of them
-    if (lanes < kWidth)
-      for (int i = 0; i < kWidth; ++i) padded[i] = triangle[i < lanes ? i : 0];
-    if (count >= 2 * kWidth) // the next ones, which another processor may have shaded
-      for (int i = 0; i < kWidth; ++i)
-        for (int k = 0; k < 3; ++k) __builtin_prefetch(triangle[kWidth + i].corner[k]);
+    SmallTriangle padded[kWidth];
+    const SmallTriangle* const group = whole_group(triangle, count, padded);
     StoredPlanes stored;
-    CornerPlanes planes(lanes < kWidth ? padded : triangle);
+    CornerPlanes planes(group);
     list_pixels<1>(*draw.raster, tile, planes.position, lanes, pixels, nullptr);
     const int32_t all = pixels.end[lanes - 1];
     if (all == 0) continue;
@@ -109,18 +105,14 @@ template <bool Staged> static void shade_triangles(const TileTarget& tile, const
       SmallShader<Staged> shader(draw, block);
       const auto place_at = [&](int32_t f) __attribute__((always_inline)) {
         const IntV p = load_halves(place + f);
-        store_halves(pixel + f, (p & 0xe07) | ((p >> 3) & 0x38) | ((p << 3) & 0x1c0)); // pixel_in_tile
+        store_halves(pixel + f, pixels_in_tile(p));
         return p;
       };
       if constexpr (Staged) {
         for (int32_t f = 0; f < end; f += kNumberedLanes) {
           const int32_t most = end - f < kNumberedLanes ? end - f : kNumberedLanes;
           alignas(64) int32_t number_of[kLanes];
-          for (int32_t i = 0; i < most; i += kWidth) {
-            const IntV p = place_at(f + i);
-            store(block.x + i, (p & 63) + tile.x), store(block.y + i, ((p >> 6) & 63) + tile.y);
-            store(number_of + i, p >> 12);
-          }
+          for (int32_t i = 0; i < most; i += kWidth) put_places(place_at(f + i), tile, i, number_of, block);
           interpolate_numbered(draw, stored, number_of, most, block, depth + f);
           shader.finish(words, f + most);
         }

@@ -10,6 +10,7 @@
 #include "base/pages.h"
 #include "base/thread_pool.h"
 #include "frame/frame.h"
+#include "frame/tile_worker.h"
 #include "raster/tile_binner.h"
 #include "raster/tile_list.h"
 #include "shaders/fragment/fragment_block.h"
@@ -22,7 +23,7 @@ struct Frame::Workers {
   struct Scratch {
     BinnerScratch binner;
     FragmentBlock block;
-    uint32_t no_colors[kTilePixels * kSamples]; // of surfaces without a color plane
+    uint32_t no_colors[kNoColorWords]; // of surfaces without a color plane
   };
   struct Worker {
     Scratch* scratch;

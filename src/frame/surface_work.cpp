@@ -23,14 +23,14 @@ template <class Visit> void for_each_tile(const Surface& s, Visit&& visit) {
 
 } // namespace
 
-void load_plane(RenderPlane& plane, const TextureImage& image, int slice) {
+void load_plane(RenderPlane& plane, const TextureImage& image, int slice, int sample) {
   for_each_tile(plane.width, plane.height, plane.tiles(),
-                [&](uint32_t tile) { load_tile(plane, image, slice, tile); });
+                [&](uint32_t tile) { load_tile(plane, image, slice, tile, sample); });
 }
 
-void store_plane(RenderPlane& plane, TextureImage& image, int slice) {
+void store_plane(RenderPlane& plane, TextureImage& image, int slice, int sample) {
   for_each_tile(plane.width, plane.height, plane.tiles(),
-                [&](uint32_t tile) { store_tile(plane, image, slice, tile); });
+                [&](uint32_t tile) { store_tile(plane, image, slice, tile, sample); });
 }
 
 bool has_changed(const RenderPlane& plane) {

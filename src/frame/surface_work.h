@@ -11,8 +11,8 @@ namespace softgl {
 void write_tiles(RenderTarget& target);
 
 /// All of the plane from the texels of a slice, and the texels from what has changed of the plane.
-void load_plane(RenderPlane& plane, const TextureImage& image, int slice);
-void store_plane(RenderPlane& plane, TextureImage& image, int slice);
+void load_plane(RenderPlane& plane, const TextureImage& image, int slice, int sample = 0);
+void store_plane(RenderPlane& plane, TextureImage& image, int slice, int sample = 0);
 /// True where something was drawn to the plane since it was loaded or stored.
 bool has_changed(const RenderPlane& plane);
 

@@ -7,9 +7,11 @@
 
 namespace softgl {
 
+/// Words for the colors of a surface without a color plane: of all samples of a tile.
+constexpr int kNoColorWords = kTilePixels * kSamples;
+
 /// Does all work of a chain of chunks on tile number `tile`, in order. `scratch` belongs to the worker, and
-/// so does `no_colors`, words of all samples of a tile for the colors of a surface without a color plane:
-/// kernels always write them.
+/// so does `no_colors`, kNoColorWords of them: kernels always write colors.
 void execute_tile(const Surface& surface, uint32_t tile, const TileChunk* work, const RasterKernels& kernels,
                   FragmentBlock& scratch, uint32_t* no_colors);
 

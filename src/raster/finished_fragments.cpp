@@ -60,8 +60,8 @@ constexpr int32_t kMostPointPixels = 16;
 bool TileBinner::finishes_points() const {
   const bool few =
       draw_->layout.point >= 0 || draw_->raster->point_size * draw_->raster->point_size <= kMostPointPixels;
-  return few && finishes_points_ && draw_->small && draw_->raster->samples == 1 &&
-         draw_->program->step_count == 0 && !draw_->back_face && !draw_->smooth_point;
+  return few && finishes_points_ && draw_->small && draw_->program->step_count == 0 && !draw_->back_face &&
+         !draw_->smooth_point;
 }
 
 void TileBinner::append_point(const WindowBox& box, uint32_t depth, uint32_t color) {
@@ -105,8 +105,8 @@ constexpr int32_t kMostLineWidth = 2;
 
 /// Whether the draw's lines are finished fragments: no stage runs, and they are thin.
 bool TileBinner::finishes_lines() const {
-  return finishes_lines_ && draw_->small && draw_->raster->samples == 1 && draw_->program->step_count == 0 &&
-         !draw_->back_face && !draw_->smooth_line && !draw_->raster->per_sample &&
+  return finishes_lines_ && draw_->small && draw_->program->step_count == 0 && !draw_->back_face &&
+         !draw_->smooth_line && !draw_->raster->per_sample &&
          draw_->raster->line_width < kMostLineWidth + 0.5f;
 }
 
@@ -181,8 +181,8 @@ void TileBinner::finished_lines(const AssembledLines& batch) {
 /// Whether the draw is a bitmap whose fragments need nothing but their bits.
 bool TileBinner::finishes_bitmap() const {
   const PixelImage* image = draw_->program->constants->image;
-  return finishes_bitmaps_ && draw_->small && draw_->raster->samples == 1 &&
-         draw_->program->step_count == 1 && image && image->kind == PixelElement::Bit;
+  return finishes_bitmaps_ && draw_->small && draw_->program->step_count == 1 && image &&
+         image->kind == PixelElement::Bit;
 }
 
 void TileBinner::finished_bitmap(const PixelRectangle& rectangle) {

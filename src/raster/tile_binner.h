@@ -31,12 +31,12 @@ public:
   /// `in_order`.
   void set_draw(const RasterDraw* draw, bool in_order = false) {
     draw_ = draw;
-    const bool tiny = is_enabled(FastPath::Tiny) && draw && draw->raster->samples == 1;
-    tiny_pixels_ = !tiny ? 0 : in_order ? kTinyPixelsInOrder : kTinyPixels;
+    const bool one = draw && draw->raster->samples == 1; // sample: only those fragments are finished
+    tiny_pixels_ = !one || !is_enabled(FastPath::Tiny) ? 0 : in_order ? kTinyPixelsInOrder : kTinyPixels;
     shares_planes_ = is_enabled(FastPath::SharedPlanes);
-    finishes_points_ = is_enabled(FastPath::Points);
-    finishes_lines_ = is_enabled(FastPath::Lines);
-    finishes_bitmaps_ = is_enabled(FastPath::Bitmaps);
+    finishes_points_ = one && is_enabled(FastPath::Points);
+    finishes_lines_ = one && is_enabled(FastPath::Lines);
+    finishes_bitmaps_ = one && is_enabled(FastPath::Bitmaps);
     keeps_vertices_ = false;
   }
   /// True when lists point to vertices of the batches since set_draw().

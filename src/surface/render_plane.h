@@ -44,7 +44,6 @@ RenderFormat render_format(const TexelFormat& texels);
 struct RenderPlane {
   RenderFormat format;
   int width = 0, height = 0, samples = 1, tiles_x = 0, tiles_y = 0;
-  int sample = 0; // the one that load_tile() and store_tile() move
   void* memory = nullptr;
   size_t bytes = 0;
   std::vector<TileWords> tile;
@@ -65,8 +64,8 @@ struct RenderPlane {
   uint32_t tiles() const { return uint32_t(tiles_x) * uint32_t(tiles_y); }
   /// The plane's pixels from those of tile `i` on; stencil words are behind those of the tile.
   unsigned char* pixels(uint32_t i) const;
-  /// Where the sample of the tile's pixel `at` is, counted from pixels().
-  size_t place(size_t at) const { return at * size_t(samples) + size_t(sample); }
+  /// Where a sample of the tile's pixel `at` is, counted from pixels().
+  size_t place(size_t at, int sample) const { return at * size_t(samples) + size_t(sample); }
   int pixel_bytes() const { return format.is_color() ? bytes_per_pixel(format.color) : 4; }
 };
 

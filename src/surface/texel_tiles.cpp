@@ -42,7 +42,7 @@ uint32_t stored_depth(uint32_t word, int bits) {
 
 } // namespace
 
-void load_tile(RenderPlane& p, const TextureImage& image, int z, uint32_t tile) {
+void load_tile(RenderPlane& p, const TextureImage& image, int z, uint32_t tile, int sample) {
   unsigned char* pixels = p.pixels(tile);
   TileWords& words = p.tile[tile];
   const size_t texel_bytes = size_t(image.format->bytes());
@@ -59,11 +59,11 @@ void load_tile(RenderPlane& p, const TextureImage& image, int z, uint32_t tile) 
       unsigned char run[kRun * 16];
       texels_to_pixels(*image.format, p.format.color, texels, count, run);
       for (size_t i = 0; i < size_t(count); ++i)
-        std::memcpy(pixels + p.place(at + i) * bytes, run + i * bytes, bytes);
+        std::memcpy(pixels + p.place(at + i, sample) * bytes, run + i * bytes, bytes);
       return;
     }
     for (int i = 0; i < count; ++i, texels += texel_bytes) {
-      auto* word = reinterpret_cast<uint32_t*>(pixels) + p.place(at + size_t(i));
+      auto* word = reinterpret_cast<uint32_t*>(pixels) + p.place(at + size_t(i), sample);
       if (floats) {
         std::memcpy(word, texels, 4);
         if (!image.stencils.empty()) word[kTilePixels * p.samples] = *image.stencil_at(x + i, y, z);
@@ -81,7 +81,7 @@ void load_tile(RenderPlane& p, const TextureImage& image, int z, uint32_t tile) 
   p.stored[tile].known = false;
 }
 
-void store_tile(RenderPlane& p, TextureImage& image, int z, uint32_t tile) {
+void store_tile(RenderPlane& p, TextureImage& image, int z, uint32_t tile, int sample) {
   TileWords& words = p.tile[tile];
   if (!words.changed) return;
   words.changed = false;
@@ -104,7 +104,7 @@ void store_tile(RenderPlane& p, TextureImage& image, int z, uint32_t tile) {
       from = reinterpret_cast<const unsigned char*>(same);
     } else if (p.samples > 1) {
       for (size_t i = 0; i < size_t(count); ++i)
-        std::memcpy(run + i * bytes, pixels + p.place(at + i) * bytes, bytes);
+        std::memcpy(run + i * bytes, pixels + p.place(at + i, sample) * bytes, bytes);
       from = run;
     }
     if (p.format.is_color()) {
@@ -123,7 +123,7 @@ void store_tile(RenderPlane& p, TextureImage& image, int z, uint32_t tile) {
         std::memcpy(texels, from + 4 * i, 4);
         const auto* stencils = reinterpret_cast<const uint32_t*>(pixels) + kTilePixels * p.samples;
         if (!image.stencils.empty())
-          *image.stencil_at(x + i, y, z) = uint8_t(stencils[p.place(at + size_t(i))]);
+          *image.stencil_at(x + i, y, z) = uint8_t(stencils[p.place(at + size_t(i), sample)]);
       } else {
         uint32_t word;
         std::memcpy(&word, from + 4 * i, 4);

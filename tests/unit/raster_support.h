@@ -86,6 +86,7 @@ inline void draw_triangles(const Canvas& canvas, const Draw& draw, const Vertice
   static auto block = std::make_unique<FragmentBlock>();
   Arena arena;
   TileLists lists;
+  std::vector<uint32_t> no_colors(canvas.surface.color ? 0 : kNoColorWords);
   const Surface& s = canvas.surface;
   const size_t triangles = v.size() / 6;
   for (size_t begin = 0; begin < triangles; begin += unit) {
@@ -98,7 +99,8 @@ inline void draw_triangles(const Canvas& canvas, const Draw& draw, const Vertice
       if (++batch.count == kAssemblyBatch) binner.triangles(draw.record, batch), batch.count = 0;
     }
     if (batch.count) binner.triangles(draw.record, batch);
-    for (const auto& t : lists.finish()) execute_tile(s, t.tile, t.first, *k.raster, *block, nullptr);
+    for (const auto& t : lists.finish())
+      execute_tile(s, t.tile, t.first, *k.raster, *block, no_colors.data());
     arena.reset();
   }
 }

@@ -193,6 +193,25 @@ TEST_CASE("samples of triangles equal the plain scalar rasterizer", "[raster]") 
     }
 }
 
+TEST_CASE("without a color plane depths are the same, and nothing beyond the scratch words is written",
+          "[raster]") {
+  const Vertices v = random_triangles(77, Mixed, 1500, 157, 131);
+  for (int samples : {1, kSamples})
+    for (bool small : {true, false}) {
+      INFO(samples << (small ? " samples, small ones apart" : " samples"));
+      Canvas with(157, 131, ColorFormat::Rgba8, samples), without(157, 131, ColorFormat::Rgba8, samples);
+      without.surface.color = nullptr, without.surface.color_tile = nullptr;
+      for (Canvas* canvas : {&with, &without}) {
+        Draw draw(canvas->surface);
+        draw.derive();
+        draw.derived.small = small;
+        draw_triangles(*canvas, draw, v); // the address sanitizer sees what lies beyond
+      }
+      CHECK(without.depth == with.depth);
+      CHECK(without.depth != Canvas(157, 131, ColorFormat::Rgba8, samples).depth);
+    }
+}
+
 TEST_CASE("small triangles, blocks, units and instruction sets draw the same", "[raster]") {
   for (int category = 0; category < kCategories; ++category) {
     INFO("category " << category);

@@ -17,18 +17,6 @@
 namespace softgl {
 namespace {
 
-/// Sample `sample` of the plane's pixels for a while.
-class SampleOfPlane {
-public:
-  SampleOfPlane(RenderPlane& plane, int sample) : plane_(plane) { plane_.sample = sample; }
-  ~SampleOfPlane() { plane_.sample = 0; }
-  SampleOfPlane(const SampleOfPlane&) = delete;
-  SampleOfPlane& operator=(const SampleOfPlane&) = delete;
-
-private:
-  RenderPlane& plane_;
-};
-
 /// The texels that a renderbuffer would have, were it a texture. Stencil values alone lie beside depths.
 const TexelFormat& texel_format(const Renderbuffer& r) {
   const bool stencils = !r.format.is_color() && r.format.depth_bits == 0;
@@ -65,8 +53,7 @@ struct CopyEnd {
       auto& made = sample_image.emplace_back(make_image(*format, internal_format, width, height, 1));
       for (uint32_t i = 0; i < plane.tiles(); ++i)
         plane.tile[i].changed = true, plane.stored[i].known = false;
-      const SampleOfPlane sample(plane, s);
-      store_plane(plane, *made, 0);
+      store_plane(plane, *made, 0, s);
     }
   }
   /// Of what is changed: nobody else holds the images. Throws std::bad_alloc.
@@ -78,10 +65,7 @@ struct CopyEnd {
   void close(Context& c) {
     if (texture) return mark_images(c, *texture);
     RenderPlane& plane = *renderbuffer->plane;
-    for (int s = 0; s < samples; ++s) {
-      const SampleOfPlane sample(plane, s);
-      load_plane(plane, *sample_image[size_t(s)], 0);
-    }
+    for (int s = 0; s < samples; ++s) load_plane(plane, *sample_image[size_t(s)], 0, s);
     c.dirty |= kDirtyFramebuffer;
   }
 };
